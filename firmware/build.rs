@@ -1,11 +1,11 @@
-//! For the programs of the feature `board`: what the linker must know of the chip, by target, and which scene is compiled into an image.
+//! For the programs of the feature `board`: the linker's settings for the chip, by target, and the scene that is compiled into an image.
 
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// The scene of the images `footprint` and `count_scene` as Rust code, instead of `scenes/box.rs`: see there.
+/// The scene of the images `footprint` and `count_scene` as Rust code, instead of `scenes/box.rs`; see that file.
 const SCENE: &str = "STICTION_SCENE_CODE";
-/// The chip of the images, where a target has several.
+/// The chip of the images, if a target has several.
 const CHIP: &str = "STICTION_CHIP";
 
 fn main() {
@@ -19,7 +19,7 @@ fn main() {
         "cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"rp2040\", \"an505\", \"virt\"))"
     );
     println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
-    // A board outside has its own programs, and a file of its own for the linker, which must not find this one.
+    // A board package has its own programs, and its own file for the linker, which must not find this one.
     if env::var_os("CARGO_FEATURE_BOARD").is_none() {
         return;
     }
@@ -48,7 +48,7 @@ fn main() {
     println!("cargo::rustc-link-arg-bins=--nmagic");
 }
 
-/// What cargo sets for every build script.
+/// A variable that cargo sets for every build script.
 fn variable(name: &str) -> String {
     env::var(name).unwrap_or_else(|error| panic!("{name}: {error}"))
 }

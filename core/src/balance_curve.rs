@@ -1,15 +1,14 @@
-//! How the body moves while a contact state lasts, as one curve (STATICS 3.3). While the hand goes along its path by the part tau
-//! (or, hand frozen, while the contact slides by the part tau), the body turns by ϑ such that the moment about the
-//! contact stays zero. That balance is linear in tau (E7), with the second harmonic of a foot that glides as in (E11),
+//! How the body moves while a contact state lasts, as one curve (STATICS 3.3). While the hand covers the fraction tau of its path (or, hand
+//! frozen, while the contact slides by the fraction tau), the body turns by ϑ so that the moment about the contact stays zero. That balance
+//! is linear in tau (E7), with the second harmonic of a gliding foot as in (E11),
 //!
 //! ```text
 //! H(ϑ) = tau D(ϑ)      H = kϑ + (1 - cos ϑ) X0 + sin ϑ Y0      D = k dphi + cos ϑ Xp - sin ϑ Yp
 //! ```
 //!
-//! with z0 = Y0 + iX0 = conj(lever) load and zp = Yp + iXp = conj(lever) dp, so that tau is explicit in ϑ (STATICS 3.1,
-//! 3.2). Both are divided by D(0) and by the rate ϑ = rate·x, which leaves them regular where the body does not turn at
-//! all: a straight motion, a free one, a slip of a stiff or centred grip are the same curve.
-//! Everything that can end the motion is a [`Margin`].
+//! with z0 = Y0 + iX0 = conj(lever) load and zp = Yp + iXp = conj(lever) dp, so that tau is explicit in ϑ (STATICS 3.1, 3.2). Both are
+//! divided by D(0) and by the rate ϑ = rate·x, which keeps them regular even if the body does not turn: a straight motion, a free one, and
+//! a slip of a stiff or centred grip are the same curve. Everything that can end the motion is a [`Margin`].
 
 use crate::detect::{Placed, PointPath};
 use crate::geometry::Vec2;
@@ -39,7 +38,7 @@ pub(crate) struct BalanceCurve<R, H = Pinned> {
     harmonic: H,
 }
 
-/// A place on the curve.
+/// A point of the curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place<R> {
     /// The parameter.
@@ -65,7 +64,7 @@ impl<R: Real> Place<R> {
     }
 }
 
-/// How far a motion goes: the place that ends it and what does.
+/// The extent of a motion: the point that ends it and the cause.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent<R> {
     pub(crate) end: Place<R>,
@@ -75,12 +74,12 @@ pub(crate) struct Extent<R> {
     pub(crate) rises: bool,
     pub(crate) folds: bool,
     pub(crate) unsure: bool,
-    /// What is left to the searches for an end.
+    /// The evaluations left to the searches for an end.
     pub(crate) looks: Looks,
 }
 
 impl<R: Real> Extent<R> {
-    /// tau at the end; however little is left of H and D there, no more than it can be.
+    /// tau at the end; however small H and D are there, no more than it can be.
     pub(crate) fn part(&self) -> R {
         let part = self.part_bound.min(self.end.part());
         if self.rises { part.max(R::ZERO) } else { part }
@@ -88,7 +87,7 @@ impl<R: Real> Extent<R> {
 }
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
-    /// Balanced about the contact: the moment with k and z0 of the module's text, and what drives it, k dphi and zp.
+    /// Balanced about the contact: the moment with k and z0 of the module's text, and its drive, k dphi and zp.
     pub(crate) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>) -> Self {
         let Moment {
             stiffness,
@@ -97,7 +96,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             ..
         } = *moment;
         let start = drive.now();
-        // With a quarter of the largest part neither the distance to the end nor the bounds of the curvatures grow large.
+        // With a quarter of the largest component neither the distance to the end nor the bounds of the curvatures become large.
         let largest = harmonic
             .bound(stiffness + hold.length_bound(), 1)
             .max(drive.hold.length_bound());
@@ -123,8 +122,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// A turn by `angle` in proportion to tau, and its extent to tau = 1. Its units of x are of few radians, as curvatures go
-    /// with their square.
+    /// A turn by `angle` in proportion to tau, and its extent to tau = 1. Its units of x are few radians, because curvatures grow with the
+    /// square of the unit.
     pub(crate) fn turning(angle: R) -> (Self, Extent<R>) {
         let unit = angle.abs().halved().max(R::ONE).unit();
         let curve = Self {
@@ -161,7 +160,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         self.rate.sign()
     }
 
-    /// The place of parameter 0.
+    /// The point at parameter 0.
     fn begin(&self) -> Place<R> {
         Place {
             x: R::ZERO,
@@ -175,7 +174,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// The place of parameter x.
+    /// The point at parameter x.
     pub(crate) fn at(&self, x: R) -> Place<R> {
         if x == R::ZERO {
             return self.begin();
@@ -187,11 +186,11 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let versine = (s * s).doubled();
         let sine = (s * c).doubled();
         let cosine = R::ONE - versine;
-        // sin(ϑ)/ϑ and (1 - cos ϑ)/ϑ. Next to a fold the parts of H are large, but not those of H/ϑ.
+        // sin(ϑ)/ϑ and (1 - cos ϑ)/ϑ. Near a fold the components of H are large, but those of H/ϑ are not.
         let (sine_part, versine_part) = (sinc * c, sinc * s);
         let with = |z: Vec2<R>| R::sum_of_products(sine_part, z.x, versine_part, z.y);
         let per_turn = self.stiffness + with(self.hold);
-        // H and D of (E7); H of a foot that glides is that of (E11).
+        // H and D of (E7); for a gliding foot H is that of (E11).
         Place {
             x,
             turn,
@@ -222,7 +221,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         self.extent_until(None).0
     }
 
-    /// The same, or to where a margin is used up, if that is earlier: true if it is.
+    /// The same, or to where a margin is used up, if that is earlier; returns true if it is.
     pub(crate) fn extent_until(&self, margin: Option<&Margin<R>>) -> (Extent<R>, bool) {
         let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
         let margin = margin.map(|margin| {
@@ -231,7 +230,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         });
         let rate = self.rate.abs();
         let curvature = self.harmonic.bound(z0, 2);
-        // How much H' and H' - D' change at most.
+        // The most by which H' and H' - D' change.
         let (change, changes) = (rate * curvature, rate * (curvature + zp));
         let per = |change: R| {
             if change > R::ZERO {
@@ -273,7 +272,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         };
         let mut end = self.at(x);
         if which == 2 && !unsure {
-            // tau = 1, however little is left of H and D.
+            // tau = 1, however small H and D are.
             end.d = end.d.max(R::EPSILON);
             end.h = end.d;
         }
@@ -307,7 +306,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// The body on this curve whose placed point goes along a path, among obstacles.
+    /// The body on this curve, among obstacles, while its placed point moves along a path.
     pub(crate) fn instant(
         &self,
         p: &Place<R>,

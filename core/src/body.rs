@@ -12,7 +12,7 @@ pub(crate) struct Body<R, const V: usize> {
 }
 
 impl<R: Real, const V: usize> Body<R, V> {
-    /// From vertices that were checked before: 1 to V of them, strictly convex, counter-clockwise.
+    /// From 1 to V vertices that have already been checked: strictly convex, counter-clockwise.
     pub(crate) fn new(vertices: Vec<Vec2<R>, V>) -> Self {
         let centroid = centroid(&vertices);
         Self { vertices, centroid }
@@ -37,7 +37,7 @@ impl<R: Real, const V: usize> Body<R, V> {
             let side = to - from;
             let along = point - from;
             inside &= side.cross(along) >= R::ZERO;
-            // 0 for a side without a length.
+            // 0 for a side of length zero.
             let part = R::ZERO.max(side.dot(along) / side.dot(side));
             let nearest_of_side = side * part.min(R::ONE);
             nearest = nearest.min((along - nearest_of_side).length());
@@ -77,7 +77,7 @@ mod tests {
     /// Points of a side, which is no longer than 2.
     const STEPS: i32 = if cfg!(miri) { 50 } else { 2000 };
 
-    /// To the nearest of many points of all sides; 0 where every side has the point on its left.
+    /// To the nearest of many points on all sides; 0 if the point is on the left of every side.
     fn to_points(vertices: &[[f64; 2]], point: Vec2<f64>) -> f64 {
         let at = |i: usize| Vec2::new(vertices[i][0], vertices[i][1]);
         let n = vertices.len();
@@ -130,7 +130,7 @@ mod tests {
         ] {
             assert_eq!(rod.distance(Vec2::new(x, 0.5)), distance, "{x}");
         }
-        // Nothing has no place.
+        // An empty body is nowhere.
         assert_eq!(body(&[]).distance(Vec2::ZERO), <f64 as Real>::HUGE);
         assert_eq!(body(&[]).centroid(), Vec2::ZERO);
     }

@@ -1,19 +1,19 @@
-//! A quantity on a motion: its value alone, with its slope, or with bounds of its size, slope and curvature as well, so that products of
-//! such quantities come with the bound that the certified search needs. The values are the same bits.
+//! A quantity on a motion: its value alone, with its slope, or also with bounds of its magnitude, slope and curvature, so that products of
+//! such quantities have the bound that the certified search needs. The values are the same bits.
 
 use crate::geometry::Vec2;
 use crate::real::{Real, along};
 use crate::search::Slope;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Value and slope at a place.
+/// Value and slope at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sloped<R> {
     pub(crate) value: R,
     pub(crate) slope: R,
 }
 
-/// The same, with bounds that hold all along the motion.
+/// The same, with bounds that hold on the whole motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<R> {
     pub(crate) value: R,
@@ -21,23 +21,23 @@ pub(crate) struct Bounded<R> {
     pub(crate) bounds: Bounds<R>,
 }
 
-/// What the value may be off by rounding, here and about as much elsewhere, and suprema of |f|, |f'|, |f''|.
+/// The rounding error of the value, here and approximately elsewhere, and suprema of |f|, |f'|, |f''|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds<R> {
     pub(crate) error: R,
     pub(crate) suprema: [R; 3],
 }
 
-/// A quantity of which more or less is known.
+/// A quantity whose bounds are known or not.
 pub(crate) trait Quantity<R: Real>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// A value, and what else is known of it.
+    /// A value, and what else is known about it.
     fn known(value: R, slope: impl FnOnce() -> R, bounds: impl FnOnce() -> Bounds<R>) -> Self;
     fn value(&self) -> R;
-    /// The same `k` times as large.
+    /// The same multiplied by `k`.
     fn times(self, k: R) -> Self;
-    /// The same with the suprema of no more than a window from here.
+    /// The same with suprema that cover only a window from here.
     fn within(self, window: R) -> Self;
     /// The same everywhere.
     fn constant(value: R) -> Self {
@@ -108,6 +108,7 @@ impl<R: Real> Quantity<R> for Bounded<R> {
             },
         }
     }
+    /// Over a window from here a value and a slope change by no more than the window times the bound of their derivative.
     fn within(self, window: R) -> Self {
         let Bounds {
             error,
@@ -124,7 +125,7 @@ impl<R: Real> Quantity<R> for Bounded<R> {
 }
 
 impl<R: Real> Sloped<R> {
-    /// As a function whose first zero is searched for, with what bounds it all along.
+    /// As a function whose first zero is searched for, with its bounds on the whole motion.
     pub(crate) fn as_slope(self, sign: R, bounds: &Bounds<R>) -> Slope<R> {
         let [.., curvature] = bounds.suprema;
         Slope {
@@ -218,6 +219,7 @@ impl<R: Real> Sub for Bounded<R> {
 
 impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
+    /// The product rule, for values, slopes and suprema: |(f g)''| <= |f''| |g| + 2 |f'| |g'| + |f| |g''|.
     fn mul(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds.suprema, b.bounds.suprema);
         let product = self.sloped() * b.sloped();
@@ -252,7 +254,7 @@ impl<Q> QuantityVec<Q> {
             y: Q::constant(v.y),
         }
     }
-    /// The same with the suprema of no more than a window from here.
+    /// The same with suprema that cover only a window from here.
     pub(crate) fn within<R: Real>(self, window: R) -> Self
     where
         Q: Quantity<R>,
@@ -326,7 +328,7 @@ mod tests {
         }
     }
 
-    /// Sums and products of growing exponentials reach their bounds, all at one place: there the rules are equations.
+    /// Sums and products of growing exponentials reach their bounds, all at the same point: there the rules are equations.
     #[test]
     fn bounds_are_reached_where_all_is_largest_at_one_place() {
         for (c, d) in [(2.0, 3.0), (0.7, 5.0)] {
@@ -364,7 +366,7 @@ mod tests {
         }
     }
 
-    /// u×v = u_x v_y - u_y v_x, with k times as much for k u; sums and differences go by part.
+    /// u×v = u_x v_y - u_y v_x, and k times as much for k u; sums and differences are taken by component.
     #[test]
     fn vectors_go_by_part() {
         let x = -0.4;

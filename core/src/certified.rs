@@ -1,6 +1,5 @@
-//! The certified frame (STATICS 3.4): the hand goes a short path and nothing happens, the body only turns a little about the
-//! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
-//! needs no search: path and frame evolution agree in it.
+//! The certified frame (STATICS 3.4): the hand moves along a short path and no event occurs, the body only turns a little about the point
+//! that holds it. The balance at the end alone proves this, so an ordinary frame needs no search: path and frame evolution agree in it.
 
 use crate::geometry::Orientation;
 use crate::grip::{Displacement, Grip};
@@ -9,12 +8,12 @@ use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::World;
 
-/// A turn in balance along the whole path of the hand, and how much anything can stray on it.
+/// A turn in balance along the whole path of the hand, and bounds of the deviations on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CertifiedTurn<R> {
-    /// The body's after the turn.
+    /// The body's orientation after the turn.
     pub(crate) orientation: Orientation<R>,
-    /// No turn on the path is larger (rad).
+    /// No turn on the path exceeds this (rad).
     pub(crate) turn_bound: R,
     /// At least 1 over the stability anywhere on the path.
     per_least: R,
@@ -26,7 +25,7 @@ pub(crate) struct CertifiedTurn<R> {
 const MAX_CORRECTIONS: usize = 4;
 
 impl<R: Real> CertifiedTurn<R> {
-    /// About a pinned point, with the hand at the end `to` of its path: `load` is that on the body there before it turns.
+    /// About a pinned point, with the hand at the end `to` of its path: `load` is the load on the body there before it turns.
     pub(crate) fn pinned<H: SecondHarmonic<R>>(
         scene: &impl World<R>,
         load: &Load<R>,
@@ -40,16 +39,16 @@ impl<R: Real> CertifiedTurn<R> {
         })
     }
 
-    /// With the hand at the end of its path: `moment` is that on the body in an orientation before it turns, balanced at the
-    /// beginning, `drive` what the displacement adds to it, `then` the moment in another orientation. Nothing where the balance may
-    /// fold or change much on the path (E8).
+    /// With the hand at the end of its path: `moment` is that on the body in an orientation before it turns, which was balanced at the
+    /// beginning, `drive` what the displacement adds to it, `then` the moment in another orientation. `None` if the balance may fold or
+    /// change much on the path (E8).
     pub(crate) fn of<H: SecondHarmonic<R>>(
         moment: &Moment<R, H>,
         drive: &Drive<R>,
         mut orientation: Orientation<R>,
         then: impl Fn(Orientation<R>) -> Moment<R, H>,
     ) -> Option<Self> {
-        // The least stability and the largest |z| of the path.
+        // The least stability and the largest |z| on the path.
         let least = moment.stability() - drive.hold.x.max(R::ZERO);
         let pull = drive.hold.length_bound();
         let size = moment.curvature_bound() + pull;
@@ -57,13 +56,13 @@ impl<R: Real> CertifiedTurn<R> {
             return None;
         }
         let per_stability = R::ONE / moment.stability();
-        // The stability is at most half as much again as the least one.
+        // The stability is at most one and a half times the least one.
         let per_least = per_stability + per_stability.halved();
         if per_least >= R::HUGE {
             return None;
         }
-        // Newton's step and how much the balance bends, the curvature of the moment over its stability: with the condition of Kantorovich a balance is at most two steps
-        // away.
+        // Newton's step and the bend of the balance, the curvature of the moment over its stability: under the condition of Kantorovich a
+        // balance is at most two steps away.
         let quarter = R::HALF.halved();
         let (step, bend) = (moment.now().abs() * per_least + R::MICRO, size * per_least);
         if step > quarter || bend * step >= quarter {
@@ -79,7 +78,7 @@ impl<R: Real> CertifiedTurn<R> {
         let mut turn = moment.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
             orientation = orientation.plus(turn);
-            // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
+            // The residual is of third order in the turn, (bend²/2 + bend/6) turn³.
             let change = bend * turn.abs();
             let left = (change * (change + turn.abs()) * turn.abs()).halved();
             if left <= R::EPSILON {
@@ -91,7 +90,7 @@ impl<R: Real> CertifiedTurn<R> {
         None
     }
 
-    /// The angular velocity in tau of the moment that was turned, and by how much any on the way differs from it.
+    /// The angular velocity in tau for the moment that was turned, and the most by which any on the path differs from it.
     pub(crate) fn rate<H: SecondHarmonic<R>>(
         &self,
         moment: &Moment<R, H>,
@@ -103,13 +102,13 @@ impl<R: Real> CertifiedTurn<R> {
         (drive.now() / moment.stability(), turning + most * along)
     }
 
-    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = reach / 2 there.
+    /// A bound of [`Self::curvature_bound`] if the hand only turns: |ϑ'| <= step = reach / 2 there.
     pub(crate) fn swing(&self) -> R {
         self.turn_bound * (self.turn_bound + self.bend * self.turn_bound.halved().halved())
     }
 
-    /// By half of this times its lever a point strays at most from the straight line between the ends of its path: a bound
-    /// of ϑ'² + |ϑ''| in tau.
+    /// A bound of ϑ'² + |ϑ''| in tau: a point deviates from the straight line between the ends of its path by at most half of this times
+    /// its lever.
     pub(crate) fn curvature_bound(&self, drive: &Drive<R>) -> R {
         let along = drive.hold.length_bound() * self.per_least;
         let rate = along + drive.couple.abs() * self.per_least;

@@ -1,19 +1,19 @@
-//! A contact as the solver knows it, a pair of a feature of the body and a feature of the surroundings; the lists of contacts and
-//! of their reactions.
+//! A contact as the solver knows it, a pair of a feature of the body and a feature of the surroundings; the lists of contacts and of their
+//! reactions.
 
 use crate::list::gather;
 use crate::real::Real;
 use core::array;
 use heapless::Vec;
 
-/// At most this many contacts at once; further ones are not reported.
+/// At most this many contacts at a time; further ones are not reported.
 pub const MAX_CONTACTS: usize = 8;
 
-/// A contact: a feature of the body on a feature of the surroundings. A vertex on a surface, which is a half-plane or, counted on
-/// from these, the side of an obstacle from the corner of that index on; or such a corner on a side of the body.
+/// A contact: a feature of the body on a feature of the surroundings. Either a vertex on a surface, which is a half-plane or (numbered
+/// after the half-planes) the side of an obstacle that begins at the corner of that index; or such a corner on a side of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pair {
-    /// The vertex; the side of the body, from the vertex of this index on, with [`Self::CORNER`] added.
+    /// The vertex; or the side of the body that begins at the vertex of this index, with [`Self::CORNER`] added.
     pub(crate) vertex: u8,
     pub(crate) surface: u8,
 }
@@ -32,12 +32,12 @@ impl Pair {
         }
     }
 
-    /// It is a corner of an obstacle on a side of the body.
+    /// Returns whether this is a corner of an obstacle on a side of the body.
     pub(crate) const fn is_corner(self) -> bool {
         self.vertex & Self::CORNER != 0
     }
 
-    /// The side of the body of a corner.
+    /// The side of the body that a corner touches.
     pub(crate) const fn body_side(self) -> u8 {
         self.vertex & !Self::CORNER
     }
@@ -45,13 +45,13 @@ impl Pair {
 
 pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
 
-/// Contacts that have just opened, as plain data, two in a word: a state that remembers them is copied and compared as quickly as it
-/// would be without. Of more than six the first ones count.
+/// Contacts that have just opened, as plain data, two in a word: a state that stores them is copied and compared as quickly as one without.
+/// If there are more than six, only the first six are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Opened([u32; 3]);
 
 impl Opened {
-    /// In place of a contact; no corner has that index as a surface.
+    /// Stands for no contact; no corner has that index as a surface.
     const ABSENT: Pair = Pair {
         vertex: u8::MAX,
         surface: u8::MAX,
@@ -83,15 +83,15 @@ pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
 pub(crate) enum Regime<R> {
     /// They stick: with stiction up to mu_s N, without it up to mu_d N.
     Stick { stiction: bool },
-    /// They slide at mu_d N: one vertex or an edge along sign·t, two contacts in the sense of that sign of their twist.
+    /// They slide at mu_d N: one vertex or an edge along sign·t, two contacts along their twist with that sign.
     Slide(R),
 }
 
 impl<R: Real> Regime<R> {
-    /// How a contact begins.
+    /// The regime in which a contact begins.
     pub(crate) const LOOSE: Self = Self::Stick { stiction: false };
 
-    /// The contacts stick, and mu_s bounds their friction.
+    /// The contacts stick, and mu_s limits their friction.
     pub(crate) fn has_stiction(self) -> bool {
         self == Self::Stick { stiction: true }
     }
@@ -104,7 +104,7 @@ impl<R: Real> Regime<R> {
         }
     }
 
-    /// At the end of a slip, or after a jump, along sign·t: what presses hard enough sticks, the rest slides on (rule 4).
+    /// At the end of a slip, or after a jump, along sign·t: a contact that is pressed hard enough sticks, others slide on (rule 4).
     pub(crate) fn after_slip(sticks: bool, sign: R) -> Self {
         if sticks {
             Self::Stick { stiction: true }

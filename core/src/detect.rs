@@ -21,12 +21,12 @@ pub(crate) struct Placed<R> {
     /// The same point in the body frame.
     pub(crate) body_point: Vec2<R>,
     pub(crate) orientation: Orientation<R>,
-    /// The surface on which the point lies exactly: gaps to it are counted from the point.
+    /// The surface on which the point lies exactly: gaps to it are measured from the point.
     pub(crate) on: Option<u8>,
 }
 
 impl<R: Real> Placed<R> {
-    /// By the origin of the body.
+    /// Placed by the origin of the body.
     pub(crate) fn at(pose: &Pose<R>) -> Self {
         Self {
             point: pose.position,
@@ -86,7 +86,7 @@ impl<R: Real> Placed<R> {
             .0
     }
 
-    /// Where along t a contact is: the vertex on its surface, the body's material at a corner.
+    /// The coordinate of a contact along t: of the vertex on its surface, of the body's material at a corner.
     pub(crate) fn foot<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
         let tangent = scene.face(contact, self.orientation.rotation()).tangent;
         if W::CORNERS && contact.is_corner() {
@@ -108,7 +108,7 @@ impl<R: Real> Placed<R> {
         (height, self.orientation.rotation().undo(surface.normal))
     }
 
-    /// Neither shifted nor turned by more than a little, together.
+    /// Returns whether the shift and the turn together are small.
     pub(crate) fn is_near(&self, other: &Self, little: R) -> bool {
         let [a, b] = [self, other].map(Self::pose);
         let moved = (a.position - b.position).length_bound();
@@ -124,7 +124,7 @@ impl<R: Real> Placed<R> {
             for vertex in scene.vertex_indices() {
                 let gap = height + normal.dot(scene.vertex(vertex) - self.body_point);
                 if gap <= tolerance {
-                    // No more than two of a surface; of more than four surfaces the first ones count.
+                    // No more than two contacts of one surface; of more than four surfaces the first four are kept.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }
@@ -135,8 +135,8 @@ impl<R: Real> Placed<R> {
         list
     }
 
-    /// The contacts of a body that is set onto the surfaces, whose gaps are below `tolerance`: of each surface the two lowest vertices,
-    /// in the order of surfaces and vertices.
+    /// The contacts of a body that is set onto the surfaces, with gaps below `tolerance`: for each surface the two lowest vertices, in the
+    /// order of surfaces and vertices.
     pub(crate) fn seats<W: World<R>>(&self, scene: &W, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
@@ -145,7 +145,7 @@ impl<R: Real> Placed<R> {
                 let is_lower = |other: &u8| (gap(*other), *other) < (gap(vertex), vertex);
                 let lower = scene.vertex_indices().filter(is_lower).count();
                 if gap(vertex) <= tolerance && lower < 2 {
-                    // Of more than four surfaces the first ones count.
+                    // Of more than four surfaces the first four are kept.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }
@@ -156,7 +156,7 @@ impl<R: Real> Placed<R> {
             for pair in near {
                 let is_taken = |&other: &Pair| self.are_one(scene, [other, pair]);
                 if !list.iter().any(is_taken) {
-                    // Of too many the first ones count.
+                    // Excess contacts are dropped.
                     let _ = list.push(pair);
                 }
             }
@@ -165,14 +165,14 @@ impl<R: Real> Placed<R> {
         list
     }
 
-    /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
-    /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
+    /// True if no vertex can have reached a surface on a path of the point that ended here, provided that no gap was negative at its
+    /// beginning: a gap lies above its chord less a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
     pub(crate) fn is_clear<W: World<R>>(&self, scene: &W, curvature_bound: R) -> bool {
         self.room(scene, None) > (self.radius(scene, None) * curvature_bound).halved()
     }
 
-    /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
-    /// are far, a lower bound.
+    /// The least gap of all vertices except the `pivot` at the point, less the touch tolerance and the rounding; if all are far away, a
+    /// lower bound.
     pub(crate) fn room(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         let radius = self.radius(scene, pivot);
         let mut least = R::HUGE;
@@ -197,7 +197,7 @@ impl<R: Real> Placed<R> {
             match pivot {
                 Some(vertex) if self.on == Some(index) => {
                     let neighbours = scene.neighbours(vertex).into_iter();
-                    // A point has none but itself.
+                    // A point has no other vertex.
                     let others = neighbours.filter(|&i| i != vertex);
                     others.for_each(&mut visit);
                 }
@@ -207,7 +207,7 @@ impl<R: Real> Placed<R> {
         least
     }
 
-    /// The least gap of some vertices and surfaces, less what counts as a touch and the rounding.
+    /// The least gap of some vertices and surfaces, less the touch tolerance and the rounding.
     pub(crate) fn room_of(&self, scene: &impl World<R>, counts: impl Fn(&Pair) -> bool) -> R {
         let pairs = scene.surface_indices().flat_map(|surface| {
             let vertices = scene.vertex_indices();
@@ -220,7 +220,7 @@ impl<R: Real> Placed<R> {
         gaps.fold(R::HUGE, R::min)
     }
 
-    /// No point of the body goes farther where it turns about the placed point by no more than an angle.
+    /// The most by which any point of the body moves if it turns about the placed point by no more than an angle.
     pub(crate) fn swing(&self, scene: &impl World<R>, turn: R) -> R {
         self.radius(scene, None) * turn
     }
@@ -233,7 +233,7 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The gap on a motion on which the point goes along a path.
+    /// The gap on a motion in which the point follows a path.
     fn margin(&self, scene: &impl World<R>, contact: Pair, path: &PointPath<R>) -> Margin<R> {
         let surface = scene.surface(contact.surface);
         let arm = self.arm(scene, contact.vertex);
@@ -252,8 +252,7 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The first vertex to reach a surface on a motion, other than the contacts that last. The extent is
-    /// shortened to there.
+    /// The first vertex to reach a surface on a motion, other than the contacts that last. The extent is shortened to that point.
     pub(crate) fn first_touch<W: World<R>, H: SecondHarmonic<R>>(
         &self,
         scene: &W,
@@ -293,7 +292,7 @@ impl<R: Real> Placed<R> {
             if self.on != Some(index) {
                 scene.vertex_indices().for_each(&mut visit);
             } else if lasting().skip(1).all(|other| other.surface != index) {
-                // On its own surface nothing arrives before a neighbour.
+                // On its own surface no vertex arrives before a neighbour.
                 let pivot = lasting().take(1);
                 let neighbours = pivot.flat_map(|pivot| scene.neighbours(pivot.vertex));
                 neighbours.for_each(&mut visit);
@@ -311,7 +310,7 @@ impl<R: Real> Placed<R> {
         first
     }
 
-    /// The first obstacle to be reached on the extent of a motion, and what it took to find it, in units of work.
+    /// The first obstacle to be reached on the extent of a motion, and the work of the search, in units of work.
     #[inline(never)]
     fn first_obstacle<W: World<R>, H: SecondHarmonic<R>>(
         &self,
@@ -356,7 +355,7 @@ impl<R: Real> PointPath<R> {
         }
     }
 
-    /// The point goes along a tangent, by the displacement of a foot over `per`.
+    /// The point moves along a tangent, by the displacement of a foot divided by `per`.
     pub(crate) fn of_foot(tangent: Vec2<R>, foot: &Margin<R>, per: R) -> Self {
         Self {
             shift: tangent * (foot.along / per),

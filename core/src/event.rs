@@ -1,4 +1,4 @@
-//! How a frame is described: the contact state, what happened, what limited the answer.
+//! The description of a frame: the contact state, what happened, what limited the answer.
 
 /// At most this many events of one frame are reported; a run of equal events counts once.
 pub const MAX_EVENTS: usize = 16;
@@ -45,11 +45,10 @@ impl StateKind {
     }
 }
 
-/// What happened in a frame. The arms of the transition table tell the same in more detail:
-/// [`Transition`](crate::Transition).
+/// What happened in a frame. The arms of the transition table describe the same in more detail: [`Transition`](crate::Transition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Event {
-    /// A vertex came to a surface.
+    /// A vertex reached a surface.
     Touch,
     /// A contact opened without another one taking over its motion.
     Lift,
@@ -57,17 +56,17 @@ pub enum Event {
     Slip,
     /// The body left an edge and turns about one of its vertices.
     Tip,
-    /// A second vertex came to the surface of the first: the body lies on an edge.
+    /// A second vertex reached the surface of the first: the body lies on an edge.
     Land,
     /// The balance of moments folded and the body snapped to the next one (STATICS 3.1).
     Snap,
-    /// A contact more: three or more fix the body.
+    /// One more contact: three or more fix the body.
     Jam,
     /// A contact began to slide with the hand at |T| = mu_d N.
     Slide,
     /// A contact that slid with the hand sticks again.
     Stop,
-    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not reported.
     Grasp,
     /// The hand let go of the body.
     Release,
@@ -107,28 +106,27 @@ impl Event {
     }
 }
 
-/// What limited the answer. Ordered: the gravest of a frame is reported. Up to [`Self::Jammed`], but for [`Self::IterationLimit`],
+/// What limited the answer. Ordered: the most severe of a frame is reported. Up to [`Self::Jammed`], except for [`Self::IterationLimit`],
 /// the pose is a balance within all friction cones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Status {
     /// Nothing.
     #[default]
     Ok,
-    /// More than 128 events since the body was last with the hand: the rest of the way was one jump of the hand (STATICS 7).
+    /// More than 128 events since the body last caught up with the hand: the rest of the hand's path was covered in one jump (STATICS 7).
     EventLimit,
     /// The hand is tilted out of the plane by more than 170 degrees, so that its angle in the plane is hardly known
-    /// ([`Hand::tilted`](crate::Hand::tilted)); the body follows what the sample says.
+    /// ([`Hand::tilted`](crate::Hand::tilted)); the body still follows the sample.
     Twist,
-    /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
+    /// A search ended at its bound; the best answer so far is given, with this status until the hand moves.
     IterationLimit,
-    /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (STATICS 6). What is reported of these
-    /// reactions is not exact.
+    /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (STATICS 6). The reported reactions are not exact.
     Jammed,
-    /// The budget of the step was used up: the body is behind the hand, and goes on from there with the next step
+    /// The budget of the step was used up: the body is behind the hand, and goes on from there in the next step
     /// ([`Solver::with_budget`](crate::Solver::with_budget)).
     Behind,
-    /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Said in every frame until the
-    /// hand moves (STATICS 9, rule 8).
+    /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Reported in every frame until the hand
+    /// moves (STATICS 9, rule 8).
     Ambiguous,
     /// The hand, or its pull on the body, was beyond the range of the number type; the last pose is held.
     Saturated,
@@ -137,7 +135,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All statuses, the gravest last.
+    /// All statuses, the most severe last.
     pub const ALL: [Self; 9] = [
         Self::Ok,
         Self::EventLimit,

@@ -1,11 +1,11 @@
-//! The first place at which functions of a motion fall to zero, from their values and slopes at both ends of a piece (STATICS 12.3):
-//! on a piece so short that the second derivative keeps its sign, a function lies above its chord or above its tangents.
+//! The first point at which functions of a motion fall to zero, from their values and slopes at both ends of a piece (STATICS 12.3): on a
+//! piece so short that the second derivative keeps its sign, a function lies above its chord or above its tangents.
 
 use crate::bounded::Sloped;
 use crate::real::Real;
 use crate::search::Found;
 
-/// A function at a place, with what its value may be off.
+/// A function at a point, with the uncertainty of its value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Level<R> {
     pub(crate) value: R,
@@ -22,7 +22,7 @@ impl<R: Real> Level<R> {
         }
     }
 
-    /// What is at zero from the beginning, to the rounding, may leave it: its zero is where it is overdrawn by this.
+    /// A function that is at zero from the beginning, to the rounding, may leave it: its zero is taken where it is exceeded by this amount.
     fn credit(&self) -> R {
         if self.value > self.rounding {
             R::ZERO
@@ -45,10 +45,10 @@ impl<R: Real> Level<R> {
     }
 }
 
-/// The earliest place on a piece where a function may fall to zero, about, and whether it surely does on the piece.
+/// An estimate of the earliest point on a piece where a function may fall to zero, and whether it certainly does on the piece.
 fn suspect<R: Real>(from: Level<R>, to: Level<R>, width: R) -> Option<(R, bool)> {
     if to.value <= to.rounding {
-        // The parabola through both ends with the slope of the first.
+        // The parabola through both ends with the slope at the first.
         let bend = ((to.value - from.value) / width - from.slope) / width;
         let root = R::root_of_products(from.slope, from.slope, bend * R::from_int(-4), from.value);
         let falls = root - from.slope;
@@ -67,10 +67,10 @@ fn suspect<R: Real>(from: Level<R>, to: Level<R>, width: R) -> Option<(R, bool)>
     (from.value + from.slope * at <= R::ZERO).then_some((at, false))
 }
 
-/// The functions at a place.
+/// The functions at a point.
 type Levels<R, const M: usize> = [Option<Level<R>>; M];
 
-/// The earliest of the suspects of a piece: about where, whether it surely falls, and which.
+/// The earliest of the suspects of a piece: approximately where, whether it certainly falls, and which one.
 fn earliest<R: Real, const M: usize>(
     from: &Levels<R, M>,
     to: &Levels<R, M>,
@@ -88,11 +88,11 @@ fn earliest<R: Real, const M: usize>(
     ))
 }
 
-/// No more places are looked at.
+/// At most this many points are evaluated.
 pub(crate) const MOST_FALLS: u8 = 64;
 
-/// The first place in [0, end] at which one of some functions falls to zero; of several at one place the first listed. Pieces are no longer
-/// than `longest`. A function that is left out has no zero.
+/// The first point in [0, end] at which one of some functions falls to zero; if several do, the first in the list. Pieces are no longer
+/// than `longest`. A function that is `None` has no zero.
 pub(crate) fn first_fall<R: Real, const M: usize>(
     (end, longest): (R, R),
     most_looks: u8,
@@ -112,7 +112,7 @@ pub(crate) fn first_fall<R: Real, const M: usize>(
         })
     };
     let (mut x, mut here) = (R::ZERO, credited(start));
-    // A place on this piece at which a function has fallen.
+    // A point on this piece at which a function has fallen.
     let mut fallen: Option<(R, Levels<R, M>)> = None;
     let mut to = longest.min(end);
     let mut narrowed = 0_u8;
@@ -124,7 +124,7 @@ pub(crate) fn first_fall<R: Real, const M: usize>(
         };
         let width = to - x;
         let Some((at, falls, which)) = earliest(&here, &there, width) else {
-            // Nothing falls up to there.
+            // Nothing falls up to here.
             (x, here) = (to, there);
             match fallen {
                 Some((at, _)) if at > x => to = at,
@@ -144,7 +144,7 @@ pub(crate) fn first_fall<R: Real, const M: usize>(
             return Found::Zero { x: to, which };
         }
         if is_narrow {
-            // What dips by less than a rounding has not fallen.
+            // A dip of less than a rounding is not a fall.
             (x, here) = (to, there);
             if x >= end {
                 return Found::Nothing { x };

@@ -1,5 +1,5 @@
-//! What the tests of single functions share: random numbers, loads about as large as what is representable, a pivot without a load,
-//! bodies among planes, statics written out, searches that are counted.
+//! Shared by the tests of single functions: random numbers, loads about as large as what is representable, a pivot without a load, bodies
+//! among planes, statics written out, and counters of searches.
 
 use crate::contact::Pair;
 use crate::detect::Placed;
@@ -15,13 +15,13 @@ pub(crate) mod bench;
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// In [-1, 1).
+    /// The next number, in [-1, 1).
     pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
         self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
-    /// Of two such numbers.
+    /// A vector of two such numbers.
     pub(crate) fn vector(&mut self) -> Vec2<f64> {
         Vec2::new(self.next(), self.next())
     }
@@ -35,12 +35,12 @@ where
     R::from_si(R::Si::from(x as f32), R::Si::ONE)
 }
 
-/// Of many cases every one, or, in the slow interpreter, one in `of`.
+/// All cases, or, in the slow interpreter, one in `of`.
 pub(crate) fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
     all.step_by(if cfg!(miri) { of } else { 1 })
 }
 
-/// A pull and a couple, in parts of what a number type represents of both together: below it and above, each of either sign.
+/// A pull and a couple, as fractions of what a number type represents of both together: below it and above, each with either sign.
 pub(crate) fn loads() -> impl Iterator<Item = (f64, f64)> {
     let sizes = [
         (0.4, 0.5),
@@ -100,7 +100,7 @@ pub(crate) fn sprung<const V: usize, const S: usize>(
             memory: None,
         }
     });
-    // Far out along the mean of the normals it is inside of no surface.
+    // Far out along the mean of the normals it is inside no surface.
     let out = angles.map(libm::sincos);
     let out = out.iter().fold([0.0, 0.0], |[x, y], (sin, cos)| {
         [x - 9.0 * sin, y + 9.0 * cos]
@@ -127,7 +127,7 @@ pub(crate) fn pivot(turn: f64) -> Pivot<f64> {
     }
 }
 
-/// What the searches of a test do. They may be made to give up after fewer steps than they have.
+/// Counts the searches of a test. They can be made to give up after fewer steps than they have.
 pub(crate) mod searches {
     extern crate std;
 
@@ -152,12 +152,12 @@ pub(crate) mod searches {
         COUNTS.set(counts);
     }
 
-    /// The steps of a search that are left.
+    /// The remaining steps of a search.
     pub(crate) struct Steps {
         left: usize,
     }
 
-    /// A search.
+    /// Begins a search.
     pub(crate) fn begin() -> Steps {
         count(|c| c.searches += 1);
         Steps { left: MOST.get() }
@@ -177,7 +177,7 @@ pub(crate) mod searches {
         }
     }
 
-    /// Runs with searches that give up after so many steps.
+    /// Runs with searches that give up after the given number of steps.
     pub(crate) fn giving_up<T>(after: usize, run: impl FnOnce() -> T) -> (T, Counts) {
         COUNTS.set(Counts::default());
         MOST.set(after);

@@ -6,10 +6,10 @@ use core::ops::Deref;
 use heapless::Vec;
 
 /// One contact: a vertex of the body on a surface. SI units, world frame; forces are those on the body. Among obstacles
-/// [`Solver::touches`](crate::Solver::touches) says what touches what.
+/// [`Solver::touches`](crate::Solver::touches) returns what touches what.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact<F> {
-    /// Index of the vertex in the scene's list; of no meaning for a corner of an obstacle.
+    /// Index of the vertex in the scene's list; meaningless for a corner of an obstacle.
     pub vertex: usize,
     /// Index of the surface in the scene's list; larger than all of these for a contact with an obstacle.
     pub surface: usize,
@@ -17,11 +17,10 @@ pub struct Contact<F> {
     pub point: [F; 2],
     /// Reaction N >= 0 on the body along the surface's normal n (N).
     pub normal: F,
-    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status says that
-    /// the pose is out of balance. Of an edge, where only
-    /// the sum counts, in proportion to N.
+    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status reports that
+    /// the pose is out of balance. For an edge, where only the sum counts, in proportion to N.
     pub friction: F,
-    /// 0 where it sticks, 1 or -1 where it slides along t or against it with the hand, |T| = mu_d N.
+    /// 0 if it sticks, 1 or -1 if it slides along t or against it with the hand, |T| = mu_d N.
     pub sliding: i8,
 }
 
@@ -35,8 +34,8 @@ pub enum Touch {
         /// Index of the surface.
         surface: usize,
     },
-    /// A vertex of the body on a side of an obstacle. Sides of several obstacles in one line with equal friction are one, by the name of
-    /// the first.
+    /// A vertex of the body on a side of an obstacle. Collinear sides of several obstacles with equal friction are one, named after the
+    /// first.
     Side {
         /// Index of the vertex.
         vertex: usize,
@@ -56,12 +55,12 @@ pub enum Touch {
     },
 }
 
-/// A contact among obstacles: what touches what, and where it faces.
+/// A contact among obstacles: what touches what, and the direction of its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touching<F> {
     /// What touches what.
     pub touch: Touch,
-    /// The unit normal n towards the body, world frame; of a corner it turns with the body.
+    /// The unit normal n towards the body, world frame; for a corner it turns with the body.
     pub direction: [F; 2],
 }
 
@@ -73,7 +72,7 @@ pub struct Touches<F> {
 
 impl<F> Touches<F> {
     pub(crate) fn add(&mut self, touching: Touching<F>) {
-        // A state has never more contacts than there is room for.
+        // A state never has more contacts than there is room for.
         let _ = self.list.push(touching);
     }
 }
@@ -107,7 +106,7 @@ impl<F> Deref for Touches<F> {
 /// #         memory: None,
 /// #     }],
 /// # })?;
-/// // The hand goes 10 mm below the holding point and 3 mm beyond it along +x. That is less than
+/// // The hand moves 10 mm below the holding point and 3 mm beyond it along +x. That is less than
 /// // mu_s · 10 mm, so the box sticks.
 /// let solver = Solver::new(scene, Evolution::Path);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
@@ -125,9 +124,9 @@ impl<F> Deref for Touches<F> {
 /// let friction: f32 = contacts.iter().map(|c| c.friction).sum();
 /// assert!(is(normal, 5.0), "the floor bears the push");
 /// assert!(is(friction, -1.5), "friction on the box acts along -t = -x");
-/// # // The wrench and the contacts add up to nothing, in moment too: about the left vertex.
+/// # // The wrench and the contacts are in balance, in moment too: about the left vertex.
 /// # let [fx, fy] = wrench.force;
-/// # let at = [0.05, 0.05]; // the holding point from there
+/// # let at = [0.05, 0.05]; // the holding point relative to it
 /// # assert!(is(at[0] * fy - at[1] * fx + wrench.moment + 0.1 * contacts[1].normal, 0.0));
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
@@ -140,7 +139,7 @@ pub struct Wrench<F> {
 }
 
 impl<F: Real> Wrench<F> {
-    /// The wrench that a haptic device gives to the hand: the opposite of the one on the body.
+    /// The wrench that a haptic device outputs to the hand: the opposite of the one on the body.
     #[must_use]
     pub fn feedback(&self) -> Self {
         let [x, y] = self.force;
@@ -151,7 +150,7 @@ impl<F: Real> Wrench<F> {
     }
 }
 
-/// The contacts of a state, in a fixed order as long as the state lasts, at most [`MAX_CONTACTS`]. A list that can be read like a
+/// The contacts of a state, in an order that is fixed as long as the state lasts, at most [`MAX_CONTACTS`]. The list can be read like a
 /// slice; [`Wrench`] has an example.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contacts<F> {
@@ -160,7 +159,7 @@ pub struct Contacts<F> {
 
 impl<F> Contacts<F> {
     pub(crate) fn add(&mut self, contact: Contact<F>) {
-        // A state has never more contacts than there is room for.
+        // A state never has more contacts than there is room for.
         let _ = self.list.push(contact);
     }
 }

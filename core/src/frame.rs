@@ -1,14 +1,13 @@
-//! 6: output -> bytes and back: what a board and its client say to each other over a serial line. The format is in
-//! `FRAME.md` beside this crate; the code cites its sections. Both directions, and any bytes: what is no message is counted
-//! and passed over.
+//! 6: output -> bytes and back: the messages between a board and its client on a serial line. The format is in `FRAME.md` next to this
+//! crate; the code cites its sections. Both directions accept any bytes: invalid messages are counted and skipped.
 //!
 //! ```text
 //! Command --Frame::encode--> bytes --line--> Decoder::push::<Command> --> the board
 //! Report  <--Decoder::push::<Report>  <--line-- bytes <--Frame::encode--  the board
 //! ```
 //!
-//! Nothing is copied that can be read where it is: a message is encoded straight into the sender's buffer, and the lists of
-//! a received one point into the buffer of the receiver.
+//! Data that can be read in place is not copied: a message is encoded straight into the sender's buffer, and the lists of a received one
+//! point into the buffer of the receiver.
 //!
 //! ```
 //! use stiction_core::frame::{Decoder, Drive, Frame, Health, Report};
@@ -61,7 +60,7 @@ pub use reply::{Reason, Reply, Subject};
 pub use report::{LONGEST_REPORT, Pong, Report};
 pub use scene::{SceneCommand, scene_bytes};
 
-/// The version of the format, the first byte of every frame that a scene without obstacles needs.
+/// The version of the format, which is the first byte of every frame that a scene without obstacles needs.
 pub const VERSION: u8 = 2;
 /// The version of the frames about obstacles.
 pub const VERSION_AMONG: u8 = 3;
@@ -69,7 +68,7 @@ pub const VERSION_AMONG: u8 = 3;
 /// A message with what every frame has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<M> {
-    /// Goes up by one with every frame that is sent in its direction, of whatever type, and after 255 comes 0.
+    /// Increases by one with every frame that is sent in its direction, of whatever type; 0 follows 255.
     pub sequence: u8,
     /// The sender's clock (µs); wraps after 71.6 minutes. For poses, forces and events: the tick of their step.
     pub time: u32,
@@ -104,7 +103,7 @@ impl Sequence {
     pub const fn new() -> Self {
         Self { last: None }
     }
-    /// How many frames are missing before this one; after 256 lost in a row it reads 0, and time tells.
+    /// How many frames are missing before this one; after 256 lost in a row it is 0, and only `time` shows the gap.
     pub const fn lost_before(&mut self, sequence: u8) -> u8 {
         let lost = match self.last {
             Some(last) => sequence.wrapping_sub(last).wrapping_sub(1),

@@ -13,7 +13,7 @@ pub(crate) struct Cone<R> {
     cos: R,
 }
 
-/// Where the reaction of one contact stands.
+/// The state of the reaction of one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict<R> {
     /// Inside the static cone.
@@ -24,16 +24,16 @@ pub(crate) enum Verdict<R> {
     Opens,
 }
 
-/// Static and dynamic friction of a surface, and how it remembers.
+/// Static and dynamic friction of a surface, and its memory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Coulomb<R> {
     fixed: Cone<R>,
     sliding: Cone<R>,
     /// mu_s - mu_d
     drop: R,
-    /// D_c: a slip that is shorter is not told apart from a slide.
+    /// D_c: a shorter slip is not distinguished from a slide.
     memory: R,
-    /// N* = D_c / (mu_s - mu_d): the normal reaction from which on a contact has stiction.
+    /// N* = D_c / (mu_s - mu_d): the normal reaction at and above which a contact has stiction.
     threshold: R,
 }
 
@@ -42,7 +42,7 @@ pub(crate) struct Coulomb<R> {
 pub(crate) struct SlidingEdge<R> {
     /// f cos(lambda), f = n - sign mu_d t: the direction of the reaction.
     pub(crate) reaction: Vec2<R>,
-    /// e cos(lambda), e = t + sign mu_d n, at right angles to f: no load along it is left.
+    /// e cos(lambda), e = t + sign mu_d n, perpendicular to f: no load remains along it.
     pub(crate) balanced: Vec2<R>,
     /// cos(lambda) and sign sin(lambda), lambda = atan mu_d.
     pub(crate) cos: R,
@@ -65,8 +65,8 @@ impl<R: Real> Coulomb<R> {
         }
     };
 
-    /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; none shorter than the shortest that the number
-    /// types tell apart, 2^-19.
+    /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; it is at least the shortest that the number types
+    /// distinguish, 2^-19.
     pub(crate) fn from_coefficients(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {
         let cone = |mu: R::Si| {
             let (cos, sin) = normalized(R::Si::ONE, mu);
@@ -78,7 +78,7 @@ impl<R: Real> Coulomb<R> {
         let nd = |x: R::Si| R::from_si(x, R::Si::ONE).min(R::HUGE);
         let memory = memory.max(R::MICRO.to_si(R::Si::ONE));
         let (drop, least) = drop_and_threshold(fixed, sliding, memory);
-        // Coefficients that the number type does not tell apart are one.
+        // Coefficients that the number type does not distinguish count as one.
         let cones = [fixed, sliding].map(cone);
         let threshold = if cones[0] == cones[1] {
             R::HUGE
@@ -98,12 +98,12 @@ impl<R: Real> Coulomb<R> {
         if stiction { &self.fixed } else { &self.sliding }
     }
 
-    /// A normal reaction from which on a contact has stiction (rule 3).
+    /// Returns whether a contact with this normal reaction has stiction (rule 3).
     pub(crate) fn is_pressed(&self, normal: R) -> bool {
         self.threshold < R::HUGE && normal >= self.threshold
     }
 
-    /// Positive while the contact presses too little for stiction; nothing where there is none.
+    /// Positive while the contact presses too little for stiction; `None` if there is no stiction.
     pub(crate) fn loosens(&self, normal: Margin<R>) -> Option<Margin<R>> {
         (self.threshold < R::HUGE).then(|| Margin {
             start: self.threshold - normal.start,
@@ -113,7 +113,7 @@ impl<R: Real> Coulomb<R> {
         })
     }
 
-    /// N*, beyond all numbers where there is no stiction.
+    /// N*, beyond all numbers if there is no stiction.
     pub(crate) fn threshold(&self) -> R {
         self.threshold
     }
@@ -154,7 +154,7 @@ impl<R: Real> Coulomb<R> {
         normal.combine(of_normal, friction, of_friction)
     }
 
-    /// The parts of N and T in that.
+    /// The coefficients of N and T in [`Self::holds`].
     pub(crate) fn holding(&self, stiction: bool, sign: R) -> (R, R) {
         let cone = self.cone(stiction);
         (cone.sin, along(sign, cone.cos))
@@ -171,14 +171,14 @@ impl<R: Real> Coulomb<R> {
         normal * self.sliding.sin + along * self.sliding.cos
     }
 
-    /// True if a reaction lies inside the cone of a stick by more than `slack`, 0 or more.
+    /// True if a reaction lies inside the cone of a stick by more than `slack`, which is 0 or more.
     pub(crate) fn is_within(&self, (normal, friction): (R, R), stiction: bool, slack: R) -> bool {
         let cone = self.cone(stiction);
-        // No deeper than the normal force is large.
+        // The depth is no larger than the normal force.
         R::difference_of_products(normal, cone.sin, friction.abs(), cone.cos) > slack
     }
 
-    /// The test of a reaction of a stick, to within `rounding` of the forces.
+    /// Judges a reaction of a stick, to within `rounding` of the forces.
     pub(crate) fn judge(
         &self,
         (normal, friction): (R, R),
@@ -201,13 +201,13 @@ impl<R: Real> Coulomb<R> {
         -sign * friction * self.sliding.cos - normal * self.sliding.sin > rounding
     }
 
-    /// The edge of the cone of a stick as (normal, friction) parts: +1 the one with friction along +t.
+    /// The edge of the cone of a stick as (normal, friction) components: +1 for the one with friction along +t.
     pub(crate) fn edge(&self, stiction: bool, edge: R) -> (R, R) {
         let cone = self.cone(stiction);
         (cone.cos, along(edge, cone.sin))
     }
 
-    /// The reaction of a contact that slides along sign·t, as (normal, friction) parts; sign 0: no friction.
+    /// The reaction of a contact that slides along sign·t, as (normal, friction) components; sign 0: no friction.
     pub(crate) fn sliding_edge(&self, sign: R) -> (R, R) {
         (self.sliding.cos, -self.sliding.sin * sign)
     }

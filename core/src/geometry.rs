@@ -31,7 +31,7 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn cross(self, b: Self) -> R {
         R::difference_of_products(self.x, b.y, self.y, b.x)
     }
-    /// i a: turned by a quarter turn counter-clockwise.
+    /// i a: rotated by a quarter turn counter-clockwise.
     pub(crate) fn turned(self) -> Self {
         Self::new(-self.y, self.x)
     }
@@ -39,7 +39,7 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn length(self) -> R {
         self.x.hypot(self.y)
     }
-    /// An upper bound of the length that costs no root, larger by at most an eighth. Once in an image.
+    /// An upper bound of the length that needs no square root, larger by at most an eighth. Compiled once per image.
     #[inline(never)]
     pub(crate) fn length_bound(self) -> R {
         let (x, y) = (self.x.abs(), self.y.abs());
@@ -91,13 +91,13 @@ impl<R: Real> Mul<R> for Vec2<R> {
     }
 }
 
-/// The vector (x, y), not zero, as one of length 1.
+/// The vector (x, y), not zero, scaled to length 1.
 pub(crate) fn normalized<F: Real>(x: F, y: F) -> (F, F) {
     let length = x.hypot(y);
     (x / length, y / length)
 }
 
-/// A rotation R(theta), held as cosine and sine.
+/// A rotation R(theta), stored as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rotation<R> {
     /// cos(theta)
@@ -123,7 +123,7 @@ impl<R: Real> Rotation<R> {
     }
 }
 
-/// An unwrapped angle, counter-clockwise positive: whole turns and a remainder, so that many turns cost no accuracy (STATICS 10).
+/// An unwrapped angle, counter-clockwise positive: whole turns and a remainder, so that many turns do not reduce accuracy (STATICS 10).
 ///
 /// ```
 /// use core::f32::consts::TAU;
@@ -152,11 +152,11 @@ impl<R: Real> Angle<R> {
         let (turns, rest) = radians.turns();
         Self { turns, rest }
     }
-    /// The unwrapped angle (rad); beyond some turns it has fewer digits than the pair.
+    /// The unwrapped angle (rad); beyond a few turns it has fewer digits than the pair.
     pub fn radians(self) -> R {
         R::from_int(self.turns) * R::TAU + self.rest
     }
-    /// This angle turned on by `radians`. Beyond 2^31 turns the count stays at its end. Once in an image.
+    /// This angle increased by `radians`. Beyond 2^31 turns the count saturates. Compiled once per image.
     #[inline(never)]
     #[must_use]
     pub fn plus(self, radians: R) -> Self {
@@ -166,7 +166,7 @@ impl<R: Real> Angle<R> {
             rest,
         }
     }
-    /// `self` - `other` (rad), exact to the rounding of the remainders where the turns are the same.
+    /// `self` - `other` (rad), exact to the rounding of the remainders if the turns are the same.
     pub fn minus(self, other: Self) -> R {
         let rest = self.rest - other.rest;
         match self.turns.saturating_sub(other.turns) {
@@ -188,7 +188,7 @@ impl<R: Real> Angle<R> {
         let (sin, cos) = self.rest.sin_cos();
         Rotation { cos, sin }
     }
-    /// False where the remainder is infinite or NaN.
+    /// False if the remainder is infinite or NaN.
     pub fn is_finite(self) -> bool {
         self.rest.is_finite()
     }
@@ -214,7 +214,7 @@ impl<R: Real> Orientation<R> {
     pub(crate) fn rotation(&self) -> Rotation<R> {
         self.rotation
     }
-    /// Turned on by `radians`.
+    /// Rotated further by `radians`.
     pub(crate) fn plus(&self, radians: R) -> Self {
         if radians == R::ZERO {
             *self

@@ -1,5 +1,5 @@
-//! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta); and the displacement of the hand,
-//! which is the other end of both. Lengths / L, forces / (k_h L): k_h is 1.
+//! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta); and the displacement of the hand, which is
+//! the other end of both. Lengths / L, forces / (k_h L): k_h is 1.
 
 use crate::friction::SlidingEdge;
 use crate::geometry::{Angle, Pose, Vec2};
@@ -25,7 +25,7 @@ impl<R: Real> Grip<R> {
         (self.hand - held, scene.stiffness() * turn)
     }
 
-    /// The body swings freely about the holding point (STATICS 3.7).
+    /// Returns whether the body swings freely about the holding point (STATICS 3.7).
     pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
         scene.swings(self.holding_point - scene.centroid())
     }
@@ -39,7 +39,7 @@ impl<R: Real> Grip<R> {
         }
     }
 
-    /// On in the direction of another grip, which may be nearer, until the load on a body that stays has changed by so much.
+    /// Continued in the direction of another grip, possibly beyond it, until the load on a body that stays has changed by `change`.
     pub(crate) fn ahead(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
         let displacement = self.displacement_to(to);
         let changes = displacement.changes(scene);
@@ -65,7 +65,7 @@ impl<R: Real> Grip<R> {
         self.lerp(to, part)
     }
 
-    /// The displacement of the hand to another grip, and its turn.
+    /// The displacement of the hand to another grip, including its turn.
     pub(crate) fn displacement_to(&self, to: &Self) -> Displacement<R> {
         Displacement {
             hand: to.hand - self.hand,
@@ -82,7 +82,7 @@ pub(crate) struct Displacement<R> {
 }
 
 impl<R: Real> Displacement<R> {
-    /// The contact slides by `shift` while the hand is frozen: relative to it the hand goes back.
+    /// The contact slides by `shift` while the hand is frozen: relative to the contact the hand moves back.
     pub(crate) fn slide(shift: Vec2<R>) -> Self {
         Self {
             hand: -shift,
@@ -98,7 +98,7 @@ impl<R: Real> Displacement<R> {
         }
     }
 
-    /// What of it drives the turn of a body whose foot slides along a surface: the rest the foot follows.
+    /// The component that drives the turn of a body whose foot slides along a surface: the foot follows the rest.
     pub(crate) fn pressing(&self, surface: &Surface<R>, edge: &SlidingEdge<R>) -> Self {
         Self {
             hand: edge.reaction * surface.normal.dot(self.hand),
@@ -106,12 +106,12 @@ impl<R: Real> Displacement<R> {
         }
     }
 
-    /// By how much the load on a body that stays changes with it.
+    /// The change that it causes in the load on a body that stays.
     fn changes(&self, scene: &impl World<R>) -> R {
         self.hand.length_bound() + scene.stiffness() * self.turn.abs()
     }
 
-    /// How far the body can be moved by it: displacement and turn at a lever of one body size.
+    /// The most by which it can move the body: displacement and turn at a lever of one body size.
     pub(crate) fn size(&self) -> R {
         self.hand.length_bound() + self.turn.abs()
     }

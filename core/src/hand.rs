@@ -1,10 +1,10 @@
-//! 1: from a tracker's sample to the planar hand pose: the position is projected onto the plane of the scene, the
-//! rotation is its twist about the plane's normal, unwrapped; the depth passes through.
+//! 1: from a tracker's sample to the planar hand pose: the position is projected onto the plane of the scene, the rotation is its twist
+//! about the plane's normal, unwrapped; the depth passes through.
 
 use crate::geometry::Angle;
 use crate::real::Real;
 
-/// One sample of the planar hand. Switching it off and on again lets go and takes hold anew:
+/// One sample of the planar hand. Switching it off and on again releases the body and grasps it again:
 ///
 /// ```
 /// # use stiction_core::{Description, Scene, SurfaceDescription};
@@ -30,12 +30,12 @@ use crate::real::Real;
 /// let lifted = Hand::new(0.0, 0.15, 0.0);
 /// let (mut state, _) = solver.start(lifted);
 ///
-/// // Let go, it stays where it is: there is no gravity here, and nothing moves by itself.
+/// // When released it stays where it is: there is no gravity here, and nothing moves by itself.
 /// let output = solver.step(&mut state, lifted.released());
 /// assert_eq!((output.held, output.events()), (false, &[Event::Release][..]));
 /// let left_at = output.position;
 ///
-/// // A hand beside it does not take hold; the reach of this scene is 0.
+/// // A hand outside of it does not take hold; the reach of this scene is 0.
 /// assert!(!solver.step(&mut state, Hand::new(0.2, 0.15, 1.0)).held);
 ///
 /// // One within it does, at that point and angle: the springs are at rest, the body stays.
@@ -47,17 +47,17 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hand<F> {
-    /// Position p_h (m), world frame. At most [`Real::RANGE`] body sizes from the origin, or it is not followed.
+    /// Position p_h (m), world frame. At most [`Real::RANGE`] body sizes from the origin, otherwise the hand is not followed.
     pub position: [F; 2],
     /// Orientation phi, unwrapped, counter-clockwise positive.
     pub angle: Angle<F>,
     /// Depth coordinate (m), across the plane; passes through to the output.
     pub depth: F,
-    /// The hold switch: on, it holds the body, or takes hold as soon as it is within reach. Of a hand that is not finite or out of range
-    /// it is not looked at.
+    /// The hold switch: if it is on, the hand holds the body, or takes hold as soon as it is within reach. It is ignored for a hand that is
+    /// not finite or out of range.
     pub held: bool,
-    /// It comes from a tracker's sample that was tilted so far out of the plane that `angle` is hardly known
-    /// ([`Projection::planar`]). It is followed, and the status says so: [`Status::Twist`](crate::Status::Twist).
+    /// The hand comes from a tracker's sample that was tilted so far out of the plane that `angle` is hardly known
+    /// ([`Projection::planar`]). It is followed, and the status reports it: [`Status::Twist`](crate::Status::Twist).
     pub tilted: bool,
 }
 
@@ -80,7 +80,7 @@ impl<F: Real> Hand<F> {
             ..self
         }
     }
-    /// False where a component is infinite or NaN.
+    /// False if a component is infinite or NaN.
     pub fn is_finite(&self) -> bool {
         let [x, y] = self.position;
         x.is_finite() && y.is_finite() && self.angle.is_finite() && self.depth.is_finite()
@@ -92,8 +92,8 @@ impl<F: Real> Hand<F> {
 pub struct TrackerSample<F> {
     /// Position (m).
     pub position: [F; 3],
-    /// Orientation as a quaternion (x, y, z, w): turns the frame of the hand into that of the tracker. Its length and sign do not
-    /// matter, but it must not be 0.
+    /// Orientation as a quaternion (x, y, z, w): rotates the frame of the hand into that of the tracker. Its length and sign do not matter,
+    /// but it must not be 0.
     pub orientation: [F; 4],
     /// The hold switch.
     pub held: bool,
@@ -125,12 +125,12 @@ impl Axis {
 /// use stiction_core::{Axis, Projection, TrackerSample};
 ///
 /// // A tracker whose z points up and whose x points right: the scene's plane is x and z, its
-/// // depth counts along -y, towards who looks at it.
+/// // depth is measured along -y, towards the viewer.
 /// let right = Axis { index: 0, negative: false };
 /// let up = Axis { index: 2, negative: false };
 /// let mut projection = Projection::<f32>::new([right, up]).expect("two different axes");
 ///
-/// // The handle is turned by a quarter turn about -y: counter-clockwise for who looks at it.
+/// // The handle is rotated by a quarter turn about -y: counter-clockwise for the viewer.
 /// let half = core::f32::consts::FRAC_PI_4;
 /// let sample = TrackerSample {
 ///     position: [0.10, 0.02, 0.30],
@@ -164,7 +164,7 @@ impl<F: Real> Projection<F> {
         })
     }
 
-    /// The third axis, completing a right-handed frame: the normal of the plane, along which the depth is counted.
+    /// The third axis, completing a right-handed frame: the normal of the plane, along which the depth is measured.
     fn normal(&self) -> Axis {
         let [a, b] = self.axes;
         let forward = matches!((a.index, b.index), (0, 1) | (1, 2) | (2, 0));
@@ -178,13 +178,13 @@ impl<F: Real> Projection<F> {
         }
     }
 
-    /// The planar hand pose of a sample: the position on the two axes, the twist of the orientation about their normal, the position
-    /// along that normal as depth. The angle goes on from the last sample by less than half a turn. `None`, and nothing is
-    /// remembered, where the sample is not finite or its quaternion is zero.
+    /// The planar hand pose of a sample: the position on the two axes, the twist of the orientation about their normal, the position along
+    /// that normal as depth. The angle continues from the last sample by less than half a turn. If the sample is not finite or its
+    /// quaternion is zero, returns `None` and stores nothing.
     ///
     /// The orientation is the twist followed by a swing about an axis in the plane. Beyond a swing of 170 degrees the hand is
-    /// [`tilted`](Hand::tilted): there the twist errs by more than 11 times what the tracker does. Where it is undefined (a swing of half a
-    /// turn) the last angle stays.
+    /// [`tilted`](Hand::tilted): there the error of the twist is more than 11 times that of the tracker. Where the twist is undefined (a
+    /// swing of half a turn) the last angle is kept.
     pub fn planar(&mut self, sample: &TrackerSample<F>) -> Option<Hand<F>> {
         let [x, y, z, w] = sample.orientation;
         let finite = |values: &[F]| values.iter().all(|v| v.is_finite());
@@ -209,17 +209,17 @@ impl<F: Real> Projection<F> {
     }
 }
 
-/// True if the swing of a quaternion is more than 170 degrees. `twist`: its part along the plane's normal, and w.
+/// True if the swing of a quaternion is more than 170 degrees. `twist`: its component along the plane's normal, and w.
 fn is_tilted<F: Real>(twist: [F; 2], quaternion: [F; 4]) -> bool {
     let largest = quaternion
         .iter()
         .fold(F::ZERO, |largest, q| largest.max(q.abs()));
-    // No square is beyond the numbers then.
+    // Then no square is beyond the range of the numbers.
     let square = |parts: &[F]| {
         let parts = parts.iter().map(|&q| q / largest);
         parts.fold(F::ZERO, |sum, q| sum + q * q)
     };
-    // Of the cosine of half the swing: cos(85 degrees)² = (1 - cos(10 degrees)) / 2.
+    // The square of the cosine of half the swing: cos(85 degrees)² = (1 - cos(10 degrees)) / 2.
     let (_, cos) = (F::TAU / F::from_int(36)).sin_cos();
     square(&twist) < (F::ONE - cos).halved() * square(&quaternion)
 }

@@ -15,8 +15,8 @@
 //! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate, the format of frames in
 //! `FRAME.md`; the documentation cites their sections and numbers, as (E3) or STATICS 3.2.
 //!
-//! Everything a user sees is in SI units, in a right-handed world frame, angles in radians and counter-clockwise. Forces are those
-//! on the body; what a device gives to the hand is [`Wrench::feedback`].
+//! All quantities of the public interface are in SI units, in a right-handed world frame, angles in radians and counter-clockwise. Forces
+//! are those on the body; the force that a device outputs to the hand is [`Wrench::feedback`].
 //!
 //! ```text
 //! TrackerSample --Projection--> Hand
@@ -65,14 +65,14 @@
 //! | To | see |
 //! |---|---|
 //! | describe a scene and learn what is wrong with it | [`Description`], [`SceneError`] |
-//! | put a table with an edge, a step, a post or a hole into it | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
+//! | add a table with an edge, a step, a post or a hole | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
 //! | choose between exact and cheap | [`Evolution`], [`Solver`] |
 //! | keep and replay a run | [`State`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
 //! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
-//! | let go and take hold, feed a tracker | [`Hand`], [`Projection`] |
-//! | run without a floating point unit, or leave code out | [`Fixed`], [`Model`] |
-//! | talk to a board | [`frame`] |
+//! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
+//! | run without a floating-point unit, or leave code out | [`Fixed`], [`Model`] |
+//! | communicate with a board | [`frame`] |
 //!
 //! # Contact states
 //!

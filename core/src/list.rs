@@ -1,4 +1,4 @@
-//! Bounded lists that never panic: what does not fit is left out.
+//! Bounded lists that never panic: items that do not fit are left out.
 
 use heapless::Vec;
 

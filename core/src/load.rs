@@ -15,7 +15,7 @@ use crate::wrench2::Wrench2;
 /// The load of hand and weight on a body, about a point that is fixed in it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Load<R> {
-    /// The point, its place and the rotation of the body.
+    /// The point, its position and the rotation of the body.
     pub(crate) placed: Placed<R>,
     /// R d: from the point to the holding point.
     pub(crate) lever: Vec2<R>,
@@ -35,6 +35,7 @@ pub(crate) struct Load<R> {
 }
 
 impl<R: Real> Load<R> {
+    /// The load of a grip on a body placed by a point: force, couple and z about that point, as in (E1); with k_h = 1.
     pub(crate) fn new(scene: &impl World<R>, placed: Placed<R>, grip: &Grip<R>) -> Self {
         let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);
@@ -60,7 +61,7 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// The body swings freely about the holding point (STATICS 3.7).
+    /// Returns whether the body swings freely about the holding point (STATICS 3.7).
     pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
         scene.swings(self.lever - self.centroid)
     }
@@ -97,12 +98,12 @@ impl<R: Real> Load<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The number type can represent the pull, the turn, and the moments of both about the pinned point.
+    /// Returns whether the number type can represent the pull, the turn, and the moments of both about the pinned point.
     pub(crate) fn is_representable(&self) -> bool {
         self.fits(self.hold.length_bound())
     }
 
-    /// The same with the moments about a foot that slides, by its lever at most.
+    /// The same with the moments about a sliding foot, bounded by its lever.
     pub(crate) fn is_representable_sliding(&self) -> bool {
         let lever = self.lever.length_bound();
         self.fits(self.hold.length_bound().max(lever * lever))
@@ -124,8 +125,8 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// The same, times cos(lambda), where the point slides along a surface with its reaction on an edge of the friction cone
-    /// (E10): wherever its foot is now, at the one where that edge balances the load.
+    /// The same, times cos(lambda), if the point slides along a surface with its reaction on an edge of the friction cone (E10): wherever
+    /// its foot is now, the moment is taken about the foot at which that edge balances the load.
     pub(crate) fn sliding<H: SecondHarmonic<R>>(
         &self,
         scene: &impl World<R>,
@@ -153,7 +154,7 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// What a displacement adds to the moment about the pinned point.
+    /// The change of the moment about the pinned point with a displacement.
     pub(crate) fn drive(&self, displacement: &Displacement<R>) -> Drive<R> {
         Drive {
             couple: self.stiffness * displacement.turn,
@@ -161,7 +162,7 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// What a displacement adds to that of a sliding point.
+    /// The change of the moment of a sliding point with a displacement.
     pub(crate) fn sliding_drive(
         &self,
         (surface, edge): (&Surface<R>, &SlidingEdge<R>),
@@ -187,34 +188,34 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// What reactions may leave of it: rounding, and what is as small as a gap that counts as closed. At the edge of a cone nothing
-    /// is driven yet.
+    /// The residual that reactions may leave of it: rounding, and what is as small as a gap that counts as closed. At the edge of a cone
+    /// nothing is driven yet.
     pub(crate) fn little(&self) -> R {
         R::of_reactions(self.rounding()) + self.size() * R::TOUCH
     }
 
-    /// A displacement of the hand after which a load that contacts had just borne is surely beyond that.
+    /// A displacement of the hand after which a load that contacts could only just bear certainly exceeds this residual.
     pub(crate) fn release(&self) -> R {
         self.little().doubled()
     }
 
-    /// The rounding of forces and moments at a place.
+    /// The rounding of forces and moments at a point.
     pub(crate) fn rounding(&self) -> R {
         R::of_sums(self.size())
     }
 
-    /// The same with the foot, which is rounded as a coordinate.
+    /// The same including the foot, which is rounded as a coordinate.
     pub(crate) fn rounding_with_foot(&self) -> R {
         self.rounding() + R::rounding(self.placed.point.length_bound())
     }
 
-    /// The size of what forces and moments are sums of. Once in an image.
+    /// The magnitude of the terms of forces and moments. Compiled once per image.
     #[inline(never)]
     pub(crate) fn size(&self) -> R {
         self.force.length_bound() + self.lever.length_bound() + self.couple.abs()
     }
 
-    /// The part of the contact's reaction in a direction, on a path of the hand with the body turning about the point.
+    /// The component of the contact's reaction in a direction, on a path of the hand with the body turning about the point.
     pub(crate) fn reaction(&self, direction: Vec2<R>, displacement: &Displacement<R>) -> Margin<R> {
         Margin {
             start: -direction.dot(self.force),

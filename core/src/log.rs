@@ -5,14 +5,14 @@ use crate::real::Real;
 use crate::transition::Transitions;
 use heapless::Vec;
 
-/// What happens during a step, gathered for the output.
+/// What happens during a step, collected for the output.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log<R> {
     pub(crate) events: Vec<Event, MAX_EVENTS>,
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,
-    /// The body was last left out of balance, for want of a consistent motion.
+    /// The body was last left out of balance because no motion was consistent.
     pub(crate) ambiguous: bool,
     pub(crate) transitions: Transitions,
 }
@@ -31,7 +31,7 @@ impl<R: Real> Log<R> {
         self.longest_slip = self.longest_slip.max(length.abs());
         self.event(Event::Slip);
     }
-    /// The gravest status. What was ambiguous within the step but came to rest after all does not count.
+    /// The most severe status. An ambiguity within the step does not count if the body came to rest after all.
     pub(crate) fn final_status(&self) -> Status {
         if self.ambiguous {
             self.status.max(Status::Ambiguous)
@@ -39,18 +39,18 @@ impl<R: Real> Log<R> {
             self.status
         }
     }
-    /// The status, where the body was not brought to balance.
+    /// The status, if the body was not brought to balance.
     pub(crate) fn unrest(&self) -> Status {
         Self::unrest_of(self.final_status())
     }
-    /// The part of a status that keeps a pose from being a balance.
+    /// The part of a status that means the pose is not a balance.
     pub(crate) fn unrest_of(status: Status) -> Status {
         match status {
             Status::Ok | Status::EventLimit | Status::Twist => Status::Ok,
             grave => grave,
         }
     }
-    /// Keeps the gravest status.
+    /// Keeps the most severe status.
     pub(crate) fn limit(&mut self, status: Status) {
         self.status = self.status.max(status);
     }

@@ -1,14 +1,13 @@
-//! Only what a scene requires: the parts of the solver that a scene can do without are left out of the binary, by its
-//! type. `V = 1` (a point tool) has no edges, `S = 1` has no state of two surfaces; a [`Model`] leaves out friction or
-//! weight.
+//! Only what a scene requires: the type of a scene leaves the parts of the solver that it can do without out of the binary. `V = 1` (a
+//! point tool) has no edges, `S = 1` has no state of two surfaces; a [`Model`] leaves out friction or weight.
 
 use crate::obstacle::{NoObstacles, Obstacles, SomeObstacles};
 use crate::real::Real;
 use core::marker::PhantomData;
 
-/// The parts of the solver that a scene may need besides its geometry: [`Full`], [`Weightless`], [`Frictionless`] or [`Bare`],
-/// the last parameter of [`Scene`](crate::Scene) and [`Solver`](crate::Solver). What it leaves out is not in the binary; the
-/// capacities leave out as much: a scene of one vertex has no edges, one of one surface no states of two.
+/// The parts of the solver that a scene may need in addition to its geometry: [`Full`], [`Weightless`], [`Frictionless`] or [`Bare`], the
+/// last parameter of [`Scene`](crate::Scene) and [`Solver`](crate::Solver). Parts that the model leaves out are not in the binary; the same
+/// holds for the capacities: a scene of one vertex has no edges, one of one surface no states of two.
 ///
 /// ```
 /// use stiction_core::{Bare, Description, Evolution, Hand, Parameter, Scene, Solver};
@@ -39,7 +38,7 @@ use core::marker::PhantomData;
 /// assert!((output.position[0] - 0.05).abs() < 1e-5, "it glides along below the hand");
 /// assert!((contact.normal - 5.0).abs() < 1e-3 && contact.friction.abs() < 1e-3);
 ///
-/// // What a model does not have, it does not take.
+/// // A model refuses parameters of parts that it does not have.
 /// let rough = [SurfaceDescription { friction_static: 0.5, ..smooth }];
 /// let rough = Description { surfaces: &rough, ..tip };
 /// let error = Scene::<f32, 1, 1, Bare>::new(&rough).expect_err("no friction in this model");
@@ -52,12 +51,12 @@ pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static
     const FRICTION: bool;
     /// The body's weight W. Without it W is 0.
     const WEIGHT: bool;
-    /// What a scene stores of obstacles with corners, for a body of at most V vertices.
+    /// What a scene stores for obstacles with corners, for a body of at most V vertices.
     #[doc(hidden)]
     type Obstacles<R: Real, const V: usize>: Obstacles<R>;
 }
 
-/// A model with friction or without, with weight or without.
+/// A model with or without friction, with or without weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts<const FRICTION: bool, const WEIGHT: bool>;
 

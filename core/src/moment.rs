@@ -1,5 +1,5 @@
-//! The moment on a body about a contact as a function of its turn, with the second harmonic of a foot that glides (STATICS 3.1,
-//! 3.6): its stability, the correction of a balance, the first stable balance downhill.
+//! The moment on a body about a contact as a function of its turn, with the second harmonic of a gliding foot (STATICS 3.1, 3.6): its
+//! stability, the correction of a balance, the first stable balance downhill.
 
 use crate::geometry::Vec2;
 use crate::real::Real;
@@ -14,16 +14,16 @@ pub(crate) use second_harmonic::{Pinned, SecondHarmonic, Sliding};
 pub(crate) struct Downhill<R> {
     /// The turn (rad), positive counter-clockwise.
     pub(crate) turn: R,
-    /// The turn led over a fold: the moment grew before it fell to zero.
+    /// The turn passed over a fold: the moment grew before it fell to zero.
     pub(crate) snapped: bool,
-    /// No look was left before the balance.
+    /// No evaluation was left before the balance was reached.
     pub(crate) unsure: bool,
-    /// What its search left of the looks.
+    /// The evaluations that its search did not use.
     pub(crate) looks: Looks,
 }
 
-/// The moment on a body about a point that is pinned: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
-/// present angle; or about a foot that glides, which adds a second harmonic.
+/// The moment on a body about a pinned point: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the present angle; or about a gliding
+/// foot, which adds a second harmonic.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment<R, H> {
     pub(crate) couple: R,
@@ -33,7 +33,7 @@ pub(crate) struct Moment<R, H> {
     pub(crate) harmonic: H,
 }
 
-/// What a displacement of the hand, the whole of it, adds to a moment.
+/// The change of a moment over a whole displacement of the hand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drive<R> {
     /// k dphi
@@ -43,12 +43,12 @@ pub(crate) struct Drive<R> {
 }
 
 impl<R: Real> Drive<R> {
-    /// What it adds in the present position, D(0).
+    /// Its value in the present position, D(0).
     pub(crate) fn now(&self) -> R {
         self.couple + self.hold.y
     }
 
-    /// The drive `k` times as large.
+    /// The drive multiplied by `k`.
     pub(crate) fn times(&self, k: R) -> Self {
         Self {
             couple: self.couple * k,
@@ -73,7 +73,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         self.harmonic.bound(self.hold.length_bound(), 2)
     }
 
-    /// By how much the moment of a soft grip must be multiplied for its stability to have a reciprocal in this number type.
+    /// The factor by which the moment of a soft grip must be multiplied for its stability to have a reciprocal in this number type.
     pub(crate) fn softness(&self) -> R {
         const DOUBLINGS: u8 = 24;
         let mut times = R::ONE;
@@ -87,7 +87,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         times
     }
 
-    /// The moment `k` times as large.
+    /// The moment multiplied by `k`.
     pub(crate) fn times(self, k: R) -> Self {
         Self {
             couple: self.couple * k,
@@ -97,8 +97,8 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         }
     }
 
-    /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
-    /// to this balance (the condition of Kantorovich).
+    /// The turn that removes the rounding from a balance; zero near a fold, where Newton's step is not certain to lead to this balance (the
+    /// condition of Kantorovich).
     pub(crate) fn polish(&self) -> R {
         let (moment, stability) = (self.now(), self.stability());
         let kantorovich = (self.curvature_bound() * moment.abs()).doubled().doubled();
@@ -114,7 +114,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         }
     }
 
-    /// The turn to balance, but for the third order in it, from 1 over the stability.
+    /// The turn to balance up to its third order, from 1 over the stability.
     pub(crate) fn correction(&self, per_stability: R) -> R {
         let turn = self.now() * per_stability;
         turn - (turn * turn).halved() * (self.harmonic.stiffening(self.hold.y) * per_stability)
@@ -160,6 +160,8 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         self.scaled().search_from(direction, start)
     }
 
+    /// The first zero of the moment beyond a turn of `start` (rad) in the direction of its sign, by certified steps (STATICS 3.1);
+    /// `snapped` if the moment grew on the way there.
     fn search_from(&self, direction: R, start: R) -> Downhill<R> {
         let size = self.harmonic.bound(self.hold.length_bound(), 1);
         let rounding = R::rounding(size + self.couple.abs());

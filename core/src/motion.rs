@@ -1,5 +1,5 @@
-//! A place on any motion of the body, to first order: where it is and how fast each of its points goes. Among obstacles a normal may
-//! turn with the body, so that what ends a motion is looked at by its value and slope at places of it (STATICS 12.3).
+//! A point on any motion of the body, to first order: its pose and the velocity of each of its points. Among obstacles a normal may turn
+//! with the body, so the end of a motion is found from values and slopes at points of it (STATICS 12.3).
 
 use crate::bounded::Sloped;
 use crate::contact::Pair;
@@ -8,17 +8,17 @@ use crate::geometry::Vec2;
 use crate::real::Real;
 use crate::world::{Surface, World};
 
-/// The body at a place of a motion, and its velocity per unit of the motion's parameter.
+/// The body at a point of a motion, and its velocity per unit of the motion's parameter.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant<R> {
     pub(crate) placed: Placed<R>,
-    /// Of the body's material at the placed point.
+    /// The velocity of the body's material at the placed point.
     pub(crate) velocity: Vec2<R>,
     /// dϑ/dx
     pub(crate) turn: R,
 }
 
-/// Normal and friction reaction of a contact, and how fast they change.
+/// Normal and friction reaction of a contact, and their rates of change.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bears<R> {
     pub(crate) normal: Sloped<R>,
@@ -26,7 +26,7 @@ pub(crate) struct Bears<R> {
 }
 
 impl<R: Real> Bears<R> {
-    /// A part of N and a part of T.
+    /// A linear combination of N and T.
     pub(crate) fn combine(&self, (normal, friction): (R, R)) -> Sloped<R> {
         Sloped {
             value: self.normal.value * normal + self.friction.value * friction,
@@ -45,7 +45,7 @@ impl<R: Real> Instant<R> {
         }
     }
 
-    /// Of the body's material at an arm from the placed point.
+    /// The velocity of the body's material at an arm from the placed point.
     pub(crate) fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
         self.velocity + arm.turned() * self.turn
     }
@@ -60,7 +60,7 @@ impl<R: Real> Instant<R> {
         }
     }
 
-    /// Where along t the body's material at a contact is.
+    /// The coordinate along t of the body's material at a contact.
     pub(crate) fn foot(&self, scene: &impl World<R>, contact: Pair) -> Sloped<R> {
         let surface = self.surface(scene, contact);
         let arm = self.placed.arm_to(scene, contact);
@@ -70,12 +70,12 @@ impl<R: Real> Instant<R> {
         }
     }
 
-    /// The surface of a contact, as the body is turned.
+    /// The surface of a contact at the present orientation of the body.
     pub(crate) fn surface(&self, scene: &impl World<R>, contact: Pair) -> Surface<R> {
         scene.face(contact, self.placed.orientation.rotation())
     }
 
-    /// The force of the load and how fast it changes, the hand at a place and going at a velocity.
+    /// The force of the load and its rate of change, for a hand at a position with a velocity.
     pub(crate) fn force(
         &self,
         scene: &impl World<R>,
@@ -88,7 +88,7 @@ impl<R: Real> Instant<R> {
         (force, rate - self.velocity_at(lever))
     }
 
-    /// The reaction of a contact that alone bears a force that changes at a rate.
+    /// The reaction of a contact that alone bears a force with a rate of change.
     pub(crate) fn bears(
         &self,
         scene: &impl World<R>,

@@ -1,5 +1,5 @@
-//! Obstacles with corners: fixed closed convex polygons, a thin wall of two corners, a pin of one (STATICS 12). What a scene stores of
-//! them, by its type: a scene without obstacles stores nothing. World frame, lengths / L.
+//! Obstacles with corners: fixed closed convex polygons, a thin wall of two corners, a pin of one (STATICS 12). The type determines what a
+//! scene stores of them: a scene without obstacles stores nothing. World frame, lengths / L.
 
 use crate::geometry::Vec2;
 use crate::list::gather;
@@ -9,20 +9,20 @@ use core::fmt::Debug;
 use core::ops::Range;
 use heapless::Vec;
 
-/// A corner w_k of an obstacle, and the side from it to the next one. As a surface of a contact it has an index of its own: its place
-/// among all corners, counted on from the half-planes. World frame, lengths / L.
+/// A corner w_k of an obstacle, and the side from it to the next one. As a surface of a contact it has an index of its own: its index among
+/// all corners, numbered after the half-planes. World frame, lengths / L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner<R> {
     /// w_k
     pub(crate) place: Vec2<R>,
-    /// The side from w_k to the next corner, its normal outwards; of a pin, which has none, its friction alone. Coplanar sides of equal
-    /// friction that meet are one line, that of the longest of them.
+    /// The side from w_k to the next corner, its normal outwards; for a pin, which has no side, its friction alone. Coplanar sides of equal
+    /// friction that meet are one line, namely that of the longest of them.
     pub(crate) side: Surface<R>,
-    /// Where that line begins and ends along its tangent; of a pin nothing.
+    /// Where that line begins and ends along its tangent; meaningless for a pin.
     pub(crate) reach: [R; 2],
     /// The index, as a surface, of the first side of that line: the one that is touched.
     pub(crate) line: u8,
-    /// Which obstacle it belongs to.
+    /// The obstacle that it belongs to.
     pub(crate) obstacle: u8,
     /// Nothing can touch it: it lies in or on another obstacle or behind a half-plane, or an earlier obstacle has a corner there.
     pub(crate) covered: bool,
@@ -30,24 +30,24 @@ pub struct Corner<R> {
 
 /// What a scene stores of its obstacles, for a body of at most V vertices.
 pub trait Obstacles<R: Real>: Clone + Debug + PartialEq {
-    /// There can be some.
+    /// Whether there can be any.
     const CORNERS: bool;
-    /// At most so many, and so many corners together.
+    /// The maximum number of obstacles, and of their corners together.
     #[doc(hidden)]
     const CAPACITY: [usize; 2];
-    /// None yet, about a body with these outward normals of its sides, body frame; a point has no sides.
+    /// None yet, around a body with these outward normals of its sides, body frame; a point has no sides.
     #[doc(hidden)]
     fn of_body(normals: impl Iterator<Item = [R; 2]>) -> Self;
     /// All corners, obstacle by obstacle, counter-clockwise.
     #[doc(hidden)]
     fn corners(&self) -> &[Corner<R>];
-    /// For each obstacle the first of its corners.
+    /// For each obstacle the index of its first corner.
     #[doc(hidden)]
     fn firsts(&self) -> &[u8];
-    /// For each obstacle a circle that it is in.
+    /// For each obstacle a circle that contains it.
     #[doc(hidden)]
     fn rounds(&self) -> &[Round<R>];
-    /// m_j, the outward normal of the body's side from vertex j on, body frame.
+    /// m_j, the outward normal of the body's side that begins at vertex j, body frame.
     #[doc(hidden)]
     fn body_normal(&self, side: u8) -> [R; 2];
 }
@@ -60,7 +60,7 @@ pub struct Round<R> {
 }
 
 impl<R: Real> Round<R> {
-    /// Around some places: about the middle of their ranges.
+    /// Around some points: about the middle of their ranges.
     pub(crate) fn about(places: impl Iterator<Item = Vec2<R>> + Clone) -> Self {
         let range = |along: fn(Vec2<R>) -> R| {
             let (least, most) = (places.clone()).fold((R::HUGE, R::LEAST), |(least, most), at| {

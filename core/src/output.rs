@@ -1,5 +1,5 @@
-//! What the solver gives with every step: the pose for the renderer and what happened in the frame. SI units, world frame, in the
-//! float [`Real::Si`](crate::Real::Si) of the number type.
+//! The results of a step: the pose for the renderer and what happened in the frame. SI units, world frame, in the float
+//! [`Real::Si`](crate::Real::Si) of the number type.
 
 use crate::event::{Event, MAX_EVENTS, StateKind, Status};
 use crate::geometry::Angle;
@@ -7,7 +7,7 @@ use crate::real::Real;
 use crate::transition::Transitions;
 use heapless::Vec;
 
-/// The answer of one step. SI units, world frame. Forces are asked for apart, [`Solver::wrench`](crate::Solver::wrench) and
+/// The answer of one step. SI units, world frame. Forces are requested separately, by [`Solver::wrench`](crate::Solver::wrench) and
 /// [`Solver::contacts`](crate::Solver::contacts), as not every frame needs them.
 ///
 /// ```
@@ -58,14 +58,14 @@ pub struct Output<F> {
     pub depth: F,
     /// The contact state.
     pub state: StateKind,
-    /// Slips that ended at mu_d N in this frame. Where mu_s = mu_d, a slide up to the next event counts as one, or a few.
+    /// Slips that ended at mu_d N in this frame. If mu_s = mu_d, a slide up to the next event counts as one slip, or a few.
     pub slips: u32,
     /// The longest of them (m) >= 0: the displacement of the (first) sliding vertex along its surface; 0 without a slip.
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,
-    /// The part of the hand's displacement that is left to follow, 0 to 1: more than 0 where the status is [`Status::Behind`], or graver
-    /// while it was.
+    /// The fraction of the hand's displacement that is left to follow, 0 to 1: more than 0 if the status is [`Status::Behind`], or more
+    /// severe while the body is behind.
     pub behind: F,
     /// The units of work that the step took ([`Solver::with_budget`](crate::Solver::with_budget)).
     pub work: u32,

@@ -1,5 +1,5 @@
-//! 4: an event on the path of the hand (STATICS 7): the body is in balance, the hand about to go on. What the event leads to follows
-//! from the rates of that; where it is a jump, the body settles at the frozen hand.
+//! 4: an event on the path of the hand (STATICS 7): the body is in balance, and the hand is about to go on. The rates of this motion
+//! determine what the event leads to; if it is a jump, the body settles at the frozen hand.
 
 use crate::contact::{Pair, Regime};
 use crate::event::{Event, StateKind};
@@ -13,18 +13,18 @@ use crate::verb::{Moved, Trigger};
 use crate::work::Work;
 use crate::world::World;
 
-/// The hand at the event, and where it is going.
+/// The hand at the event, and its destination.
 type Path<'a, R> = (&'a Grip<R>, &'a Grip<R>);
 
 /// What an event leads to.
 enum Outcome<R> {
-    /// It goes on at the same place of the hand.
+    /// It goes on at the same pose of the hand.
     Next(Next<R>),
-    /// The contacts let go, and at this very place the load is borne still: it settles where the hand is beyond the rounding.
+    /// The contacts let go, but at this very pose the load is still borne: the body settles where the hand is beyond the rounding.
     Release,
 }
 
-/// What follows from a trigger of `advance`: the state in balance, or how it settles.
+/// The consequence of a trigger of `advance`: the state in balance, or how it settles.
 #[inline(never)]
 pub(crate) fn happens<R: Real, W: World<R>>(
     scene: &W,
@@ -45,6 +45,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     Settling::of(before, next)
 }
 
+/// What each trigger of `advance` leads to, with the hand at the beginning of `path` (STATICS 7).
 fn outcome<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,
@@ -61,7 +62,7 @@ fn outcome<R: Real, W: World<R>>(
         }
         Trigger::Halts => {
             match state {
-                // What bears nothing may go back.
+                // A contact that bears nothing may go back.
                 ContactState::SingleVertex(s)
                     if s.swings(scene, path.0) && !s.leans(scene, path.0) =>
                 {
@@ -93,8 +94,8 @@ fn outcome<R: Real, W: World<R>>(
     }
 }
 
-/// A vertex reaches a surface: from free flight the rates decide (rule 6); further contacts keep what sticks and, where the motion can
-/// go on, what slides (rules 10 a, b, g).
+/// A vertex reaches a surface: from free flight the rates decide (rule 6); after further contacts, sticking goes on and, if the motion
+/// permits, sliding goes on (rules 10 a, b, g).
 fn touches<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,
@@ -113,12 +114,12 @@ fn touches<R: Real, W: World<R>>(
         (StateKind::NonContact, _, ContactState::Edge(s)) => s.begin(scene, path),
         (StateKind::NonContact, ..) => {}
         (_, Regime::Stick { .. }, state) => state.set_regime(regime),
-        // A contact that bears nothing is as one that has just been touched.
+        // A contact that bears nothing is treated as one that has just been touched.
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) if !bears => {
             s.begin(scene, path);
         }
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
-        // It ends elsewhere in the same line.
+        // It ends elsewhere on the same line.
         (StateKind::Edge, Regime::Slide(_), ContactState::Edge(s)) if W::CORNERS => {
             s.regime = regime;
         }
@@ -147,7 +148,7 @@ fn yields<R: Real, W: World<R>>(
         ContactState::SingleVertex(s) => {
             if let Some(direction) = s.topples(scene, path.0, sign) {
                 if W::CORNERS {
-                    // A slip that begins at the edge of the cone and is driven the more the farther it goes.
+                    // A slip that begins at the edge of the cone and is driven more the farther it goes.
                     log.transitions.add(fold_arm(state));
                     log.event(Event::Snap);
                     return Outcome::Next(Next::Slip(sign));
@@ -193,7 +194,8 @@ fn yields<R: Real, W: World<R>>(
     }
 }
 
-/// The lever of a body that swings has come to lie on the edge of the friction cone: it bears, unless it stands upright there.
+/// The lever of a body that swings has come to lie on the edge of the friction cone: the contact bears, unless the lever stands upright
+/// there.
 fn bears<R: Real>(
     scene: &impl World<R>,
     path: Path<'_, R>,
@@ -209,7 +211,8 @@ fn bears<R: Real>(
     }
 }
 
-/// N falls to zero. The vertex leaves its surface if the hand takes it off; else what sticks slides, and what slides sticks (rule 6).
+/// N falls to zero. The vertex leaves its surface if the hand lifts it off; otherwise a sticking contact slides, and a sliding one sticks
+/// (rule 6).
 fn leaves<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,
@@ -227,7 +230,7 @@ fn leaves<R: Real, W: World<R>>(
         }
         ContactState::SingleVertex(s) => {
             let topples = s.topples_free(scene, path.0);
-            // On its way to where it hangs a body that is so near would touch the same corner again.
+            // On its way to where it hangs, a body this near would touch the same corner again.
             let found_to = if s.is_corner(scene) {
                 s.found_to_at(scene, path.0)
             } else {
@@ -238,7 +241,7 @@ fn leaves<R: Real, W: World<R>>(
             let free = Free::leaving(scene, state);
             let near = free.is_near_balance(scene, path.0, found_to);
             *state = ContactState::Free(free);
-            // What no force holds may be far from where the hand alone would have it.
+            // A body that no force holds may be far from its pose under the hand alone.
             Outcome::Next(match topples {
                 Some(direction) => Next::Snap(direction),
                 None if near => Next::Rest,
@@ -255,7 +258,7 @@ fn leaves<R: Real, W: World<R>>(
     }
 }
 
-/// All contacts but one open. What lasts goes on as it was: it sticks or slides (rule 10 a, b), in balance where it did so before.
+/// All contacts but one open. The remaining one goes on as before: it sticks or slides (rule 10 a, b), in balance if it was so before.
 fn opens<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,
@@ -269,7 +272,7 @@ fn opens<R: Real, W: World<R>>(
     let before = state.clone();
     let next = keep(scene, state, [lasts; 2], sliding, log);
     let Some(sign) = regime.slide() else {
-        // What turns about a contact that sticks is in balance where the others let go.
+        // A body that turns about a sticking contact is in balance where the others let go.
         return match state {
             _ if kind == StateKind::Edge => Outcome::Next(Next::Rest),
             ContactState::SingleVertex(s)
@@ -277,7 +280,7 @@ fn opens<R: Real, W: World<R>>(
                     && s.is_found(scene, path.0)
                     && (!W::CORNERS || s.is_in_cone(scene, path.0)) =>
             {
-                // Out of its cone it slips at the frozen hand.
+                // Outside its cone it slips at the frozen hand.
                 Outcome::Next(if s.is_in_cone(scene, path.0) {
                     Next::Rest
                 } else {
@@ -309,7 +312,7 @@ fn opens<R: Real, W: World<R>>(
             return Outcome::Next(Next::Rest);
         }
         if W::CORNERS && kind == StateKind::TwoVertex && s.topples(scene, path.0, along).is_some() {
-            // Alone its slide is not stable: it slips out of the way of the other one.
+            // On its own its slide is not stable: it slips to where it no longer blocks the other one.
             let mut senses = [along, -along].into_iter();
             if let Some(sign) = senses.find(|&sign| s.slips_off(scene, path.0, (other, sign))) {
                 s.regime = Regime::LOOSE;
@@ -321,7 +324,7 @@ fn opens<R: Real, W: World<R>>(
             touch(scene, state, other, log);
             state.set_regime(Regime::LOOSE);
         } else {
-            // What presses so hard does not slide alone.
+            // A contact that is pressed this hard does not slide on its own.
             state.renew(scene, path.0);
         }
     }

@@ -1,4 +1,4 @@
-//! The contact that holds the pose: a vertex at a place of its surface and the angle of the body about it.
+//! The contact that holds the pose: a vertex at a point of its surface and the angle of the body about it.
 
 use crate::contact::{Pair, Regime};
 use crate::detect::Placed;
@@ -9,21 +9,21 @@ use crate::load::Load;
 use crate::real::Real;
 use crate::world::{Surface, World};
 
-/// A vertex that is held at a place of its surface, and the angle of the body about it.
+/// A vertex that is held at a point of its surface, and the angle of the body about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pivot<R> {
     pub(crate) contact: Pair,
-    /// t·c: where along the surface. It changes by slips alone.
+    /// t·c: the coordinate along the surface. Only slips change it.
     pub(crate) foot: R,
     pub(crate) orientation: Orientation<R>,
 }
 
 impl<R: Real> Pivot<R> {
-    /// Of a body in a pose at which the vertex of `contact` is on the surface.
+    /// For a body in a pose at which the vertex of `contact` is on the surface.
     pub(crate) fn at(scene: &impl World<R>, pose: &Pose<R>, contact: Pair) -> Self {
         let rotation = pose.orientation.rotation();
         let surface = scene.face(contact, rotation);
-        // Of a corner it is the body's material that has a place along t.
+        // For a corner it is the body's material that has a coordinate along t.
         let foot = match corner(scene, contact) {
             Some(corner) => surface.tangent.dot(pose.position - corner),
             None => {
@@ -60,7 +60,7 @@ impl<R: Real> Pivot<R> {
         }
         let side = self.contact.body_side();
         let outward = scene.body_normal(side);
-        // t_b = (-m_y, m_x); the place of the material is -t_b·b.
+        // t_b = (-m_y, m_x); the coordinate of the material is -t_b·b.
         outward * outward.dot(scene.vertex(side)) - outward.turned() * self.foot
     }
 
@@ -74,32 +74,32 @@ impl<R: Real> Pivot<R> {
         }
     }
 
-    /// The contact is on its side, to a touch.
+    /// Returns whether the contact is on its side, to within a touch.
     pub(crate) fn is_on_side<W: World<R>>(&self, scene: &W) -> bool {
         !W::CORNERS || self.placed(scene).beyond(scene, self.contact) <= R::TOUCH
     }
 
-    /// The load on the body about the pivot. Once in an image.
+    /// The load on the body about the pivot. Compiled once per image.
     #[inline(never)]
     pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
         Load::new(scene, self.placed(scene), grip)
     }
 
-    /// It is pressed so hard that it has stiction of its own (STATICS 7.1, rule 3).
+    /// Returns whether it is pressed so hard that it has stiction of its own (STATICS 7.1, rule 3).
     pub(crate) fn is_pressed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let surface = self.surface(scene);
         let (normal, _) = surface.reaction(self.load(scene, grip).force);
         surface.friction.is_pressed(normal)
     }
 
-    /// What is pressed so hard sticks with stiction from here on (rule 3).
+    /// If it is pressed that hard, it sticks with stiction from here on (rule 3).
     pub(crate) fn renew(&self, scene: &impl World<R>, grip: &Grip<R>, regime: &mut Regime<R>) {
         if self.is_pressed(scene, grip) {
             *regime = Regime::Stick { stiction: true };
         }
     }
 
-    /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).
+    /// Moves the foot of a slide to where an edge of the friction cone balances the load, at the same angle (E10).
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) {
         let arm = grip.holding_point - self.body_point(scene);
         let lever = self.orientation.rotation().apply(arm);
@@ -107,7 +107,7 @@ impl<R: Real> Pivot<R> {
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
-    /// The same, found by a search: no farther than to the end of its side.
+    /// The same as the result of a search: no farther than to the end of its side.
     pub(crate) fn slide_on_side(
         &mut self,
         scene: &impl World<R>,
@@ -118,8 +118,8 @@ impl<R: Real> Pivot<R> {
         self.stay_on_side(scene);
     }
 
-    /// A vertex goes no farther beyond the end of its side than where it leaves it, however far rounding of the load takes it: there
-    /// another wall may begin.
+    /// A vertex moves no farther beyond the end of its side than where it leaves it, however far the rounding of the load would move it:
+    /// another wall may begin there.
     pub(crate) fn stay_on_side<W: World<R>>(&mut self, scene: &W) {
         if W::CORNERS && !self.contact.is_corner() {
             let [low, high] = scene.reach(self.contact);
@@ -127,13 +127,13 @@ impl<R: Real> Pivot<R> {
         }
     }
 
-    /// A contact that has left its side along sign·t goes to the very end of it, which a search finds to its rounding.
+    /// Moves a contact that has left its side along sign·t to the exact end of the side, which a search finds only to its rounding.
     pub(crate) fn go_to_end(&mut self, scene: &impl World<R>, sign: R) {
         let [low, high] = scene.reach(self.contact);
         self.foot = if sign > R::ZERO { high } else { low };
     }
 
-    /// The same pivot after a slide along t and a turn. Once in an image.
+    /// The same pivot after a slide along t and a turn. Compiled once per image.
     #[inline(never)]
     pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
         Self {
@@ -144,7 +144,7 @@ impl<R: Real> Pivot<R> {
     }
 }
 
-/// The place of the obstacle's corner of a contact, if it is one.
+/// The position of the obstacle's corner of a contact, if the contact is at one.
 fn corner<R: Real, W: World<R>>(scene: &W, contact: Pair) -> Option<Vec2<R>> {
     let corner = (W::CORNERS && contact.is_corner()).then(|| scene.corner(contact.surface))??;
     Some(corner.place)

@@ -1,5 +1,5 @@
-//! What a number must do for the statics: one door to mathematics, so that every number type gives
-//! the same bits on every machine and a type without a floating point unit fits behind the same solver.
+//! What a number must do for the statics: a single interface to mathematics, so that every number type gives the same bits on every machine
+//! and a type without a floating-point unit fits behind the same solver.
 //!
 //! Inside the solver every quantity is non-dimensional (STATICS 10): lengths / L, forces / (k_h L),
 //! moments / (k_h L²), angles as whole turns and a remainder. [`Real::Si`] is the float in which such a
@@ -18,11 +18,11 @@ mod single;
 pub use comparison::{CordicFixed, LibmSingle, MicromathSingle};
 pub use fixed::Fixed;
 
-/// A number of the solver. Implemented for `f32` (own polynomials, the default of the product), [`Fixed`] (chips
-/// without a floating point unit) and `f64` (libm, the reference). Each gives the same bits on every machine.
+/// A number of the solver. Implemented for `f32` (own polynomials, the default), [`Fixed`] (chips without a floating-point unit) and `f64`
+/// (libm, the reference). Each gives the same bits on every machine.
 ///
-/// Inside the solver numbers have no unit: lengths are counted in L, the body's largest vertex distance, forces in k_h L, moments
-/// in k_h L² (STATICS 10). A user meets them as values of [`Self::Si`] alone, in SI units.
+/// Inside the solver numbers have no unit: lengths are in units of L, the body's largest vertex distance, forces of k_h L, moments of k_h
+/// L² (STATICS 10). Users see them only as values of [`Self::Si`], in SI units.
 pub trait Real:
     Copy
     + Debug
@@ -36,7 +36,7 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// The float in which this number type takes and gives SI values.
+    /// The float in which this number type takes and returns SI values.
     type Si: Real<Si = Self::Si>;
 
     /// 0
@@ -51,15 +51,15 @@ pub trait Real:
     const TAU: Self;
     /// The larger of the relative and the absolute rounding of a number near 1.
     const EPSILON: Self;
-    /// Gaps below this part of the body size close together (STATICS 7): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
+    /// Gaps below this fraction of the body size close together (STATICS 7): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
     const TOUCH: Self;
-    /// Slips and hand travels below this part of the body size are not distinguished (STATICS 7): 2^-19 in every type.
+    /// Slips and displacements of the hand below this fraction of the body size are not distinguished (STATICS 7): 2^-19 in every type.
     const MICRO: Self;
     /// The farthest coordinate that is accepted, in body sizes: 1e12 in `f64`, 1e6 in `f32`, 16 in [`Fixed`].
     const RANGE: Self;
     /// The largest moment of the springs that is accepted, in k_h L²: 4 [`Self::RANGE`].
     const LOAD: Self;
-    /// The farthest that a hand may be turned from the body that it holds (rad): 1e5, in [`Fixed`] 64.
+    /// The largest angle by which a hand may be turned from the body that it holds (rad): 1e5, in [`Fixed`] 64.
     const TURN: Self;
     /// A number beyond every root: the limit of an unlimited search.
     const HUGE: Self;
@@ -68,7 +68,7 @@ pub trait Real:
 
     /// A whole number.
     fn from_int(n: i32) -> Self;
-    /// From a value in the outside float, counted in units of which `per` make 1 there: x·per.
+    /// From a value in the outside float, in units of which `per` make 1 there: x·per.
     fn from_si(x: Self::Si, per: Self::Si) -> Self;
     /// To the outside float, times a unit.
     fn to_si(self, unit: Self::Si) -> Self::Si;
@@ -99,7 +99,7 @@ pub trait Real:
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         a * b - c * d
     }
-    /// sqrt(a b + c d); 0 where that is negative.
+    /// sqrt(a b + c d); 0 if that is negative.
     fn root_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::sum_of_products(a, b, c, d).sqrt()
     }
@@ -111,7 +111,7 @@ pub trait Real:
     fn in_units(self, unit: Self) -> Self {
         self / unit
     }
-    /// The rounding of a sum of numbers of a size.
+    /// The rounding of a sum of numbers of a given magnitude.
     fn rounding(size: Self) -> Self {
         Self::EPSILON * size
     }
@@ -129,11 +129,11 @@ pub trait Real:
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
     }
-    /// The smaller one; of equal ones this one.
+    /// The smaller one; `self` if they are equal.
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
-    /// The larger one; of equal ones this one.
+    /// The larger one; `self` if they are equal.
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
@@ -145,7 +145,7 @@ pub trait Real:
             Self::ONE
         }
     }
-    /// sqrt(x² + y²), scaled so that it neither overflows nor underflows. Once in an image.
+    /// sqrt(x² + y²), scaled so that it neither overflows nor underflows. Compiled once per image.
     #[inline(never)]
     fn hypot(self, other: Self) -> Self {
         let (x, y) = (self.abs(), other.abs());
@@ -158,7 +158,7 @@ pub trait Real:
     }
 }
 
-/// A number counted in a direction: -x where the sign is negative, otherwise x.
+/// A number measured in a direction: -x if the sign is negative, otherwise x.
 pub(crate) fn along<R: Real>(sign: R, x: R) -> R {
     if sign < R::ZERO { -x } else { x }
 }

@@ -45,6 +45,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
     }
+    /// A half-plane, or the side of an obstacle after them; without friction in a model that has none.
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
         let of_obstacle = || self.corner(index).map(|corner| &corner.side);
@@ -55,7 +56,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
         };
         let mut surface = *surface.unwrap_or(&Surface::NOWHERE);
         if !M::FRICTION {
-            // As a constant it leaves nothing of the friction to compile.
+            // As a constant it leaves no code of the friction to compile.
             surface.friction = Coulomb::FRICTIONLESS;
         }
         surface
@@ -209,9 +210,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         Ok(())
     }
 
-    /// A vertex this near to a surface touches it from the beginning: 1e-5 of the body size.
+    /// A vertex this close to a surface touches it from the beginning: 1e-5 of the body size.
     pub(crate) fn start_tolerance() -> R {
-        // In floats: not every number type counts so far.
+        // In floats: not every number type represents this.
         R::from_si(one_in(100_000), R::Si::ONE)
     }
 }

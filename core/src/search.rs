@@ -1,26 +1,26 @@
-//! The first zero of functions that start positive, guaranteed (STATICS 3.2): from the value, the slope and a bound
-//! of the curvature follows a step that never passes a zero and converges quadratically at a simple one.
+//! The first zero of functions that start positive, guaranteed (STATICS 3.2): the value, the slope and a bound of the curvature give a step
+//! that never passes a zero and converges quadratically to a simple one.
 
 use crate::real::Real;
 
-/// The looks at a motion that are left to the searches for what ends it, which share them. A simple zero takes 3 to 9; past the place of
-/// a double root, which a search may not jump, the steps first halve and then double again.
+/// The remaining evaluations of a motion for the searches for its end, which share them. A simple zero takes 3 to 9; past the point of a
+/// double root, which a search may not jump over, the steps first halve and then double again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Looks {
     most: u8,
     left: u8,
-    /// What else was done for the searches, in units of work.
+    /// Other work for the searches, in units of work.
     beside: u16,
 }
 
 impl Looks {
-    /// So many looks at the motion of a single contact, or of none.
+    /// The maximum number of evaluations for the motion of a single contact, or of none.
     pub(crate) const MOST: u8 = 64;
-    /// Every search has so many of its own, so that all of them get away from where they begin.
+    /// Every search has this many of its own, so that all of them get away from where they begin.
     const OWN: u8 = 4;
-    /// Of what else is done no more is counted.
+    /// Other work is counted up to this much.
     pub(crate) const MOST_BESIDE: u16 = 32;
-    /// At a motion of that kind that was not looked at yet.
+    /// For a motion of that kind that has not been evaluated yet.
     pub(crate) const ALL: Self = Self::at_most(Self::MOST);
 
     pub(crate) const fn at_most(most: u8) -> Self {
@@ -31,7 +31,7 @@ impl Looks {
         }
     }
 
-    /// One more for a search that took some, if there is one.
+    /// Takes one more for a search that has already taken `own`, if there is one.
     fn take(&mut self, own: u8) -> bool {
         if self.left > 0 {
             self.left = self.left.saturating_sub(1);
@@ -43,24 +43,24 @@ impl Looks {
         true
     }
 
-    /// Something else was done that takes as long as so many.
+    /// Counts other work that takes as long as this many evaluations.
     pub(crate) fn add(&mut self, units: u16) {
         self.beside = self.beside.saturating_add(units).min(Self::MOST_BESIDE);
     }
 
-    /// Obstacles were looked at, however many, in so many units.
+    /// Counts the work of examining obstacles, in units of work, however many.
     pub(crate) fn add_among(&mut self, units: u32) {
         let units = u16::try_from(units).unwrap_or(u16::MAX);
         self.beside = self.beside.saturating_add(units);
     }
 
-    /// So many were taken, with what else was done.
+    /// The number of evaluations taken, including other work.
     pub(crate) fn taken(self) -> u32 {
         u32::from(self.most.saturating_sub(self.left)).saturating_add(u32::from(self.beside))
     }
 }
 
-/// A function at one place: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
+/// A function at one point: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope<R> {
     pub(crate) value: R,
@@ -86,8 +86,8 @@ impl<R: Real> Slope<R> {
         }
     }
 
-    /// True if it has no zero within a step, as its lowest course, a parabola, which is concave, is positive at both ends: cheaper
-    /// than to ask how far it has none.
+    /// True if it has no zero within a step, because its lowest possible curve, a parabola, which is concave, is positive at both ends:
+    /// cheaper than computing the distance without a zero.
     fn is_clear_of(&self, step: R) -> bool {
         let fall = (self.curvature * step).halved() - self.slope;
         self.value > self.rounding && self.value - fall * step > self.rounding
@@ -98,7 +98,7 @@ impl<R: Real> Slope<R> {
         self.value <= self.rounding || (self.curvature * step * step).doubled() <= self.rounding
     }
 
-    /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
+    /// The first step. A function that starts at zero and rises is stepped to the crest of its bound, d/K.
     fn first_step(&self) -> R {
         if self.value > self.rounding {
             self.safe_step()
@@ -115,19 +115,19 @@ impl<R: Real> Slope<R> {
 /// The outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Found<R> {
-    /// No zero before the limit; `x` is the last place that was looked at.
+    /// No zero before the limit; `x` is the last point that was evaluated.
     Nothing { x: R },
     /// Function number `which` is the first to become zero, at `x`.
     Zero { x: R, which: usize },
-    /// No look was left at `x`, up to which there is no zero; `which` is the nearest to one.
+    /// No evaluation was left at `x`, up to which there is no zero; `which` is the closest to one.
     Unsure { x: R, which: usize },
 }
 
-/// What a search sees at one place.
+/// The functions of a search at one point.
 pub(crate) struct Samples<R, const M: usize> {
-    /// One that is left out has no zero within the window.
+    /// A function that is `None` has no zero within the window.
     pub(crate) functions: [Option<Slope<R>>; M],
-    /// The farthest that the next step may go: the curvatures need to hold up to there only.
+    /// The farthest that the next step may go: the curvatures need only hold up to there.
     pub(crate) window: R,
 }
 
@@ -141,8 +141,7 @@ impl<R: Real, const M: usize> Samples<R, M> {
     }
 }
 
-/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one place the
-/// first listed counts.
+/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one point the first in the list counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
     limit: R,
     looks: &mut Looks,

@@ -1,5 +1,5 @@
-//! 4: the transition table (STATICS 8) at work: (state, trigger) -> (state, what to do next), in a bounded loop at a frozen hand
-//! until the body rests.
+//! 4: the transition table (STATICS 8) in operation: (state, trigger) -> (state, what to do next), in a bounded loop at a frozen hand until
+//! the body rests.
 
 use crate::contact::{Pair, Pairs, Regime};
 use crate::event::{Event, StateKind, Status};
@@ -17,16 +17,16 @@ use crate::transition::{
 use crate::verb::{Moved, Relax, Trigger};
 use crate::world::World;
 
-/// What is to be done in a state at a frozen hand, in which direction.
+/// What a state does next at a frozen hand, and in which direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Next<R> {
     /// It rests.
     Rest,
-    /// Come to balance; with a sign, while slipping.
+    /// Comes to balance; with a sign, while slipping.
     Relax(Option<R>),
-    /// Turn on over the fold.
+    /// Turns on over the fold.
     Snap(R),
-    /// Slip along sign·t.
+    /// Slips along sign·t.
     Slip(R),
 }
 
@@ -48,17 +48,17 @@ const MAX_TRANSITIONS: u8 = 255;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settling<R> {
     next: Next<Sign>,
-    /// How many verbs there were.
+    /// The number of verbs so far.
     transitions: u8,
     tried: Tried,
     /// The state in which it began, and whether it slid.
     before: (StateKind, bool),
-    /// A slip that is under way.
+    /// A slip in progress.
     under_way: Option<Slip<R>>,
 }
 
 impl<R: Real> Settling<R> {
-    /// Of a body that was in a state, and what it does first.
+    /// For a body that was in the state `before`, beginning with `next`.
     pub(crate) fn of(before: (StateKind, bool), next: Next<R>) -> Self {
         Self {
             next: next.map(Sign::of),
@@ -69,7 +69,7 @@ impl<R: Real> Settling<R> {
         }
     }
 
-    /// At a frozen hand that has jumped there: what slid sticks or slips first.
+    /// At a frozen hand that has jumped there: a sliding contact sticks or slips first.
     pub(crate) fn after_jump(state: &ContactState<R>) -> Self {
         Self::of(state.motion(), Next::Relax(None))
     }
@@ -79,7 +79,7 @@ impl<R: Real> Settling<R> {
         self.next == Next::Rest
     }
 
-    /// The next verb: what it took, in units of work, and whether the body rests after it.
+    /// Executes the next verb; returns its cost in units of work, and whether the body rests after it.
     pub(crate) fn go_on(
         &mut self,
         scene: &impl World<R>,
@@ -107,6 +107,8 @@ impl<R: Real> Settling<R> {
         (work, true)
     }
 
+    /// Executes the next verb at the frozen hand, logs what it did and looks up what follows (STATICS 8); returns its cost in units of
+    /// work.
     fn verb<W: World<R>>(
         &mut self,
         scene: &W,
@@ -137,7 +139,7 @@ impl<R: Real> Settling<R> {
         }
         let gets_on = moved.unsure && *state != before;
         if gets_on && let Next::Relax(_) | Next::Snap(_) = next {
-            // Nothing has happened up to where the looks led: on from there.
+            // Nothing has happened up to where the evaluations led: continue from there.
             record(state, &moved, (&next, false), log);
             if let Next::Snap(_) = next {
                 self.next = Next::Relax(None);
@@ -149,7 +151,7 @@ impl<R: Real> Settling<R> {
                 Next::Slip(sign) => sign,
                 _ => R::ZERO,
             };
-            // What slides on has not slipped; what moved and sticks has, with stiction or without.
+            // A contact that slides on has not slipped; one that moved and sticks has, with stiction or without.
             let sticks = state.regime().slide().is_none() && moved.slip.abs() > R::MICRO;
             if moved.trigger == Trigger::Stopped && (had_stiction || sticks) {
                 log.transitions.add(slip_arm(state));
@@ -158,7 +160,7 @@ impl<R: Real> Settling<R> {
             work = work.saturating_add(state.passing_work(scene, &moved.trigger));
             self.next = apply((scene, grip), state, &moved, sliding, log).map(Sign::of);
         }
-        // What changes nothing would do so again and again.
+        // A verb that changes nothing would be repeated for ever.
         if *self == asked && *state == before {
             self.transitions = MAX_TRANSITIONS;
         }
@@ -166,7 +168,7 @@ impl<R: Real> Settling<R> {
     }
 }
 
-/// Says where a slide begins and ends, of a body that was in a state and perhaps slid.
+/// Logs where a slide begins and ends, for a body that was in a state and perhaps slid.
 pub(crate) fn log_slide<R: Real>(
     state: &ContactState<R>,
     (before, slid): (StateKind, bool),
@@ -185,8 +187,8 @@ pub(crate) fn log_slide<R: Real>(
     }
 }
 
-/// A verb that took the body no farther, turn and all, has not moved it. Among obstacles a contact leaves its side a touch beyond the end
-/// and is back from the next one a touch beyond the other end, twice where the body turns as far: that has led nowhere.
+/// A verb that moved the body no farther than this, including the turn, has not moved it. Among obstacles a contact leaves its side a touch
+/// beyond the end and comes back from the next one a touch beyond the other end, twice if the body turns as far: that is no progress.
 fn nowhere<R: Real, W: World<R>>(_: &W) -> R {
     if W::CORNERS {
         R::MICRO.max(R::TOUCH * R::from_int(4))
@@ -195,7 +197,7 @@ fn nowhere<R: Real, W: World<R>>(_: &W) -> R {
     }
 }
 
-/// How many motions of contacts that fix the pose were tried since a verb last moved the body: those did not move it.
+/// The number of motions of contacts that fix the pose that were tried without moving the body since a verb last moved it.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Tried {
     two_vertex: u8,
@@ -207,7 +209,7 @@ impl Tried {
         *self != Self::default()
     }
 
-    /// So many before the next one.
+    /// Counts one more, and returns the number of those before it.
     fn next(&mut self, kind: StateKind) -> usize {
         let tried = match kind {
             StateKind::TwoVertex => &mut self.two_vertex,
@@ -220,7 +222,7 @@ impl Tried {
     }
 }
 
-/// What a verb has done besides its trigger, and whether its searches did not get away from where it was.
+/// Logs what a verb has done in addition to its trigger, and whether its searches made no progress.
 fn record<R: Real>(
     state: &ContactState<R>,
     moved: &Moved<R>,
@@ -242,12 +244,12 @@ fn stays<R: Real>(log: &mut Log<R>) {
     log.ambiguous = true;
 }
 
-/// From where a search gave up, up to which nothing has happened.
+/// Continues from where a search gave up, up to which nothing has happened.
 fn on<R: Real>(sliding: R) -> Next<R> {
     Next::Relax((sliding != R::ZERO).then_some(sliding))
 }
 
-/// The table: the state after a verb, which slid along sliding·t, and what it does next. A call of its own, as the verbs are.
+/// The table: the state after a verb that slid along sliding·t, and what it does next. A call of its own, like the verbs.
 #[inline(never)]
 pub(crate) fn apply<R: Real, W: World<R>>(
     (scene, grip): (&W, &Grip<R>),
@@ -269,7 +271,7 @@ pub(crate) fn apply<R: Real, W: World<R>>(
             Next::Rest
         }
         Trigger::Slide(sign) => Next::Slip(sign),
-        // No branch of balance has ended: it turns as its moment is.
+        // No branch of balance has ended: the body turns as its moment demands.
         Trigger::Fold(_) if W::CORNERS && moved.unbalanced => on(sliding),
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
@@ -308,9 +310,9 @@ pub(crate) fn apply<R: Real, W: World<R>>(
     }
 }
 
-/// A contact that slides has left its side. It is passed on to the contact at the same place whose normal comes next as the normal
-/// turns towards the slide, and what follows is a slip in the same direction. Where the new normal is not pressed the body is free, and
-/// of two contacts the new one opens (STATICS 12.4).
+/// A contact that slides has left its side. It is passed on to the contact at the same place whose normal comes next as the normal turns
+/// towards the slide, followed by a slip in the same direction. If the new normal is not pressed the body is free, and of two contacts the
+/// new one opens (STATICS 12.4).
 fn pass_on<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
@@ -359,8 +361,8 @@ fn pass_on<R: Real, W: World<R>>(
     }
 }
 
-/// Where a wall rises from the end of a side, a slide along sign·t ends in a touch, though a search in few digits has found the end of the
-/// side first: the state there, and the contact.
+/// If a wall rises from the end of a side, a slide along sign·t ends in a touch, even if a search with few digits has found the end of the
+/// side first: returns the state there, and the contact.
 fn wall_ahead<R: Real, W: World<R>>(
     scene: &W,
     state: &ContactState<R>,
@@ -384,8 +386,8 @@ fn wall_ahead<R: Real, W: World<R>>(
     Some((at_end, pair))
 }
 
-/// A body that turns about a contact at the end of a side has turned to the end of what supports it: the contact at the same place whose
-/// normal comes next supports it from there on.
+/// A body that turns about a contact at the end of a side has turned to the end of what supports that contact: the contact at the same
+/// place whose normal comes next supports it from there on.
 fn turn_on<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
@@ -402,9 +404,9 @@ fn turn_on<R: Real, W: World<R>>(
     Next::Relax(None)
 }
 
-/// An edge that slides along sign·t has lost one of its contacts at the end of a side. Where another one takes its place in the same
-/// line, nothing has changed: what slides or slips goes on. Where its line ends elsewhere now, or the contact is passed on to another
-/// line or to none, the body comes to balance first.
+/// An edge that slides along sign·t has lost one of its contacts at the end of a side. If another one takes its place in the same line,
+/// nothing has changed: the slide or slip goes on. If its line ends elsewhere now, or the contact is passed on to another line or to none,
+/// the body comes to balance first.
 fn pass_end_on<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
@@ -420,7 +422,7 @@ fn pass_end_on<R: Real, W: World<R>>(
     };
     let next = (placed.next_end(scene, (left, sign), &lasting))
         .or_else(|| placed.next_contact(scene, (left, sign), &contacts));
-    // What goes on is placed as it was.
+    // The remaining contact keeps its position.
     let pivot = pivot_of(scene, state, lasts);
     let others: Pairs = gather(next);
     *state = ContactState::seated(scene, pivot, &others);
@@ -454,7 +456,7 @@ fn undriven<R: Real>(
     Next::Rest
 }
 
-/// A vertex at a surface that is no contact yet.
+/// A vertex at a surface that is not a contact yet.
 fn another<R: Real, W: World<R>>(scene: &W, state: &ContactState<R>) -> Option<Pair> {
     let contacts = state.contacts();
     let placed = state.placed(scene);
@@ -466,7 +468,7 @@ fn another<R: Real, W: World<R>>(scene: &W, state: &ContactState<R>) -> Option<P
     others.next().copied()
 }
 
-/// A vertex reaches a surface; all that close together are taken together.
+/// A vertex reaches a surface; all that close together are handled together.
 pub(crate) fn touch<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
@@ -490,13 +492,13 @@ pub(crate) fn touch<R: Real, W: World<R>>(
     let mut all = Pairs::new();
     let mut old = state.contacts();
     if W::CORNERS {
-        // What turns on about an overlap that short goes on about its other end.
+        // A body that turns about an overlap this short turns on about its other end.
         old.retain(|&contact| !placed.are_one(scene, [contact, pair]));
     }
     for &contact in old.iter().chain(&[pair]).chain(&touching) {
         let is_taken = |&other: &Pair| W::CORNERS && placed.are_one(scene, [other, contact]);
         if !all.contains(&contact) && !all.iter().any(is_taken) {
-            // Of more than four surfaces the first ones count.
+            // Of more than four surfaces the first four are kept.
             let _ = all.push(contact);
         }
     }
@@ -510,7 +512,7 @@ pub(crate) fn touch<R: Real, W: World<R>>(
     *state = ContactState::seated(scene, pivot, others);
     state.set_regime(Regime::Stick { stiction });
     if W::CORNERS && before == StateKind::Edge && state.kind() == before {
-        // It ends elsewhere in the same line.
+        // It ends elsewhere on the same line.
         return;
     }
     let (arm, event) = touch_arm(before, state.kind());
@@ -543,7 +545,7 @@ pub(crate) fn keep<R: Real>(
     Next::Relax(sliding)
 }
 
-/// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
+/// The pivot of one of the contacts of a state; the state's own pivot, to the bit, if it is that one.
 fn pivot_of<R: Real>(scene: &impl World<R>, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
     match state.anchor() {
         Ok(pivot) if pivot.contact == pair => *pivot,

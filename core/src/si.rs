@@ -1,10 +1,10 @@
-//! The floats in which the solver takes and gives SI values, and their conversion from and to the f64 and the bits of a file.
+//! The floats in which the solver takes and returns SI values, and their conversion from and to the f64 and the bits of a file.
 
 use crate::geometry::Angle;
 use crate::hand::Hand;
 use crate::real::Real;
 
-/// A float in which the solver takes and gives SI values: `f32`, also that of [`Fixed`](crate::Fixed), and `f64`.
+/// A float in which the solver takes and returns SI values: `f32`, also that of [`Fixed`](crate::Fixed), and `f64`.
 pub trait SiFloat: Real<Si = Self> {
     /// The nearest value of this type.
     fn narrow(value: f64) -> Self;
@@ -38,8 +38,8 @@ impl SiFloat for f64 {
     }
 }
 
-/// A hand given in f64, as files hold it, in the float of a number type; the angle stays split into turns and remainder. What the
-/// float cannot hold becomes infinite, which the solver refuses.
+/// A hand given in f64, as files store it, in the float of a number type; the angle stays split into turns and remainder. Values that the
+/// float cannot represent become infinite, which the solver refuses.
 pub fn narrow_hand<F: SiFloat>(hand: &Hand<f64>) -> Hand<F> {
     Hand {
         position: hand.position.map(F::narrow),

@@ -1,4 +1,4 @@
-//! A sign, or zero, in a byte: what the memory of a direction takes.
+//! A sign, or zero, in a byte: how a state stores a direction.
 
 use crate::real::Real;
 

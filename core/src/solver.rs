@@ -23,7 +23,7 @@ mod evolve;
 pub use evolution::Evolution;
 use evolve::{Course, Errand};
 
-/// The solver of one scene. It holds no state of a run: one solver serves many.
+/// The solver of one scene. It holds no state of a run: one solver serves any number of runs.
 ///
 /// ```
 /// # use stiction_core::{Description, Scene, SurfaceDescription};
@@ -48,8 +48,8 @@ use evolve::{Course, Errand};
 /// let exact = Solver::new(scene.clone(), Evolution::Path);
 /// let bounded = Solver::new(scene, Evolution::Path).with_budget(400);
 ///
-/// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips. The bounded solver does what its
-/// // budget allows.
+/// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips. The bounded solver does as many as its
+/// // budget permits.
 /// let (mut state, _) = exact.start(Hand::new(0.0, 0.04, 0.0));
 /// let mut twin = state.clone();
 /// let hand = Hand::new(0.1, 0.04, 0.0);
@@ -71,8 +71,8 @@ pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     budget: u32,
 }
 
-/// The state of a run: plain data, at most 256 bytes in every number type. A copy of it is a snapshot; assigned back, the
-/// run repeats bit for bit, on every machine. It belongs to the scene of the solver that made it.
+/// The state of a run: plain data, at most 256 bytes in every number type. A copy of it is a snapshot; assigned back, the run repeats bit
+/// for bit, on every machine. It belongs to the scene of the solver that created it.
 ///
 /// ```
 /// # use stiction_core::{Description, Scene, SurfaceDescription};
@@ -116,22 +116,22 @@ pub struct State<R: Real> {
     /// The hand has taken hold before.
     was_held: bool,
     hand: Hand<R::Si>,
-    /// What keeps the pose from being a balance: of the grip, not of the frame, and so reported until the hand moves.
+    /// Why the pose is not a balance: this belongs to the grip, not to the frame, and is therefore reported until the hand moves.
     unrest: Status,
     errand: Errand<R>,
     course: Course,
 }
 
 impl<R: Real> State<R> {
-    /// The last sample of the hand that could be used, as it was given: the one that the state belongs to. Before there was one:
-    /// x = y = phi = 0, not holding.
+    /// The last usable sample of the hand, as it was given: the one that the state belongs to. Before the first one: x = y = phi = 0, not
+    /// holding.
     pub fn hand(&self) -> &Hand<R::Si> {
         &self.hand
     }
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// A solver for a scene. Its steps take as much work as there is.
+    /// A solver for a scene. Its steps do as much work as is needed.
     pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
             scene,
@@ -140,25 +140,25 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// The same solver with the other evolution; a state of it goes on as it is.
+    /// The same solver with the other evolution; an existing state remains valid.
     #[must_use]
     pub fn with_evolution(mut self, evolution: Evolution) -> Self {
         self.evolution = evolution;
         self
     }
 
-    /// From this budget on no step takes more, with at most three contacts at once, in units of work: a certified frame that fails and
-    /// the piece that takes most. To take hold of the body is not counted.
+    /// With this budget or a larger one no step exceeds its budget, with at most three simultaneous contacts, in units of work: a failed
+    /// certified frame and the most expensive piece. Taking hold of the body is not counted.
     pub const LEAST_BUDGET: u32 = if <M::Obstacles<R, V> as Obstacles<R>>::CORNERS {
         least_among(V, <M::Obstacles<R, V> as Obstacles<R>>::CAPACITY)
     } else {
         least(S > 1)
     };
 
-    /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
-    /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
-    /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
-    /// sample leads straight from where the body stands. A step does one piece of work at least: with a budget below
+    /// A bound on the work of a step, in units of about one evaluation of the motion of a contact (the README says what a unit costs). A
+    /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there. Repeated
+    /// with the same sample until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; with a new sample the
+    /// hand's path leads straight from where the body stands. A step does at least one piece of work: with a budget below
     /// [`Self::LEAST_BUDGET`] a single one may take more.
     #[must_use]
     pub fn with_budget(mut self, units: u32) -> Self {
@@ -171,8 +171,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.budget
     }
 
-    /// A new run and its first answer: the equilibrium reached from the scene's start pose with the hand at its first pose. A hand
-    /// that is not finite or out of range is taken as absent: the body stays at its start until a good one takes hold; so it does
+    /// Starts a run and returns its first answer: the equilibrium reached from the scene's start pose with the hand at its first pose. A
+    /// hand that is not finite or out of range counts as absent: the body stays at its start until a usable one takes hold; it also does so
     /// while the hand's switch is off.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
         let (mut work, mut log) = (Work::within(self.budget), Log::default());
@@ -187,14 +187,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         (state, output)
     }
 
-    /// One frame: the hand goes to its new pose and the body follows. It never fails. A sample that cannot be used leaves the body
-    /// as it is, and the status says so: [`Status::HeldLast`] for one that is not finite, [`Status::Saturated`] for one beyond the
-    /// range of the number type. The next good one is followed from the last good one.
+    /// One frame: the hand moves to its new pose and the body follows. It never fails. A sample that cannot be used leaves the body as it
+    /// is, and the status reports it: [`Status::HeldLast`] for one that is not finite, [`Status::Saturated`] for one beyond the range of
+    /// the number type. The next usable sample is followed from the last usable one.
     pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
         let (mut work, mut log) = (Work::within(self.budget), Log::default());
         if let Some(target) = self.usable(&hand, &mut log) {
             let again = hand == state.hand;
-            // A hand that takes hold is where it takes hold.
+            // The path of a hand that takes hold begins where it takes hold.
             let was_held = state.held;
             self.switch(state, &hand, target, (&mut work, &mut log));
             if !was_held || self.go_to(state, (target, again), (&mut work, &mut log)) {
@@ -206,11 +206,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.output(state, (work, log))
     }
 
-    /// p_h / L and phi of a sample. The log says why one cannot be used, and that the twist of one is not known.
+    /// p_h / L and phi of a sample. The log records why a sample cannot be used, and that its twist is not known.
     fn usable(&self, hand: &Hand<R::Si>, log: &mut Log<R>) -> Option<(Vec2<R>, Angle<R>)> {
         let position: Vec2<R> = self.scene.units.point_from_si(hand.position);
         let (turns, rest) = hand.angle.rest.turns();
-        // False for what is not a number, too; a remainder of more than a turn is of more turns than can be counted.
+        // Also false for NaN; a remainder of more than a turn means more turns than can be counted.
         let is_usable = position.x.abs() <= R::RANGE
             && position.y.abs() <= R::RANGE
             && rest.abs() <= R::Si::TAU
@@ -287,8 +287,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// Takes hold where the hand is, if within reach; the first time at the scene's holding point, if it gives one. True if it does.
-    /// A call of its own: what it works with is off the stack while the body comes to rest.
+    /// Takes hold where the hand is, if within reach; the first time at the scene's holding point, if it defines one. Returns true if it
+    /// takes hold. A call of its own: its working data is off the stack while the body comes to rest.
     #[inline(never)]
     fn grasp(
         &self,

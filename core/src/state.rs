@@ -1,17 +1,16 @@
-//! 3: the contact state. Each variant owns exactly the memory that it needs from one frame to the next; each lives in
-//! a file of its own with the same verbs in the same order:
+//! 3: the contact state. Each variant owns exactly the memory that it needs from one frame to the next; each has a file of its own with the
+//! same verbs in the same order:
 //!
-//! * `contacts`, `pose`: what touches, and where the body is;
-//! * `follow`: a certified frame, in which nothing happens before its end: goes with the hand, or says nothing and has
-//!   not moved;
-//! * `advance`: goes with the hand on a straight path, in balance, to the first event (path evolution);
-//! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
+//! * `contacts`, `pose`: what touches, and the pose of the body;
+//! * `follow`: a certified frame, in which nothing happens before its end: follows the hand, or returns false and has not moved;
+//! * `advance`: follows the hand on a straight path, in balance, to the first event (path evolution);
+//! * `relax`: hand frozen, comes to balance without sliding and tests friction;
 //! * `slide`: hand frozen, slides to the end of the slip;
 //! * `reactions`: the forces of the contacts at rest.
 //!
 //! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
 //!
-//! Each verb but the certified frame is a call of its own (`inline(never)`): the stack holds the work of one, not of all.
+//! Each verb except the certified frame is a call of its own (`inline(never)`): the stack holds the data of one, not of all.
 
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::detect::Placed;
@@ -114,7 +113,7 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
-    /// The number type can represent the springs between the body and a hand.
+    /// Returns whether the number type can represent the springs between the body and a hand.
     pub(crate) fn can_be_held<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
         let load = self.load(scene, grip);
         if W::GLIDES {
@@ -124,7 +123,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
+    /// Returns whether the contacts hold the body, but only with reactions beyond the limit (STATICS 6).
     #[inline(never)]
     pub(crate) fn is_jammed<W: World<R>>(
         &self,
@@ -140,7 +139,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// A displacement of the hand after which what the contacts have just borne is surely not borne any more.
+    /// A displacement of the hand after which a load that the contacts could only just bear is certainly not borne any more.
     pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>, work: &mut Work) -> R {
         match self {
             Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip, work),
@@ -168,7 +167,7 @@ impl<R: Real> ContactState<R> {
         (self.kind(), self.regime().slide().is_some())
     }
 
-    /// The same state, sticking or sliding; what cannot slide sticks.
+    /// The same state, sticking or sliding; a state that cannot slide sticks.
     pub(crate) fn set_regime(&mut self, regime: Regime<R>) {
         match self {
             Self::Free(_) => {}
@@ -181,7 +180,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// One vertex or an edge that sticks has stiction where it is pressed hard enough (rule 3).
+    /// One vertex or an edge that sticks has stiction if it is pressed hard enough (rule 3).
     pub(crate) fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
         if let Self::SingleVertex(SingleVertex { pivot, regime, .. })
         | Self::Edge(Edge { pivot, regime, .. }) = self
@@ -190,8 +189,8 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// Of contacts that fix the pose as a hand takes hold: they have stiction if one of them is pressed hard enough by a load that
-    /// they can bear (rule 10 a).
+    /// For contacts that fix the pose when a hand takes hold: they have stiction if one of them is pressed hard enough by a load that they
+    /// can bear (rule 10 a).
     pub(crate) fn press<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) {
         if !W::SURFACES || !matches!(self, Self::TwoVertex(_) | Self::Corner(_) | Self::Locked(_)) {
             return;
@@ -233,6 +232,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// Moves with the hand from one grip to another, in balance, to the first event (STATICS 7, step 1).
     pub(crate) fn advance<W: World<R>>(
         &mut self,
         scene: &W,
@@ -255,6 +255,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// Comes to balance at a frozen hand without sliding, then tests friction (STATICS 7, step 3).
     pub(crate) fn relax<W: World<R>>(
         &mut self,
         scene: &W,
@@ -274,7 +275,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// From a fold of the branch, on in the direction of the sign. A free body goes on from there by itself.
+    /// From a fold of the branch, on in the direction of the sign. A free body continues from there without it.
     #[inline(never)]
     pub(crate) fn snap<W: World<R>>(
         &mut self,
@@ -297,7 +298,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first. It may take several pieces:
-    /// `under_way` remembers it.
+    /// `under_way` stores its progress.
     pub(crate) fn slip<W: World<R>>(
         &mut self,
         scene: &W,
@@ -312,7 +313,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The reactions, (N, T) of each contact, and the directions along t in which the contacts slide: 0 where they stick.
+    /// The reactions, (N, T) of each contact, and the directions along t in which the contacts slide: 0 if they stick.
     pub(crate) fn reactions<W: World<R>>(
         &self,
         scene: &W,
@@ -360,7 +361,7 @@ impl<R: Real> ContactState<R> {
     }
 }
 
-/// The verb of a state that the scene does not have, or that has no such verb.
+/// The verb of a state that does not occur in the scene, or that has no such verb.
 fn absent<R: Real>() -> Moved<R> {
     Moved::by(Trigger::Undriven)
 }

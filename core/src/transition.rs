@@ -1,5 +1,5 @@
-//! The transition table (STATICS 8): its arms, each with its two states and its physics in a sentence; sets of arms; and which
-//! arm, with which event, a change of the state is.
+//! The transition table (STATICS 8): its arms, each with its two states and its physics in a sentence; sets of arms; and the arm and the
+//! event for each change of the state.
 
 use crate::event::{Event, StateKind};
 use crate::real::Real;
@@ -36,14 +36,14 @@ macro_rules! transitions {
                 }
             }
 
-            /// The state that the arm leaves. `None` for [`Self::Stays`] alone, which every state has.
+            /// The state that the arm leaves. `None` only for [`Self::Stays`], which every state has.
             pub const fn before(self) -> Option<StateKind> {
                 match self {
                     $(Self::$name => transitions!(@state $($before)?)),+
                 }
             }
 
-            /// The state that the arm leads to; that of [`Self::before`] where it stays the same.
+            /// The state that the arm leads to; that of [`Self::before`] if it stays the same.
             pub const fn after(self) -> Option<StateKind> {
                 match self {
                     $(Self::$name => transitions!(@state $($after)?)),+
@@ -104,8 +104,8 @@ transitions! {
     Stays: "No mode of motion is consistent with friction: the body stays.",
 }
 
-/// A set of arms of the transition table: those taken in a frame ([`Output::transitions`](crate::Output::transitions)). Says
-/// which, not how often or in which order.
+/// A set of arms of the transition table: those taken in a frame ([`Output::transitions`](crate::Output::transitions)). It contains which
+/// ones, not how often or in which order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Transitions(u64);
 
@@ -132,7 +132,7 @@ impl Transitions {
     }
 }
 
-/// Of a state that rests.
+/// The arm of a state that rests.
 pub(crate) fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Free(_) => Transition::FreeMoves,
@@ -144,7 +144,7 @@ pub(crate) fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of a slip that ended at mu_d N.
+/// The arm of a slip that ended at mu_d N.
 pub(crate) fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeSlips,
@@ -153,7 +153,7 @@ pub(crate) fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of contacts that begin to slide with the hand.
+/// The arm of contacts that begin to slide with the hand.
 pub(crate) fn slide_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeSlides,
@@ -162,7 +162,7 @@ pub(crate) fn slide_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of contacts that stick after a slide.
+/// The arm of contacts that stick after a slide.
 pub(crate) fn halt_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeStops,
@@ -171,7 +171,7 @@ pub(crate) fn halt_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of a balance that folds.
+/// The arm of a balance that folds.
 pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Free(_) => Transition::FreeFolds,
@@ -181,7 +181,7 @@ pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of a body that leaves all surfaces.
+/// The arm of a body that leaves all surfaces.
 pub(crate) fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeLifts,
@@ -192,7 +192,7 @@ pub(crate) fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// Of a contact more.
+/// The arm and the event of an additional contact.
 pub(crate) fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
     use StateKind as Kind;
     match (before, after) {
@@ -211,7 +211,7 @@ pub(crate) fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Eve
     }
 }
 
-/// Of contacts that open, with or without a slide of those that last.
+/// The arm and the event of contacts that open, with or without a slide of those that last.
 pub(crate) fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, Event) {
     match (before, after) {
         (StateKind::Edge, _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),

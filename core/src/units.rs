@@ -1,4 +1,4 @@
-//! The size of 1 inside the solver, where lengths are counted in L, forces in k_h L and moments in k_h L² (STATICS 10): from SI
+//! The size of 1 inside the solver, where lengths are in units of L, forces of k_h L and moments of k_h L² (STATICS 10): conversion from SI
 //! units and back.
 
 use crate::geometry::Vec2;
@@ -27,7 +27,7 @@ impl<F: Real> Units<F> {
             per_length: F::ONE / length,
         }
     }
-    /// Neither too large nor too small to divide by.
+    /// Returns whether they are neither too large nor too small to divide by.
     pub(crate) fn are_usable(&self) -> bool {
         let usable = |unit: F| unit.is_finite() && unit > F::ONE / F::HUGE;
         usable(self.length) && usable(self.force) && usable(self.moment)

@@ -1,5 +1,5 @@
-//! What the verbs of the contact states take and give (STATICS 7): on what terms a state comes to balance, why a verb ended, how
-//! far it moved; and how a pose is seated on its contacts.
+//! The inputs and results of the verbs of the contact states (STATICS 7): on what terms a state comes to balance, why a verb ended, how far
+//! it moved; and how a pose is seated on its contacts.
 
 use crate::contact::Pair;
 use crate::pivot::Pivot;
@@ -21,7 +21,7 @@ pub(crate) enum Trigger<R> {
     Slide(R),
     /// The slip ended at mu_d N.
     Stopped,
-    /// The normal reaction has risen to N*: what sticks has stiction, what slides sticks (rule 3).
+    /// The normal reaction has risen to N*: a sticking contact gains stiction, a sliding one sticks (rule 3).
     Pressed,
     /// The foot of a slide comes to a halt (rule 7).
     Halts,
@@ -33,14 +33,14 @@ pub(crate) enum Trigger<R> {
         contacts: [usize; 2],
         sliding: Option<R>,
     },
-    /// Contact number `contact`, which slides along sign·t, has left its side; with the sign 0, the body has turned about it, at the end of a
-    /// side, to the end of what supports it: it is passed on (STATICS 12.4).
+    /// Contact number `contact`, which slides along sign·t, has left its side; with the sign 0, the body has turned about it, at the end of
+    /// a side, to the end of what supports it. The contact is passed on (STATICS 12.4).
     Off { contact: usize, sign: R },
     /// All contacts open.
     Clear,
     /// No motion is driven although friction gives way.
     Undriven,
-    /// Nothing has happened so far: the verb goes on from where it came to.
+    /// Nothing has happened so far: the verb goes on from the present pose.
     GoesOn,
 }
 
@@ -49,7 +49,7 @@ pub(crate) enum Trigger<R> {
 pub(crate) struct Relax<R> {
     /// The direction in which the first contact is already in motion.
     pub(crate) sliding: Option<R>,
-    /// How many motions of these contacts were tried that did not move the body.
+    /// The number of motions of these contacts that were tried without moving the body.
     pub(crate) tried: usize,
 }
 
@@ -57,7 +57,7 @@ pub(crate) struct Relax<R> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved<R> {
     pub(crate) trigger: Trigger<R>,
-    /// The part of the hand's path that was gone (`advance`).
+    /// The fraction of the hand's path that is done (`advance`).
     pub(crate) part: R,
     /// How far a contact slid (`slip`).
     pub(crate) slip: R,
@@ -65,9 +65,9 @@ pub(crate) struct Moved<R> {
     pub(crate) snapped: bool,
     /// A search hit its bound.
     pub(crate) unsure: bool,
-    /// A slip ended elsewhere than in balance: one that began out of balance, when another contact opened, or was blocked.
+    /// A slip did not end in balance: one that began out of balance, when another contact opened, or one that was blocked.
     pub(crate) unbalanced: bool,
-    /// What it took besides what every one of its kind takes, in units of work.
+    /// Its cost in addition to the base cost of every verb of its kind, in units of work.
     pub(crate) work: u32,
 }
 
@@ -84,7 +84,7 @@ impl<R: Real> Moved<R> {
         }
     }
 
-    /// After what is done among obstacles alone.
+    /// Adds the work that occurs among obstacles only.
     pub(crate) fn after<W: World<R>>(self, _: &W, work: Work) -> Self {
         if !W::CORNERS {
             return self;
@@ -96,9 +96,8 @@ impl<R: Real> Moved<R> {
     }
 }
 
-/// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
-/// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
-/// no choice.
+/// Turns (or, if that does not help, shifts) a pose with some gaps closed to within a tolerance so that they are closed to the rounding, or
+/// as far as 16 sweeps over them achieve. The pivot's foot stays unless the other contacts leave no choice.
 pub(crate) fn seat<R: Real, W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[Pair]) -> Pivot<R> {
     let pivot = close_gaps(scene, pivot, (others, others.len() == 1));
     match *others {
@@ -109,7 +108,7 @@ pub(crate) fn seat<R: Real, W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[P
     }
 }
 
-/// A vertex and a corner so near to each other that their gaps do not tell the tilt of their sides lie in one line.
+/// If a vertex and a corner are so close to each other that their gaps do not determine the tilt of their sides, they are collinear.
 fn lay_flat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, other: Pair) -> Pivot<R> {
     let placed = pivot.placed(scene);
     let rotation = placed.orientation.rotation();
@@ -125,7 +124,7 @@ fn lay_flat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, other: Pair) -> Piv
     pivot.moved(R::ZERO, turn)
 }
 
-/// The same after a motion in which the pivot's foot slides: it is shifted and turned by as little as closes the gap.
+/// The same after a motion in which the pivot's foot slides: it is shifted and turned by the least displacement that closes the gap.
 pub(crate) fn seat_sliding<R: Real>(
     scene: &impl World<R>,
     pivot: Pivot<R>,
@@ -134,6 +133,8 @@ pub(crate) fn seat_sliding<R: Real>(
     close_gaps(scene, pivot, (&[other], false))
 }
 
+/// Closes the gaps of the other contacts to the rounding in sweeps of Newton's steps: by a turn about the pivot if its foot stays and the
+/// lever suffices, otherwise by the least slide and turn.
 fn close_gaps<R: Real>(
     scene: &impl World<R>,
     mut pivot: Pivot<R>,

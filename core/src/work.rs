@@ -1,10 +1,10 @@
-//! The work of a step, counted where its loops are, in units of about one look at the motion of a single contact: what is left of the
-//! budget of a step, and what its pieces take. A piece begins only where the most that it can take is left, or as the first of a step: no
-//! step exceeds a budget that has room for a piece, and nothing that is done depends on it.
+//! The work of a step, counted in its loops, in units of about one evaluation of the motion of a single contact: the remaining budget of a
+//! step, and the cost of its pieces. A piece begins only if its maximum cost is left, or as the first of a step: no step exceeds a budget
+//! that has room for a piece, and no result depends on it.
 //!
-//! What anything takes was found from the instructions of single pieces of random drags, steps of budget 0, on an emulated Cortex-M4F with
-//! f32 and Cortex-M0 with fixed point, and from the cycles of a Cortex-M0+: by least squares, what each loop and each verb adds. A unit is
-//! about 300 instructions of the first and 1800 of the second; where they do not agree, the dearer one counts.
+//! All costs were measured: from the instructions of single pieces of random drags, steps of budget 0, on an emulated Cortex-M4F with f32
+//! and Cortex-M0 with fixed point, and from the cycles of a Cortex-M0+; a least-squares fit gives what each loop and each verb adds. A unit
+//! is about 300 instructions of the first and 1800 of the second; where they do not agree, the more expensive one counts.
 
 use crate::detect::Sizes;
 use crate::event::StateKind;
@@ -23,12 +23,12 @@ use crate::world::World;
 pub(crate) struct Work {
     budget: u32,
     done: u32,
-    /// More is not counted before the next piece.
+    /// No more than this is counted before the next piece.
     most: u32,
 }
 
 impl Work {
-    /// Nothing yet, of what is not a step.
+    /// No work so far, outside of a step.
     pub(crate) const fn none() -> Self {
         Self {
             budget: 0,
@@ -45,13 +45,13 @@ impl Work {
         }
     }
 
-    /// A piece that takes no more may begin.
+    /// Returns whether a piece that takes no more than this may begin.
     pub(crate) fn allows(self, most: u32) -> bool {
         self.budget.saturating_sub(self.done) >= most
     }
 
-    /// A piece begins that takes no more; if it did, nothing beyond that would be counted. What contacts that fix the pose together may
-    /// be asked has no bound that is not far beyond what they are asked.
+    /// Begins a piece that takes no more than this; anything beyond would not be counted. The tests of contacts that fix the pose
+    /// together have no bound close to their actual cost.
     pub(crate) fn begin(&mut self, most: u32) {
         self.most = self.done.saturating_add(most);
     }
@@ -65,56 +65,57 @@ impl Work {
     }
 }
 
-/// What every step takes.
+/// The base cost of every step.
 const STEP: u32 = 1;
-/// What a certified frame takes of at most one contact, or an edge; of two contacts that slide.
+/// The cost of a certified frame with at most one contact, or an edge; and with two sliding contacts.
 const CERTIFIED: u32 = 2;
 const CERTIFIED_SLIDE: u32 = 9;
-/// What an event takes; one at which contacts come or go, or begin to slide with the hand.
+/// The cost of an event; and of one at which contacts come or go, or begin to slide with the hand.
 const EVENT: u32 = 1;
 const EVENT_OF_CONTACTS: u32 = 5;
-/// What the verbs take but for their searches, without contact, of one vertex, one that slides, an edge, a corner, of contacts that fix
-/// the pose together but for what these are asked.
+/// The cost of the verbs without their searches: without contact, with one vertex, a sliding one, an edge, a corner, and contacts that fix
+/// the pose together, without the tests of these.
 const FREE: u32 = 2;
 const VERTEX: u32 = 4;
 const SLIDING_VERTEX: u32 = 9;
 const EDGE: u32 = 5;
 const CORNER: u32 = 3;
 const TOGETHER: u32 = 5;
-/// What it takes to see that a corner is not jammed.
+/// The cost of finding that a corner is not jammed.
 const REST_OF_CORNER: u32 = 1;
-/// What a slip of a vertex takes besides.
+/// The additional cost of a slip of a vertex.
 pub(crate) const SLIP: u32 = 2;
-/// What a search for a touch takes to begin; what each surface adds that is near, and each vertex that may reach it.
+/// The cost of beginning a search for a touch; of each surface that is near, and of each vertex that may reach it.
 pub(crate) const TOUCH: u16 = 2;
 pub(crate) const SURFACE: u16 = 1;
 pub(crate) const VERTEX_AT_SURFACE: u16 = 1;
-/// What a place of a motion takes at which obstacles are looked at; one at which functions are looked at that fall.
+/// The cost of a point of a motion at which obstacles are examined; and of one at which falling functions are evaluated.
 pub(crate) const PLACE: u32 = 1;
 pub(crate) const LOOK_AT_FALL: u32 = 2;
-/// What three edges of a cone take that are to bear a load; some that are to come nearer to bearing it.
+/// The cost of testing whether three edges of a cone bear a load; and of bringing some edges closer to bearing it.
 pub(crate) const THREE: u32 = 1;
 pub(crate) const TRIAL: u32 = 2;
-/// What a motion takes that may begin where contacts give way; so much more where two slide.
+/// The cost of a motion that may begin where contacts give way; and the additional cost if two slide.
 pub(crate) const MOTION: u32 = 1;
 pub(crate) const DRIVEN: u32 = 7;
-/// So much all motions take that are tried at one place: more than any of the random drags and the scenes of the program needed, 74.
+/// The maximum cost of all motions that are tried at one pose: more than any of the random drags and the scenes of the program needed, 74.
 const MOST_OF_MOTIONS: u32 = 80;
-/// The looks of the searches of a verb share the most of a motion; so many more of their own they have together.
+/// The searches of a verb share the maximum of evaluations of a motion; this is the number of their own that they have together in
+/// addition.
 const OWN: u32 = 32;
 const MOST_LOOKS: u32 = Looks::MOST as u32 + OWN + Looks::MOST_BESIDE as u32;
 
-/// What it takes to know the cone of so many contacts.
+/// The cost of computing the cone of this many contacts.
 pub(crate) const fn pose(contacts: u32) -> u32 {
     contacts.saturating_add(1)
 }
 
-/// What it takes to look at the facets of the cone of so many contacts: each two edges may be of one.
+/// The cost of examining the facets of the cone of this many contacts: each two edges may belong to one.
 pub(crate) const fn facets(contacts: u32) -> u32 {
     pairs(contacts)
 }
 
-/// So many pairs, and threes, of the edges of the cone of so many contacts there are.
+/// The numbers of pairs, and of triples, of the edges of the cone of this many contacts.
 const fn pairs(contacts: u32) -> u32 {
     contacts.saturating_mul(contacts.saturating_mul(2).saturating_sub(1))
 }
@@ -123,7 +124,7 @@ const fn threes(contacts: u32) -> u32 {
     pairs(contacts).saturating_mul(contacts.saturating_sub(1).saturating_mul(2)) / 3
 }
 
-/// The most that it takes to share out a load among so many contacts: among all threes, then twice what one to three edges add.
+/// The maximum cost of distributing a load among this many contacts: among all triples, then twice what one to three edges add.
 const fn most_of_shares(contacts: u32) -> u32 {
     let trials = threes(contacts)
         .saturating_add(pairs(contacts))
@@ -131,13 +132,13 @@ const fn most_of_shares(contacts: u32) -> u32 {
     threes(contacts).saturating_add(trials.saturating_mul(2 * TRIAL))
 }
 
-/// The most that it takes to find three edges of their cone that bear a load, and if there are none, what comes near to that.
+/// The maximum cost of finding three edges of their cone that bear a load, and if there are none, the closest approach to that.
 const fn most_of_bearing(contacts: u32) -> u32 {
     (pose(contacts).saturating_add(threes(contacts))).saturating_add(most_of_shares(contacts))
 }
 
-/// The most that a verb of contacts takes that fix the pose: no three edges bear the load, nor do they but for the numbers; the facet
-/// is found that yields, and the rounding beyond it, then the motion.
+/// The maximum cost of a verb of contacts that fix the pose: no three edges bear the load, nor would they with more range of the numbers;
+/// the facet that yields is found, and the rounding beyond it, then the motion.
 const fn most_of_pose(contacts: u32) -> u32 {
     let bears = threes(contacts).saturating_mul(2);
     let facets = facets(contacts).saturating_mul(2);
@@ -147,7 +148,7 @@ const fn most_of_pose(contacts: u32) -> u32 {
 }
 
 impl<R: Real> ContactState<R> {
-    /// The contacts that fix the pose together.
+    /// The number of contacts that fix the pose together.
     fn count(&self) -> u32 {
         match self {
             Self::Locked(locked) => {
@@ -161,7 +162,7 @@ impl<R: Real> ContactState<R> {
         self.regime().slide().is_some()
     }
 
-    /// What a certified frame takes but for the cone of contacts that fix the pose; a corner has none.
+    /// The cost of a certified frame without the cone of contacts that fix the pose; a corner has none.
     pub(crate) fn certified_work(&self) -> u32 {
         match self.kind() {
             StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => CERTIFIED,
@@ -170,7 +171,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The most that one takes.
+    /// The maximum cost of a certified frame.
     pub(crate) fn most_of_certified(&self) -> u32 {
         let most = match self.kind() {
             StateKind::TwoVertex => const { most_of_certified(2) },
@@ -180,7 +181,7 @@ impl<R: Real> ContactState<R> {
         self.certified_work().saturating_add(most)
     }
 
-    /// What a verb takes but for its searches and what it asks of contacts together.
+    /// The cost of a verb without its searches and without its tests of contacts that fix the pose together.
     pub(crate) fn verb_work(&self) -> u32 {
         match self.kind() {
             StateKind::NonContact => FREE,
@@ -192,7 +193,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The most that a verb takes.
+    /// The maximum cost of a verb.
     pub(crate) fn most_of_verb(&self) -> u32 {
         let most = match self.kind() {
             StateKind::TwoVertex => const { max(MOST_OF_TWO, most_of_pose(2)) },
@@ -203,7 +204,7 @@ impl<R: Real> ContactState<R> {
         self.verb_work().saturating_add(most)
     }
 
-    /// What an event takes but for what it asks of contacts together.
+    /// The cost of an event without its tests of contacts that fix the pose together.
     pub(crate) fn event_work(&self, trigger: &Trigger<R>) -> u32 {
         match trigger {
             Trigger::Touch(_) | Trigger::Keep { .. } | Trigger::Clear => EVENT_OF_CONTACTS,
@@ -212,8 +213,8 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The most that an event takes: contacts that let go are asked by how much; a vertex that slides, or two that stick, may go on in a
-    /// slide of two.
+    /// The maximum cost of an event: for contacts that let go it is computed by how much; a vertex that slides, or two that stick, may go
+    /// on in a slide of two.
     pub(crate) fn most_of_event(&self, trigger: &Trigger<R>) -> u32 {
         let most = match (self.kind(), trigger) {
             (StateKind::SingleVertex, Trigger::Touch(_)) if self.slides() => MOST_OF_BEGIN,
@@ -227,7 +228,7 @@ impl<R: Real> ContactState<R> {
         self.event_work(trigger).saturating_add(most)
     }
 
-    /// What the test takes whether the contacts at rest are jammed, but for their cone.
+    /// The cost of testing whether the contacts at rest are jammed, without their cone.
     pub(crate) fn rest_work(&self) -> u32 {
         match self.kind() {
             StateKind::Corner => REST_OF_CORNER,
@@ -235,7 +236,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The most that it takes.
+    /// The maximum cost of that test.
     pub(crate) fn most_of_rest(&self) -> u32 {
         let most = match self.kind() {
             StateKind::TwoVertex | StateKind::Corner => const { most_of_bearing(2) },
@@ -246,9 +247,9 @@ impl<R: Real> ContactState<R> {
     }
 }
 
-/// What there is to do besides among obstacles with corners. All of it is nothing without them.
+/// The additional costs among obstacles with corners. All of them are zero without obstacles.
 impl<R: Real> ContactState<R> {
-    /// What it takes to see which contacts there are after a trigger, on average.
+    /// The average cost of finding the contacts after a trigger.
     pub(crate) fn passing_work<W: World<R>>(&self, scene: &W, trigger: &Trigger<R>) -> u32 {
         let looks = looks_of(trigger);
         if !W::CORNERS || looks == 0 {
@@ -258,7 +259,7 @@ impl<R: Real> ContactState<R> {
         work.saturating_mul(looks)
     }
 
-    /// The most that a verb takes, with what follows.
+    /// The maximum cost of a verb, including what follows.
     pub(crate) fn most_of_verb_among<W: World<R>>(&self, scene: &W) -> u32 {
         if !W::CORNERS {
             return 0;
@@ -266,7 +267,7 @@ impl<R: Real> ContactState<R> {
         most_of_verb_among(self.kind(), Sizes::of(scene))
     }
 
-    /// The most that a certified frame takes.
+    /// The maximum cost of a certified frame.
     pub(crate) fn most_of_certified_among<W: World<R>>(&self, scene: &W) -> u32 {
         if !W::CORNERS {
             return 0;
@@ -274,7 +275,7 @@ impl<R: Real> ContactState<R> {
         CERTIFIED_AMONG.saturating_add(Sizes::of(scene).most_of_frame())
     }
 
-    /// The most that an event takes.
+    /// The maximum cost of an event.
     pub(crate) fn most_of_event_among<W: World<R>>(&self, scene: &W, trigger: &Trigger<R>) -> u32 {
         if !W::CORNERS {
             return 0;
@@ -285,7 +286,7 @@ impl<R: Real> ContactState<R> {
     }
 }
 
-/// So often it is looked at after a trigger which pairs touch.
+/// How many times the touching pairs are determined after a trigger.
 const fn looks_of<R: Real>(trigger: &Trigger<R>) -> u32 {
     match trigger {
         Trigger::Off { .. } => MOST_TOUCHING,
@@ -295,14 +296,14 @@ const fn looks_of<R: Real>(trigger: &Trigger<R>) -> u32 {
     }
 }
 const MOST_TOUCHING: u32 = 3;
-/// What a certified slide of two contacts takes more where one is a corner; an event more where two slide on.
+/// The additional cost of a certified slide of two contacts if one is a corner; and of an event if two slide on.
 pub(crate) const CERTIFIED_AMONG: u32 = 3;
 const EVENT_AMONG: u32 = 2 * RUN;
-/// What it takes to see that a slip of two contacts is a short one.
+/// The cost of finding that a slip of two contacts is a short one.
 pub(crate) const CERTIFIED_SLIP: u32 = CERTIFIED_SLIDE + CERTIFIED_AMONG;
 
-/// The most that a verb takes more among obstacles: its searches, of which a body without contact begins three, one after the other; the
-/// looks of motions that are looked at place by place; a frame that is tried first, and what touches after it.
+/// The additional maximum cost of a verb among obstacles: its searches, three of which a body without contact begins, one after the other;
+/// the evaluations of motions that are examined point by point; a frame that is tried first, and the touching pairs after it.
 const fn most_of_verb_among(kind: StateKind, sizes: Sizes) -> u32 {
     const FALLS: u32 = MOST_FALLS as u32 + 1;
     const HALVINGS: u32 = 2 * MAX_HALVINGS as u32 * CORNER_LOOK;
@@ -325,18 +326,18 @@ const fn most_of_verb_among(kind: StateKind, sizes: Sizes) -> u32 {
     (motion.saturating_add(touching)).saturating_add(sizes.most_of_frame())
 }
 
-/// The most that it takes to try both senses of a slide of two contacts.
+/// The maximum cost of trying both directions of a slide of two contacts.
 const MOST_OF_BEGIN: u32 = 2 * SLIDE;
-/// The most that a slip of two contacts takes, with its end, or a slide.
+/// The maximum cost of a slip of two contacts, with its end, or of a slide.
 const MOST_OF_TWO: u32 = OWN + max(MOST_OF_SLIDE, MOST_OF_RUN + pose(2) + most_of_shares(2));
 
-/// The most that a certified frame takes of so many contacts that fix the pose: the edges of the last time, then all threes.
+/// The maximum cost of a certified frame of this many contacts that fix the pose: the edges of last time, then all triples.
 const fn most_of_certified(contacts: u32) -> u32 {
     (pose(contacts).saturating_add(THREE)).saturating_add(threes(contacts))
 }
 
-/// From this budget on no step takes more: a certified frame that fails, and the verb that takes most. More than three contacts at once
-/// may need more.
+/// With this budget or a larger one no step exceeds its budget: a certified frame that fails, and the most expensive verb. More than three
+/// simultaneous contacts may need more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
     const OF_TWO: u32 = STEP + most_of_certified(2) + TOGETHER + max(MOST_OF_TWO, most_of_pose(2));
     const OF_THREE: u32 = STEP + most_of_certified(3) + TOGETHER + most_of_pose(3);
@@ -345,7 +346,7 @@ pub(crate) const fn least(surfaces: bool) -> u32 {
     if surfaces { OF_SURFACES } else { OF_ONE }
 }
 
-/// The same among obstacles: at most so many, with so many corners, and a body of so many vertices.
+/// The same among obstacles: with these maximum numbers of obstacles and corners, and a body of this many vertices.
 pub(crate) const fn least_among(vertices: usize, capacity: [usize; 2]) -> u32 {
     let [obstacles, corners] = capacity;
     let sizes = Sizes::new([vertices as u32, corners as u32, obstacles as u32]);

@@ -1,5 +1,4 @@
-//! What the states see of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces
-//! / (k_h L).
+//! The states' view of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces / (k_h L).
 
 use crate::contact::Pair;
 use crate::detect::Placed;
@@ -27,7 +26,7 @@ pub(crate) struct Surface<R> {
 }
 
 impl<R: Real> Surface<R> {
-    /// Nothing reaches it.
+    /// A surface that nothing reaches.
     pub(crate) const NOWHERE: Self = Self {
         normal: Vec2::new(R::ZERO, R::ONE),
         tangent: Vec2::new(R::ONE, R::ZERO),
@@ -42,7 +41,7 @@ impl<R: Real> Surface<R> {
             .sliding_along((self.normal, self.tangent), sign)
     }
 
-    /// The direction of an edge of the friction cone from its (normal, friction) parts.
+    /// The direction of an edge of the friction cone from its (normal, friction) components.
     pub(crate) fn direction(&self, (normal, friction): (R, R)) -> Vec2<R> {
         self.normal * normal + self.tangent * friction
     }
@@ -53,32 +52,32 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// What the states ask of a scene. The constants are known to the compiler: what a scene cannot need is not compiled in.
+/// The interface of a scene to the states. The constants are known to the compiler: code that a scene cannot need is not compiled in.
 pub(crate) trait World<R: Real>: Sized {
     /// A body of more than one vertex: it can lie on an edge.
     const EDGES: bool;
-    /// More than one surface, or obstacles: it can touch two at once.
+    /// More than one surface, or obstacles: it can touch two simultaneously.
     const SURFACES: bool;
     /// Obstacles with corners.
     const CORNERS: bool;
-    /// Two contacts at once are possible.
+    /// Two simultaneous contacts are possible.
     const SEVERAL: bool = Self::EDGES || Self::SURFACES;
     /// The only surface is without friction. A contact on it glides: its foot is where the tangential forces balance.
     const GLIDES: bool;
 
     /// Vertices, body frame, counter-clockwise.
     fn vertices(&self) -> &[Vec2<R>];
-    /// The surface of an index; a plane that nothing reaches where there is none.
+    /// The surface of an index; if there is none, a plane that nothing reaches.
     fn surface(&self, index: u8) -> Surface<R>;
     /// The indices of all half-planes.
     fn surface_indices(&self) -> Range<u8>;
-    /// All corners of obstacles, obstacle by obstacle; the index of a corner as a surface is counted on from the half-planes.
+    /// All corners of obstacles, obstacle by obstacle; the indices of corners as surfaces follow those of the half-planes.
     fn corners(&self) -> &[Corner<R>];
-    /// For each obstacle the first of its corners.
+    /// For each obstacle the index of its first corner.
     fn firsts(&self) -> &[u8];
-    /// For each obstacle a circle that it is in.
+    /// For each obstacle a circle that contains it.
     fn rounds(&self) -> &[Round<R>];
-    /// m_j: the outward normal of the body's side from vertex j on, body frame.
+    /// m_j: the outward normal of the body's side that begins at vertex j, body frame.
     fn body_normal(&self, side: u8) -> Vec2<R>;
     /// cg, body frame.
     fn centroid(&self) -> Vec2<R>;
@@ -87,8 +86,8 @@ pub(crate) trait World<R: Real>: Sized {
     /// The weight as a force, W / (k_h L).
     fn weight(&self) -> Vec2<R>;
 
-    /// Nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: it swings freely about the holding
-    /// point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
+    /// Returns whether nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: then it swings freely
+    /// about the holding point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
     fn swings(&self, arm: Vec2<R>) -> bool {
         let is_held_there = || arm.length_bound() <= R::of_coordinates();
         self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
@@ -100,12 +99,12 @@ pub(crate) trait World<R: Real>: Sized {
         (self.corners()).get(usize::from(index.checked_sub(first)?))
     }
 
-    /// The obstacle of a contact; a half-plane is of none.
+    /// The obstacle of a contact; `None` for a half-plane.
     fn obstacle_of(&self, contact: Pair) -> Option<u8> {
         self.corner(contact.surface).map(|corner| corner.obstacle)
     }
 
-    /// The surface of a contact in an orientation of the body: of a corner the line of the body's side, which turns with the body.
+    /// The surface of a contact in an orientation of the body: for a corner the line of the body's side, which turns with the body.
     fn face(&self, contact: Pair, rotation: Rotation<R>) -> Surface<R> {
         let surface = self.surface(contact.surface);
         if !Self::CORNERS || !contact.is_corner() {
@@ -148,7 +147,7 @@ pub(crate) trait World<R: Real>: Sized {
         }
     }
 
-    /// Two contacts lie in one line, with one friction: together they are an edge.
+    /// Returns whether two contacts are collinear, with the same friction: together they are an edge.
     fn are_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
         if !Self::CORNERS {
             return a.surface == b.surface;
@@ -157,8 +156,8 @@ pub(crate) trait World<R: Real>: Sized {
         first == second && self.lie_in_line([a, b], placed)
     }
 
-    /// Two contacts lie in one line and face one way, to the least displacement: told by the tilt, which heights of contacts close to
-    /// each other do not tell.
+    /// Returns whether two contacts are collinear and face the same direction, to the least displacement: determined from the tilt, as the
+    /// heights of contacts close to each other do not show it.
     fn lie_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
         if a.surface == b.surface && !a.is_corner() && !b.is_corner() {
             return true;
@@ -174,7 +173,7 @@ pub(crate) trait World<R: Real>: Sized {
             && first.dot(apart).abs() <= R::from_int(4) * R::MICRO
     }
 
-    /// Along t, where the side of a contact begins and ends; of a half-plane beyond all numbers.
+    /// Where the side of a contact begins and ends along t; for a half-plane beyond all numbers.
     fn reach(&self, contact: Pair) -> [R; 2] {
         let Some(corner) = self.corner(contact.surface) else {
             return [R::LEAST, R::HUGE];
@@ -189,7 +188,7 @@ pub(crate) trait World<R: Real>: Sized {
         [next, side].map(|end| -tangent.dot(self.vertex(end)))
     }
 
-    /// v_i, body frame; the origin where there is no such vertex.
+    /// v_i, body frame; the origin if there is no such vertex.
     fn vertex(&self, i: u8) -> Vec2<R> {
         let vertex = self.vertices().get(usize::from(i));
         *vertex.unwrap_or(&Vec2::ZERO)
@@ -200,8 +199,8 @@ pub(crate) trait World<R: Real>: Sized {
         0..u8::try_from(self.vertices().len()).unwrap_or(u8::MAX)
     }
 
-    /// The two neighbours of a vertex (of a rod twice the other one, of a point itself): on the surface that it touches
-    /// nothing else can arrive first.
+    /// The two neighbours of a vertex (for a rod twice the other one, for a point itself): on the surface that it touches nothing else can
+    /// arrive first.
     fn neighbours(&self, i: u8) -> [u8; 2] {
         let last = self.vertex_indices().end.saturating_sub(1);
         let next = if i >= last { 0 } else { i.saturating_add(1) };

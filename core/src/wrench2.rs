@@ -11,7 +11,7 @@ pub(crate) struct Wrench2<R> {
 }
 
 impl<R: Real> Wrench2<R> {
-    /// The product that is zero for a wrench in the plane of two others.
+    /// A product that is zero for a wrench in the plane of two others.
     pub(crate) fn dot(self, b: Self) -> R {
         self.force.dot(b.force) + self.moment * b.moment
     }

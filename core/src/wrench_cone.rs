@@ -1,6 +1,6 @@
-//! What two or more contacts can bear together: the cone of all wrenches that reactions within their friction cones
-//! add up to (STATICS 5, 6). A load is borne iff it lies on the inner side of every facet of the cone, which is linear
-//! in the load; the facet that yields first names the incipient motion.
+//! The loads that two or more contacts can bear together: the cone of all sums of reactions within their friction cones
+//! (STATICS 5, 6). A load is borne iff it lies on the inner side of every facet of the cone, which is linear in the
+//! load; the facet that yields first determines the incipient motion.
 
 mod facets;
 mod shares;
@@ -16,14 +16,14 @@ pub(crate) use facets::Yield;
 
 const MAX_EDGES: usize = 2 * MAX_CONTACTS;
 
-/// One contact as the cone sees it.
+/// One contact as the cone represents it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearing<R> {
     /// Lever from the pivot.
     pub(crate) lever: Vec2<R>,
     pub(crate) normal: Vec2<R>,
     pub(crate) tangent: Vec2<R>,
-    /// (normal, friction) parts of the two edges of the cone, friction along +t and along -t.
+    /// (normal, friction) components of the two edges of the cone, friction along +t and along -t.
     pub(crate) edges: [(R, R); 2],
 }
 
@@ -32,7 +32,7 @@ pub(crate) struct Bearing<R> {
 struct Edge<R> {
     wrench: Wrench2<R>,
     contact: usize,
-    /// Its part along n, and along t.
+    /// Its components along n and along t.
     pressing: R,
     friction: R,
 }
@@ -41,9 +41,9 @@ struct Edge<R> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct WrenchCone<R: Real> {
     edges: Vec<Edge<R>, MAX_EDGES>,
-    /// Of the contacts, from the pivot.
+    /// The levers of the contacts, from the pivot.
     levers: Vec<Vec2<R>, MAX_CONTACTS>,
-    /// What was done with it so far, in units of work.
+    /// The work done with it so far, in units of work.
     work: Cell<u32>,
 }
 
@@ -53,16 +53,17 @@ impl<R: Real> WrenchCone<R> {
         self.work.set(self.work.get().saturating_add(units));
     }
 
-    /// So many contacts it has.
+    /// The number of contacts.
     pub(crate) fn count(&self) -> u32 {
         u32::try_from(self.levers.len()).unwrap_or(u32::MAX)
     }
 
-    /// What was done with it so far, in units of work.
+    /// The work done with it so far, in units of work.
     pub(crate) fn work(&self) -> u32 {
         self.work.get()
     }
 
+    /// Adds the two edges of the friction cone of a contact, as forces with their moments about the pivot.
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
         for &(n, t) in &bearing.edges {
             let force = bearing.normal * n + bearing.tangent * t;

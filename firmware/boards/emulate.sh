@@ -2,9 +2,9 @@
 # Runs an image in QEMU 10 or newer (Debian 12: from bookworm-backports), its log decoded by defmt-print
 # (cargo install defmt-print).
 #   sh emulate.sh MACHINE IMAGE [more options of QEMU]
-# MACHINE: that of QEMU, by the name of the board's folder.
-# SERIAL: where the serial line goes, as QEMU's -serial says it; else a unix socket.
-# ICOUNT: how fast the emulated clock is, as QEMU's -icount says it; auto: with the real one. Without any, ticks are lost.
+# MACHINE: the machine of QEMU, which is also the name of the board's folder.
+# SERIAL: the other end of the serial line, as for QEMU's -serial; the default is a unix socket.
+# ICOUNT: the speed of the emulated clock, as for QEMU's -icount; auto: that of the real one. Without -icount ticks are lost.
 machine=$1
 image=$2
 shift 2

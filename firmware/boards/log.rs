@@ -1,4 +1,4 @@
-//! The log, by defmt where a feature turns it on. Nothing is logged in ticks, turns or the interrupt of the line.
+//! The log, by defmt if a feature turns it on. Nothing is logged in ticks, turns or the interrupt of the line.
 
 #[cfg(feature = "rtt")]
 use defmt_rtt as _;
@@ -8,7 +8,7 @@ use defmt_semihosting as _;
 #[cfg(any(feature = "rtt", feature = "semihosting"))]
 pub(crate) use defmt::{error, info};
 
-/// Nothing.
+/// Expands to nothing.
 #[cfg(not(any(feature = "rtt", feature = "semihosting")))]
 macro_rules! nothing {
     ($format:literal $(, $value:expr)*) => {{ $( let _ = $value; )* }};
@@ -18,13 +18,14 @@ pub(crate) use {nothing as error, nothing as info};
 
 use stiction_firmware::station::News;
 
-/// Logs what a board has to say. Its longest tick (ns); `lost` bytes came when there was no room for them.
+/// Logs the news of a board. `longest_tick`: its longest tick (ns); `lost`: the number of bytes that arrived when there
+/// was no room for them.
 pub(crate) fn tell(news: News, longest_tick: u32, lost: u32) {
     match news {
         News::Force(force) => info!("force: {=str}", force),
         News::Reset => info!("everything reset"),
         News::Counts(seen) => info!(
-            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest, {=u32} ns the longest turn; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
+            "ticks: {=u32}, {=u32} missed, longest {=u32} ns, longest turn {=u32} ns; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
             seen.ticks,
             seen.missed_ticks,
             longest_tick,

@@ -1,5 +1,5 @@
-//! What happens on a board when all is lost: a panic, a fault, an exception that nothing handles. Its own part is to turn its motors
-//! off, `board::actuators_off`.
+//! What happens on a board when it cannot go on: a panic, a fault, an exception that nothing handles. The board's own part is to turn its
+//! motors off, `board::actuators_off`.
 #![allow(unsafe_code)]
 
 use core::arch::naked_asm;
@@ -16,7 +16,7 @@ static STOPPED: AtomicBool = AtomicBool::new(false);
 pub(crate) fn stop() -> ! {
     cortex_m::interrupt::disable();
     actuators_off();
-    // Once: what stopped it may have been the log.
+    // Once: the log itself may be what stopped it.
     if !STOPPED.load(Ordering::Relaxed) {
         STOPPED.store(true, Ordering::Relaxed);
         error!("stopped");
@@ -40,7 +40,7 @@ extern "C" fn unexpected() -> ! {
     stop()
 }
 
-/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
+/// A fault of the processor, on a fresh stack: the old one may be the cause, and would fault again.
 #[unsafe(naked)]
 #[unsafe(export_name = "HardFault")]
 unsafe extern "C" fn hard_fault() -> ! {

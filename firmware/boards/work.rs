@@ -1,5 +1,6 @@
-//! What every board does: its ticks, its turns, and its log while nothing else is to be done. Its own part is `board`, which gives the
-//! clock, the watchdog and the device, and in `main.rs` what it is (`Setup`), its lines and who interrupts whom: ticks interrupt turns.
+//! The common part of every board: its ticks, its turns, and its log while there is nothing else to do. The board's own part is `board`,
+//! with the clock, the watchdog and the device, and in `main.rs` its description (`Setup`), its lines and the priorities of its interrupts:
+//! ticks interrupt turns.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
@@ -22,25 +23,25 @@ pub(crate) use scene::{CompiledScene, SCENE};
 /// With room for what is compiled in, see build.rs.
 pub(crate) type Program = station_of!(CompiledScene);
 
-/// What the turn tells the log.
+/// The news of the turn for the log.
 static WATCH: Watch = Watch::new();
 
-/// The longest tick (ns), without its entry: for the log, and for whoever looks at the memory.
+/// The longest tick (ns), without its entry: for the log, and for inspection of the memory.
 static LONGEST_TICK: AtomicU32 = AtomicU32::new(0);
 
-/// The program of a board; without one, nothing is started.
+/// The program of a board; if there is none, nothing is started.
 pub(crate) fn program(setup: &'static Setup) -> Program {
     let Ok(program) = Program::among(setup, OBSTACLES) else {
         stop()
     };
     info!(
-        "{=str}, {=u16} ticks a second",
+        "{=str}, {=u16} ticks per second",
         setup.name, setup.mode.tick_rate
     );
     program
 }
 
-/// The clock, for ticks and turns. RTIC wants what tasks share to be public.
+/// The clock, for ticks and turns. RTIC requires the types that tasks share to be public.
 #[allow(unreachable_pub)]
 pub struct SharedClock(pub(crate) Clock);
 
@@ -54,25 +55,25 @@ impl SharedServo {
     }
 }
 
-/// A tick has come: the hand is measured, the force goes on. A turn is to follow.
+/// A tick has come: the hand is measured, the force is updated. A turn follows.
 pub(crate) fn tick(mut clock: impl Mutex<T = SharedClock>, mut servo: impl Mutex<T = SharedServo>) {
     let (now_us, begun) = clock.lock(|clock| (clock.0.tick(), clock.0.now_ns()));
     servo.lock(|servo| servo.0.tick(now_us));
     let took = clock.lock(|clock| clock.0.now_ns()).wrapping_sub(begun);
-    // Nobody else writes it, and a Cortex-M0 has no maximum at once.
+    // Nothing else writes it, and a Cortex-M0 has no atomic maximum.
     if took > LONGEST_TICK.load(Ordering::Relaxed) {
         LONGEST_TICK.store(took, Ordering::Relaxed);
     }
 }
 
-/// What turns work with.
+/// The resources of turns.
 pub(crate) struct Work {
     pub(crate) program: Program,
     pub(crate) watchdog: Watchdog,
 }
 
 impl Work {
-    /// A turn; `wake` lets the interrupt of the line come when there is something to send.
+    /// A turn; `wake` triggers the interrupt of the line when there is something to send.
     pub(crate) fn turn<const N: usize>(
         &mut self,
         clock: impl Mutex<T = SharedClock>,
@@ -86,12 +87,12 @@ impl Work {
         let rate = self.program.mode().tick_rate;
         clock.0.lock(|clock| clock.0.set_rate(rate));
         WATCH.show(&self.program.health());
-        // Last: a turn that did not do its work feeds nothing; nor is there one without ticks.
+        // Last: a turn that did not do its work does not feed the watchdog; without ticks there are no turns.
         self.watchdog.feed();
     }
 }
 
-/// Of a turn, which ticks interrupt but for the moment of the lock.
+/// Locks a resource in a turn: ticks interrupt the turn except while it holds the lock.
 struct Locked<M>(M);
 
 impl<M: Mutex<T = SharedServo>> LockServo<Device> for Locked<M> {
@@ -106,7 +107,7 @@ impl<M: Mutex<T = SharedClock>> line::Clock for Locked<M> {
     }
 }
 
-/// Logs what there is to say, for ever: `lost` bytes came when there was no room for them; in between it rests.
+/// Logs the news for ever; `lost`: the number of bytes that arrived when there was no room for them. It rests in between.
 pub(crate) fn log(setup: &Setup, lost: impl Fn() -> u32, rest: fn()) -> ! {
     let mut news = Log::new(&WATCH, setup.mode.tick_rate);
     loop {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Builds the archives of every chip, beside the headers and what CMake's find_package needs:
+# Builds the archives of every chip, with the headers and the files that CMake's find_package needs:
 # OUT/include, OUT/lib/cmake, OUT/lib/<target>/libstiction{,_fixed,_obstacles,_fixed_obstacles}.a
 #   firmware/c/archives.sh OUT [TARGET ...]
-# TARGET: as rustc calls it; without any all that are below. STICTION_VARIANTS: not all four variants, but these.
+# TARGET: its name for rustc; the default is all targets below. STICTION_VARIANTS: only these of the four variants.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -gt 0 ] || {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the archives and puts them where the tools of C programmers look for them, each with headers and examples:
+# Builds the archives and packs them for the tools of C programmers, each package with headers and examples:
 #   firmware/c/packages.sh OUT
 # OUT/stiction (headers, archives, CMake), OUT/arduino/Stiction, OUT/esp-idf/stiction, OUT/zephyr/stiction
 set -euo pipefail
@@ -17,7 +17,7 @@ cp -r "$here/packages/arduino" arduino/Stiction
 cp stiction/include/* arduino/Stiction/src/
 cp "$here/examples/knob.c" arduino/Stiction/examples/Knob/
 cp "$here"/examples/pantograph.* arduino/Stiction/examples/Pantograph/
-# for MCU TARGET NAME: where Arduino looks, by the board's build.mcu and what its compiler is told of the floating point unit.
+# for_mcu MCU TARGET NAME: the folder that Arduino searches, from the board's build.mcu and its compiler's flags for the floating-point unit.
 for_mcu() {
   mkdir -p "arduino/Stiction/src/$1"
   cp "stiction/lib/$2/$3.a" "arduino/Stiction/src/$1/libstiction.a"

@@ -1,12 +1,12 @@
-//! The knob of a board: its numbers are those of an example that nobody has built. Put those of yours in their place. SI units, angles
-//! counter-clockwise.
+//! The knob of a board: its numbers are those of an example that has never been built. Replace them with those of your knob. SI units,
+//! angles counter-clockwise.
 //!
-//! The tests of `stiction-firmware` read this file and say which number cannot be used.
+//! The tests of `stiction-firmware` read this file and report which number cannot be used.
 
 use stiction_firmware::pantograph::{Encoder, KnobGeometry, MotorConstants};
 use stiction_firmware::safety::{Limits, Passivity};
 
-/// What a turn does, and what the encoder shows.
+/// The effect of a turn, and the resolution of the encoder.
 pub(crate) const GEOMETRY: KnobGeometry = KnobGeometry {
     origin: [0.0, 0.036], // m: the tool of `firmware/scenes/knob.toml` is pressed 4 mm deep
     radius: 0.015,        // m
@@ -25,19 +25,19 @@ pub(crate) const MOTOR: MotorConstants = MotorConstants {
     reversed: false,
 };
 
-/// What may go to the hand: 3.3 N at the radius, from nothing in 33 ms, none 20 ms after the last count that could be read.
+/// Limits of the force on the hand: 3.3 N at the radius, ramped up from zero in 33 ms, zero 20 ms after the last count that could be read.
 pub(crate) const LIMITS: Limits = Limits {
     force: 3.3,
     ..Limits::DEFAULT
 };
 
-/// What the knob damps by itself: measure it. A stiffness that is not passive with it is refused, that of the compiled-in scene as
-/// well: then the board does not start.
+/// The knob's own damping: measure it. A stiffness that is not passive with it is refused, including that of the compiled-in scene: then
+/// the board does not start.
 pub(crate) const PASSIVITY: Option<Passivity> = Some(Passivity {
-    // N·s/m: 1e-4 N·m·s/rad by the square of the radius; less than 889 N/m at 1 kHz.
+    // N·s/m: 1e-4 N·m·s/rad over the square of the radius; less than 889 N/m at 1 kHz.
     damping_translation: 1e-4 / (GEOMETRY.radius * GEOMETRY.radius),
     // N·m·s/rad. The hand does not turn, and so no moment does work on it: enough for any stiffness that a scene may have.
     damping_rotation: 1e3,
     hold_us: 200, // of the fastest tick; that of a slower one counts
-    delay_us: 0,  // the encoder is read in the tick in which the force is given
+    delay_us: 0,  // the encoder is read in the tick in which the force is output
 });

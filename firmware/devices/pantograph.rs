@@ -1,12 +1,12 @@
-//! The haptic device at a board: a five-bar pantograph. The numbers are those of an example that nobody has built: put
-//! those of yours in their place. `stiction_firmware::pantograph` draws the mechanism; SI units, angles counter-clockwise.
+//! The haptic device at a board: a five-bar pantograph. The numbers are those of an example that has never been built: replace them with
+//! yours. `stiction_firmware::pantograph` has a drawing of the mechanism; SI units, angles counter-clockwise.
 //!
-//! The tests of `stiction-firmware` read this file and say which number cannot be used.
+//! The tests of `stiction-firmware` read this file and report which number cannot be used.
 
 use stiction_firmware::pantograph::{Encoder, Geometry, HandleMount, MotorConstants};
 use stiction_firmware::safety::{Limits, Passivity};
 
-/// Lengths, and what the encoders show.
+/// Lengths, and the resolution of the encoders.
 pub(crate) const GEOMETRY: Geometry = Geometry {
     origin: [0.0, -0.12],   // m, the middle of the base in the scene's world
     base: 0.05,             // m, between the base joints
@@ -14,7 +14,7 @@ pub(crate) const GEOMETRY: Geometry = Geometry {
     distal: [0.13, 0.13],   // m, elbows to the hand
     encoders: [
         Encoder {
-            counts_per_turn: 20_000, // of the joint, four for each line of the disc
+            counts_per_turn: 20_000, // of the joint, four per line of the disc
             reversed: false,
             offset: 2.4, // rad, the left joint in the home position
         },
@@ -30,10 +30,10 @@ pub(crate) const GEOMETRY: Geometry = Geometry {
         },
     ],
     handle: HandleMount::Base,
-    least_sine: 0.2, // of the angle between the distal links: less, and there is no force
+    least_sine: 0.2, // of the angle between the distal links: below this, there is no force
 };
 
-/// The motors of the left joint, the right joint and the handle: torques are those at the joint, behind the drive.
+/// The motors of the left joint, the right joint and the handle: torques are those at the joint, after the transmission.
 pub(crate) const MOTORS: [MotorConstants; 3] = [ARM, ARM, HANDLE];
 
 const ARM: MotorConstants = MotorConstants {
@@ -50,15 +50,14 @@ const HANDLE: MotorConstants = MotorConstants {
     reversed: false,
 };
 
-/// What may go to the hand: 5 N, 0.1 N·m, both from nothing in 50 ms, none 20 ms after the last position that could be
-/// read.
+/// Limits of the force on the hand: 5 N, 0.1 N·m, both ramped up from zero in 50 ms, zero 20 ms after the last position that could be read.
 pub(crate) const LIMITS: Limits = Limits::DEFAULT;
 
-/// What the mechanism damps by itself, the least over its workspace: measure it. A stiffness that is not passive with it is
-/// refused, that of the compiled-in scene as well: then the board does not start.
+/// The mechanism's own damping, its minimum over the workspace: measure it. A stiffness that is not passive with it is refused, including
+/// that of the compiled-in scene: then the board does not start.
 pub(crate) const PASSIVITY: Option<Passivity> = Some(Passivity {
     damping_translation: 0.5, // N·s/m: less than 1000 N/m at 1 kHz
     damping_rotation: 0.0005, // N·m·s/rad: less than 1 N·m/rad at 1 kHz
     hold_us: 200,             // of the fastest tick; that of a slower one counts
-    delay_us: 0,              // encoders are read in the tick in which the force is given
+    delay_us: 0,              // encoders are read in the tick in which the force is output
 });

@@ -1,4 +1,4 @@
-//! Prints what the walk of the hand, or that among obstacles, comes to on this machine: `cargo run --example bits -- f32 100000`.
+//! Prints the result of the walk of the hand, or of the one among obstacles, on this machine: `cargo run --example bits -- f32 100000`.
 
 use std::process::ExitCode;
 use stiction_core::{Fixed, Full};

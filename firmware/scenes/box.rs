@@ -1,9 +1,9 @@
-// The scene in the images `footprint` and `count_scene`: a box on a floor. `stiction footprint` puts others in its place, each
-// in several models: files that define the same three names, by the environment variable STICTION_SCENE_CODE.
+// The scene in the images `footprint` and `count_scene`: a box on a floor. `stiction footprint` replaces it with others, each in several
+// models: files that define the same three names, given by the environment variable STICTION_SCENE_CODE.
 
 use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightless};
 
-/// The number type, room for vertices and surfaces, and what else the scene needs.
+/// The number type, the capacities for vertices and surfaces, and the model that the scene needs.
 pub(crate) type CompiledScene = Scene<f32, 4, 1, Weightless>;
 /// How a frame is evolved.
 pub(crate) const EVOLUTION: Evolution = Evolution::Path;

@@ -1,5 +1,5 @@
-//! The same bits on every machine: a walk of the hand through the solver, and one number that stands for every bit of
-//! every answer. Two machines that come to the same number agree in all of them.
+//! The same bits on every machine: a walk of the hand through the solver, and one number that depends on every bit of
+//! every answer. Two machines with the same number agree in all of them.
 
 mod place;
 mod walk;
@@ -9,7 +9,7 @@ use stiction_core::{Contact, Evolution, Real, SiFloat, Touch, Touching};
 pub use place::{Among, Place};
 pub use walk::{Answer, Walk, follow};
 
-/// The hash of so many frames of the walk: its first half in each evolution.
+/// The hash of the walk's first `frames` frames: its first half in each evolution.
 pub fn of_walk<R: Real<Si: SiFloat>, M: Place>(frames: u32) -> u64 {
     let mut hash = Hash::new();
     let half = frames / 2;
@@ -19,7 +19,7 @@ pub fn of_walk<R: Real<Si: SiFloat>, M: Place>(frames: u32) -> u64 {
     hash.value
 }
 
-/// FNV-1a, taking 32 bits at once.
+/// FNV-1a on 32 bits at a time.
 struct Hash {
     value: u64,
 }

@@ -1,6 +1,6 @@
-//! The emulated boards: their counter and stack, and the files of the host by semihosting. Exit statuses: 0 done, 1 a file
-//! cannot be read or written, 2 bad command line, 3 not a job, 4 not a scene, 5 the emulator does not count instructions
-//! as it should, 101 a panic, 102 a fault of the processor.
+//! The emulated boards: their counter and stack, and the files of the host by semihosting. Exit statuses: 0 done, 1 a file cannot be read
+//! or written, 2 bad command line, 3 not a job, 4 not a scene, 5 the emulator does not count instructions correctly, 101 a panic, 102 a
+//! fault of the processor.
 
 use core::ffi::CStr;
 use semihosting::experimental::env;
@@ -34,9 +34,9 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
-/// Instructions of a loop that must be counted.
+/// The number of instructions of a loop that must be counted.
 const PROBE: u32 = 501;
-/// The compiler may put so many instructions of the caller between the two readings of the counter.
+/// The compiler may put at most this many instructions of the caller between the two readings of the counter.
 const TOLERANCE: u32 = 4;
 
 /// The longest command line, and the longest file name in it.
@@ -57,12 +57,12 @@ impl Files for HostFiles {
     }
 }
 
-/// The program `count`: does the job of the file that the command line names first, writes to the second one, and ends.
+/// The program `count`: does the job in the first file on the command line, writes the results to the second one, and ends.
 pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
     measured(|files, instruments| count::run::<R, V, S>(files, instruments))
 }
 
-/// The program `count_among`: likewise, in a solver among obstacles.
+/// The program `count_among`: the same in a solver among obstacles.
 pub fn count_among<R, const V: usize, const S: usize, const O: usize, const C: usize>() -> !
 where
     R: Real<Si: SiFloat>,
@@ -70,11 +70,11 @@ where
     measured(|files, instruments| count::run_among::<R, V, S, O, C>(files, instruments))
 }
 
-/// How a description becomes a scene of a number type, room for vertices and surfaces, and a model.
+/// Builds a scene of a number type, capacities for vertices and surfaces, and a model from a description.
 pub type Make<R, const V: usize, const S: usize, M> =
     fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, M>, SceneError<<R as Real>::Si>>;
 
-/// The program `count_scene`: likewise, in the model of a compiled-in scene and with its evolution.
+/// The program `count_scene`: the same in the model of a compiled-in scene and with its evolution.
 #[inline(always)]
 pub fn count_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
     _: Make<R, V, S, M>,
@@ -83,7 +83,7 @@ pub fn count_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: M
     measured(|files, instruments| count::run_in_model::<R, V, S, M>(evolution, files, instruments))
 }
 
-/// What counts, and what looks at the stack.
+/// The counter, and the watch on the stack.
 struct Board {
     counter: Counter,
     watch: Option<Watch>,
@@ -131,7 +131,7 @@ fn open() -> Option<HostFiles> {
     })
 }
 
-/// The program `bits`: prints what the walk of so many frames comes to in the place of a model, as the command line says, and ends.
+/// The program `bits`: prints the hash of the walk, of as many frames as the command line says, in the surroundings of a model, and ends.
 pub fn print_bits<R: Real<Si: SiFloat>, M: bits::Place>() -> ! {
     let frames = argument(1, |text| text.to_str().ok()?.parse().ok()).flatten();
     let Some(frames) = frames else {

@@ -1,5 +1,5 @@
-//! The instruction bench: a job through the solver, frame by frame. For every step its instructions, for the whole job
-//! the stack, with the few things that a board must give for that.
+//! The instruction bench: runs a job through the solver, frame by frame. It measures the instructions of every step and
+//! the stack of the whole job, with the few functions that a board must provide for that.
 
 use core::mem::size_of;
 use stiction_core::{
@@ -9,17 +9,17 @@ use stiction_core::{
 
 use crate::job::{self, FormatError, Frame, Head, Results, Totals};
 
-/// So many frames are read and written at once.
+/// This many frames are read and written at a time.
 const BATCH: usize = 16;
 
 /// The files of a job.
 pub trait Files {
-    /// Fills `bytes` with the next ones of the job.
+    /// Fills `bytes` with the next bytes of the job.
     ///
     /// # Errors
-    /// There are not so many, or they cannot be read.
+    /// There are not enough, or they cannot be read.
     fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError>;
-    /// Adds to the results.
+    /// Appends to the results.
     ///
     /// # Errors
     /// They cannot be written.
@@ -32,11 +32,11 @@ pub struct FileError;
 
 /// What a board measures.
 pub trait Instruments {
-    /// Does some work and counts its instructions; `u32::MAX` where there are more than can be counted.
+    /// Does some work and counts its instructions; `u32::MAX` if there are more than can be counted.
     fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T);
-    /// Looks from now on how deep the stack grows below the caller.
+    /// From now on, watches how deep the stack grows below the caller.
     fn watch_stack(&mut self);
-    /// How deep it grew (bytes).
+    /// The depth that it reached (bytes).
     fn deepest_stack(&mut self) -> u32;
 }
 
@@ -101,10 +101,10 @@ where
     ride(solver, head.samples, files, instruments)
 }
 
-/// Does the job in a model of the solver, with an evolution that the compiler knows: that of the job is passed over.
+/// Does the job in a model of the solver, with an evolution that the compiler knows: that of the job is ignored.
 ///
 /// # Errors
-/// See [`Failure`]; the scene of the job may need what the model lacks.
+/// See [`Failure`]; the scene of the job may need something that the model lacks.
 #[inline(always)]
 pub fn run_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
     evolution: Evolution,
@@ -175,7 +175,7 @@ struct Ride<R: Real, const V: usize, const S: usize, M: Model> {
 }
 
 impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Ride<R, V, S, M> {
-    /// One frame. Inlined, so that the stack is counted from the caller.
+    /// One frame. Inlined, so that the stack is measured from the caller.
     #[inline(always)]
     fn frame(&mut self, hand: Hand<R::Si>, instruments: &mut impl Instruments) -> Frame {
         let solver = &self.solver;

@@ -1,13 +1,13 @@
-//! The two loops of a device, free of hardware: the servo loop gives a safe force at every tick; the solver makes a pose and the next
-//! force of a sample of the hand, in turns, each after a tick. A turn may take longer than a tick.
+//! The two loops of a device, free of hardware: the servo loop outputs a safe force at every tick; the solver computes a pose and the next
+//! force from a sample of the hand, in turns, each after a tick. A turn may take longer than a tick.
 //!
 //! ```text
-//! servo.rs       Servo::tick(now): the hand is measured, the force is given
+//! servo.rs       Servo::tick(now): the hand is measured, the force is output
 //! controller.rs  Controller::turn(sample, servo) -> pose, force, flags
-//! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles anew where it is
+//! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles again where it is
 //! refusal.rs     why something cannot be used
-//! store.rs       the scene as it was given, kept for that
-//! ports.rs       what a board is to it: Source of samples, Actuators
+//! store.rs       the scene as it was given, stored for that
+//! ports.rs       the interfaces of a board: Source of samples, Actuators
 //! ```
 //!
 //! ```

@@ -28,7 +28,7 @@
 //!             28  u32 1: held
 //! ```
 //!
-//! The first sample is where the solver starts. Instructions are `u32::MAX` where there were more than can be counted.
+//! The first sample is where the solver starts. Instructions are `u32::MAX` if there were more than can be counted.
 
 mod fields;
 mod results;
@@ -41,7 +41,7 @@ pub use scene::write_scene;
 pub(crate) use scene::{HEAD_BYTES, Head};
 use stiction_core::{Angle, Hand};
 
-/// What the first bytes of a job or of its results say about its layout.
+/// The version of the layout, in the first bytes of a job and of its results.
 pub const VERSION: u8 = 5;
 
 /// The bytes of a hand sample.
@@ -52,7 +52,7 @@ pub(crate) const SAMPLE_BYTES: usize = 32;
 pub enum FormatError {
     /// They do not begin with the mark and version of this format.
     Mark,
-    /// A value that has no meaning.
+    /// A value without a meaning.
     Value,
     /// They end too early.
     Short,
@@ -70,7 +70,7 @@ impl core::fmt::Display for FormatError {
 
 impl core::error::Error for FormatError {}
 
-/// A hand sample as bytes. The depth is not carried: it does not take part in the statics.
+/// A hand sample as bytes. The depth is not included: it does not take part in the statics.
 pub fn encode_sample(hand: &Hand<f64>) -> [u8; SAMPLE_BYTES] {
     let [x, y] = hand.position;
     let mut record = Record::new();

@@ -1,13 +1,13 @@
-//! The cheapest haptic device: a knob with one encoder and one motor. The knob's angle is the hand's place along x, and the force along x
-//! is the motor's torque. What presses the tool on is the height of the hand, which is fixed.
+//! The cheapest haptic device: a knob with one encoder and one motor. The knob's angle is the hand's position along x, and the force along
+//! x is the motor's torque. The fixed height of the hand presses the tool on.
 //!
 //! ```text
 //!   x = x0 + r q     q: angle of the knob from power-up, counter-clockwise; r: its radius
 //!   tau = r Fx       the power of the torque is that of the force, tau dq = Fx dx
 //! ```
 //!
-//! There is no home position: the hand is at x0 when the board starts. With a damping b of the knob about its axis (N·m·s/rad), that along
-//! x is b / r^2: what [`Passivity`](crate::safety::Passivity) takes.
+//! There is no home position: the hand is at x0 when the board starts. With a damping b of the knob about its axis (N·m·s/rad), the damping
+//! along x is b / r^2: this is the value for [`Passivity`](crate::safety::Passivity).
 
 use crate::device::{Actuators, Outage, Sample, Source};
 use crate::pantograph::{GeometryError, Joint, KnobGeometry, Motor, MotorFault};
@@ -18,7 +18,7 @@ use stiction_core::{Angle, Hand, Wrench};
 
 /// The 16-bit counter of a quadrature encoder.
 pub trait Counter {
-    /// The count as it is; none where it cannot be read.
+    /// The present count; `None` if it cannot be read.
     fn count(&mut self) -> Option<u16>;
 }
 
@@ -26,7 +26,7 @@ pub trait Counter {
 #[derive(Debug)]
 pub struct Knob<C, M> {
     geometry: KnobGeometry,
-    /// None before the first count.
+    /// `None` before the first count.
     joint: Option<Joint>,
     counter: C,
     motor: M,
@@ -49,7 +49,7 @@ impl<C: Counter, M> Knob<C, M> {
         })
     }
 
-    /// The angle of the knob, unwrapped; none where the counter cannot be read.
+    /// The angle of the knob, unwrapped; `None` if the counter cannot be read.
     fn angle(&mut self) -> Option<Angle<f32>> {
         let count = self.counter.count()?;
         let encoder = self.geometry.encoder;
@@ -65,7 +65,7 @@ impl<C: Counter, M> Source for Knob<C, M> {
     fn sample(&mut self, now_us: u32) -> Option<Sample> {
         let angle = self.angle()?;
         let [x, y] = self.geometry.origin;
-        // Turn by turn, a long path keeps its small steps as well as f32 does at its place.
+        // Turn by turn, a long path resolves its small steps as finely as f32 does at that position.
         let turned = angle.turns as f32 * TAU + angle.rest;
         self.number = self.number.wrapping_add(1);
         Some(Sample {

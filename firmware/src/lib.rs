@@ -8,31 +8,31 @@
         clippy::indexing_slicing
     )
 )]
-//! `stiction-core` on microcontrollers: the loops of a haptic device; what one frame costs there, and whether every
-//! machine gives the same bits.
+//! `stiction-core` on microcontrollers: the loops of a haptic device; the cost of a frame there, and whether every machine computes the
+//! same bits.
 //!
 //! ```text
-//! job.rs    a scene and a hand's motion as bytes, and what is sent back
+//! job.rs    a scene and a hand's motion as bytes, and the results
 //! count.rs  such a job through the solver, frame by frame: instructions and stack
-//! bits.rs   a walk of the hand through the solver, to one number that stands for every bit of its answers
+//! bits.rs   a walk of the hand through the solver, to one number that depends on every bit of its answers
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
 //!
-//! model.rs       in what a board with room for obstacles differs from others
-//! device.rs      the servo loop: hand measured -> safety -> force; the turns of the solver below it; changes while they run
-//! safety.rs      what force may go to the hand, and when none
+//! model.rs       how a board with room for obstacles differs from others
+//! device.rs      the servo loop: hand measured -> safety -> force; the turns of the solver at a lower priority; changes while they run
+//! safety.rs      the limits of the force on the hand, and when it is zero
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! knob.rs        a haptic device of one motor and one encoder
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
-//! speed.rs       how much work processors do in a second
+//! speed.rs       how much work processors do per second
 //! pace.rs        when ticks are due, for a board that ticks in its main loop
 //! station.rs     the program of a board: bytes -> samples and commands -> solver -> demand of a force, reports
-//! usb.rs         by what a computer knows a board on its USB
+//! usb.rs         how a computer recognises a board on its USB
 //! ```
 //!
-//! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
-//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a model, `footprint` for a scene,
-//! that is compiled in.
+//! Everything except `board` is free of hardware and runs on any machine: the host uses it to write jobs and read their results. The
+//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a compiled-in model, `footprint` for a
+//! compiled-in scene.
 
 pub mod bits;
 #[cfg(all(feature = "board", target_os = "none"))]

@@ -1,4 +1,4 @@
-//! The line of a board, between the interrupt that moves its bytes and the tick that needs them.
+//! The line of a board, between the interrupt that transfers its bytes and the tick that needs them.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
@@ -7,7 +7,7 @@ use embedded_io::{Read, ReadReady, Write, WriteReady};
 use crate::ring::Ring;
 use crate::station::Link;
 
-/// Room for N bytes each way; N is a power of two.
+/// Room for N bytes in each direction; N is a power of two.
 #[derive(Debug, Default)]
 pub struct Line<const N: usize> {
     received: Ring<N>,
@@ -15,16 +15,16 @@ pub struct Line<const N: usize> {
     lost: AtomicU32,
 }
 
-/// Bytes that are read from a port at once.
+/// Bytes that are read from a port at a time.
 const PIECE: usize = 32;
 
 /// A clock of a board.
 pub trait Clock {
-    /// The time (ns, wrapping), for what takes no longer than 50 ms.
+    /// The time (ns, wrapping), for durations of up to 50 ms.
     fn now_ns(&mut self) -> u32;
 }
 
-/// A clock that gives µs, wrapping.
+/// A clock that returns µs, wrapping.
 #[derive(Clone, Copy, Debug)]
 pub struct Micros<F>(pub F);
 
@@ -35,7 +35,7 @@ impl<F: FnMut() -> u32> Clock for Micros<F> {
 }
 
 impl<const N: usize> Line<N> {
-    /// Nothing came yet.
+    /// Empty.
     pub const fn new() -> Self {
         Self {
             received: Ring::new(),
@@ -44,50 +44,50 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// A byte came. To be called by the interrupt only.
+    /// Stores a byte that arrived. Only the interrupt may call it.
     pub fn receive(&self, byte: u8) {
         if !self.received.put(byte) {
             self.lose();
         }
     }
 
-    /// Bytes came, one after the other. To be called by the interrupt only.
+    /// Stores bytes that arrived, one after the other. Only the interrupt may call it.
     pub fn receive_all<'a>(&self, bytes: impl IntoIterator<Item = &'a u8>) {
         bytes.into_iter().for_each(|&byte| self.receive(byte));
     }
 
-    /// A byte came too fast. To be called by the interrupt only.
+    /// Counts a byte that arrived too fast. Only the interrupt may call it.
     pub fn lose(&self) {
-        // Nobody else writes it, and a Cortex-M0 cannot add to it at once.
+        // Nothing else writes it, and a Cortex-M0 has no atomic addition.
         let lost = self.lost.load(Ordering::Relaxed).saturating_add(1);
         self.lost.store(lost, Ordering::Relaxed);
     }
 
-    /// The next byte that is to be sent. To be called by the interrupt only.
+    /// The next byte to be sent. Only the interrupt may call it.
     pub fn next(&self) -> Option<u8> {
         self.to_send.take()
     }
 
-    /// The same, which stays the next.
+    /// The same, but the byte remains the next one.
     pub fn peek(&self) -> Option<u8> {
         self.to_send.peek()
     }
 
-    /// For how many more bytes there is room.
+    /// The number of further bytes for which there is room.
     pub fn room(&self) -> usize {
         self.received.room()
     }
 
-    /// Bytes that came when there was no room for them, or too fast.
+    /// Bytes that arrived when there was no room for them, or too fast.
     pub fn lost(&self) -> u32 {
         self.lost.load(Ordering::Relaxed)
     }
 
-    /// Moves bytes without waiting: from a port while there is room for them, and to it while it takes them. To be called by the
-    /// interrupt only, or, where the driver of the port has buffers of its own, between ticks.
+    /// Transfers bytes without waiting: from a port while there is room for them, and to it while it accepts them. Only the interrupt may
+    /// call it, or, if the driver of the port has buffers of its own, the program between ticks.
     pub fn serve<P: Read + ReadReady + Write + WriteReady>(&self, port: &mut P) {
         let mut bytes = [0; PIECE];
-        // What finds no room stays with the port.
+        // Bytes for which there is no room stay in the port.
         while self.room() >= PIECE && port.read_ready().unwrap_or(false) {
             match port.read(&mut bytes) {
                 Ok(0) => break,
@@ -103,12 +103,12 @@ impl<const N: usize> Line<N> {
         }
     }
 
-    /// Whether something is to be sent.
+    /// Returns whether something is to be sent.
     pub fn has_to_send(&self) -> bool {
         self.peek().is_some()
     }
 
-    /// What the tick has of it; `wake` lets the interrupt come when there is something to send.
+    /// The tick's end of the line; `wake` triggers the interrupt when there is something to send.
     pub const fn link<'a, C: Clock>(&'a self, clock: &'a mut C, wake: fn()) -> LineLink<'a, C, N> {
         LineLink {
             line: self,
@@ -118,7 +118,7 @@ impl<const N: usize> Line<N> {
     }
 }
 
-/// A line as the tick has it.
+/// A line as seen by the tick.
 #[derive(Debug)]
 pub struct LineLink<'a, C, const N: usize> {
     line: &'a Line<N>,
@@ -149,7 +149,7 @@ mod tests {
     /// At 7 µs before it wraps.
     const STOPPED: Micros<fn() -> u32> = Micros(|| u32::MAX - 6);
 
-    /// A port of which the other side is two arrays: bytes come from `came`, and as many as there is room for go to `went`.
+    /// A port whose other side is two arrays: bytes come from `came`, and those for which there is room go to `went`.
     struct Port<'a> {
         came: &'a [u8],
         went: heapless::Vec<u8, 3>,
@@ -165,7 +165,7 @@ mod tests {
             if core::mem::take(&mut self.fails) {
                 return Err(embedded_io::ErrorKind::Other);
             }
-            // As a receiver of 5 bytes gives them.
+            // As a receiver of 5 bytes returns them.
             let count = self.came.len().min(bytes.len()).min(5);
             assert!(count > 0, "a read that waits");
             bytes[..count].copy_from_slice(&self.came[..count]);
@@ -210,7 +210,7 @@ mod tests {
         assert!(line.link(&mut clock, || {}).send(&[1, 2, 3, 4, 5]));
         line.serve(&mut port);
         assert_eq!(port.went, [1, 2, 3]);
-        // Read while a whole piece finds room.
+        // Reads while there is room for a whole piece.
         assert_eq!(port.came, &came[35..]);
         port.went.clear();
         let mut taken: heapless::Vec<u8, 80> = heapless::Vec::new();

@@ -1,6 +1,6 @@
-//! What a board's model has of obstacles: nothing, or room for some. All in which the two differ is here, so that an image without
-//! obstacles holds nothing of them: from a scene as it is given to the one of the solver, from a command to a scene, from contacts to the
-//! report of their forces.
+//! The obstacles in a board's model: none, or room for some. The whole difference between the two is here, so that an image without
+//! obstacles contains nothing of them: from a scene as given to the solver's scene, from a command to a scene, from contacts to the report
+//! of their forces.
 
 use core::fmt::Debug;
 use heapless::Vec;
@@ -15,22 +15,22 @@ use stiction_core::{
 
 /// The model of a board's solver.
 pub trait BoardModel: Model {
-    /// There is room for obstacles. As a constant it leaves nothing of what they need to compile.
+    /// There is room for obstacles. As a constant it leaves no code for them to compile.
     const AMONG: bool;
-    /// For how many; `None` where the model has none.
+    /// The room; `None` if the model has none.
     const ROOM: Option<Room>;
-    /// The longest scene with obstacles is longer by so many bytes than the one without.
+    /// The number of bytes by which the longest scene with obstacles exceeds the one without.
     const OBSTACLE_BYTES: usize;
     /// Bytes of a contact in the longer report of forces.
     const CONTACT_BYTES: usize;
 
-    /// The obstacles of a scene as they are given: a slice of descriptions, or nothing.
+    /// The obstacles of a scene as given: a slice of descriptions, or nothing.
     type Surroundings<'a>: Copy + Debug;
-    /// The same, kept.
+    /// The same, stored.
     type Kept: Clone + Debug + PartialEq;
-    /// What the board hears.
+    /// The messages that the board receives.
     type Command<'a>: Message<'a> + Into<CommandAmong<'a>>;
-    /// What it says.
+    /// The messages that it sends.
     type Report<'a>: Message<'a> + From<Report<'a>>;
 
     /// No obstacles.
@@ -47,10 +47,10 @@ pub trait BoardModel: Model {
     where
         Self: Sized;
 
-    /// What the board says of its room when it is asked.
+    /// The report of its room, in answer to hello.
     fn room_report() -> Option<Self::Report<'static>>;
 
-    /// Gives obstacles that came over the wire to `take`.
+    /// Passes obstacles that arrived over the wire to `take`.
     ///
     /// # Errors
     /// There is no room for them.
@@ -59,10 +59,10 @@ pub trait BoardModel: Model {
         take: impl for<'a> FnOnce(Self::Surroundings<'a>) -> T,
     ) -> Result<T, SceneError<f32>>;
 
-    /// Keeps obstacles; `None` where there is no room for them.
+    /// Stores obstacles; `None` if there is no room for them.
     fn keep(obstacles: Self::Surroundings<'_>) -> Option<Self::Kept>;
 
-    /// Shows what is kept.
+    /// Passes the stored obstacles to a function.
     fn with_kept<T>(kept: &Self::Kept, look: impl for<'a> FnOnce(Self::Surroundings<'a>) -> T)
     -> T;
 
@@ -72,7 +72,7 @@ pub trait BoardModel: Model {
     /// mu_s, mu_d and memory length of the first obstacle.
     fn first_friction(kept: &Self::Kept) -> Option<([f32; 2], Option<f32>)>;
 
-    /// Gives the report of forces whose contacts are those of a state to `send`.
+    /// Passes the report of forces, with the contacts of a state, to `send`.
     fn with_forces<R: Real<Si = f32>, const V: usize, const S: usize, T>(
         forces: Forces<'_>,
         at: (&Solver<R, V, S, Self>, Option<&State<R>>, &Self::Kept),
@@ -106,7 +106,7 @@ impl<const FRICTION: bool, const WEIGHT: bool> BoardModel for Parts<FRICTION, WE
         obstacles: &ObstacleList<'_>,
         _: impl FnOnce(()) -> T,
     ) -> Result<T, SceneError<f32>> {
-        // None of its commands brings some.
+        // None of its commands contains any.
         Err(SceneError {
             parameter: Parameter::ObstacleCount,
             value: u16::try_from(obstacles.len()).map_or(f32::INFINITY, f32::from),
@@ -139,7 +139,7 @@ pub struct KeptObstacles<const O: usize, const C: usize> {
     rows: Vec<Row, O>,
 }
 
-/// All of an obstacle but its corners, of which it has so many.
+/// An obstacle without its corners, of which it has `corners`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Row {
     corners: usize,
@@ -218,7 +218,7 @@ impl<const O: usize, const C: usize, M: Model> BoardModel for WithObstacles<O, C
         let mut rest = kept.corners.as_slice();
         let mut obstacles: Vec<_, O> = Vec::new();
         for row in &kept.rows {
-            // The corners are as many as the rows say, and the obstacles as many as the rows.
+            // The number of corners is the sum over the rows, and there is one row for each obstacle.
             let (vertices, after) = rest.split_at_checked(row.corners).unwrap_or((rest, &[]));
             rest = after;
             let _ = obstacles.push(ObstacleDescription {

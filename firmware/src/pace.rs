@@ -1,4 +1,4 @@
-//! When ticks are due: a whole number of periods after one another, whatever a tick took. For a board that ticks in its main loop.
+//! When ticks are due: whole numbers of periods apart, whatever the duration of a tick. For a board that ticks in its main loop.
 
 use core::num::NonZero;
 
@@ -11,7 +11,7 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// So many ticks a second (Hz; 0 counts as 1), the first one a period after now.
+    /// At a rate (Hz; 0 counts as 1), with the first tick a period after now.
     pub fn new(rate: u16, now_us: u32) -> Self {
         Self {
             period_us: period(rate),
@@ -19,13 +19,13 @@ impl Pace {
         }
     }
 
-    /// Ticks of a second from the last one on.
+    /// Sets the ticks per second, from the last tick on.
     pub fn set_rate(&mut self, rate: u16) {
         self.period_us = period(rate);
     }
 
-    /// A tick is due. To be asked for more often than ticks come; true once for each of them. Of those that are due together, all but
-    /// the last are missed.
+    /// Returns whether a tick is due. It must be called more often than ticks come; returns true once for each of them. Of those that are
+    /// due together, all but the last are missed.
     pub fn is_due(&mut self, now_us: u32) -> bool {
         let passed = now_us.wrapping_sub(self.last_us);
         if passed < self.period_us.get() {
@@ -36,7 +36,7 @@ impl Pace {
     }
 }
 
-/// Of so many ticks a second (µs).
+/// The period of a rate (µs).
 fn period(rate: u16) -> NonZero<u32> {
     let rate = NonZero::new(u32::from(rate)).unwrap_or(NonZero::<u32>::MIN);
     NonZero::new(1_000_000 / rate).unwrap_or(NonZero::<u32>::MIN)

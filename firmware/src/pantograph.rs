@@ -5,7 +5,7 @@
 //!          r1  /   \  r2
 //!             /     \              x, y: the scene's world
 //!        B1  *       *  B2         q1, q2: joint angles from +x, counter-clockwise
-//!        l1   \     /  l2          P lies to the left of the way from B1 to B2
+//!        l1   \     /  l2          P lies to the left of the line from B1 to B2
 //!          A1  *-+-*  A2
 //!             origin
 //!             base
@@ -18,7 +18,7 @@
 //! motor.rs       torque -> PWM duty and direction
 //! ```
 //!
-//! [`Pantograph`] puts them together: a [`Source`] of hand samples and the [`Actuators`] of one device.
+//! [`Pantograph`] combines them: a [`Source`] of hand samples and the [`Actuators`] of one device.
 
 mod encoder;
 mod geometry;
@@ -40,23 +40,23 @@ use stiction_core::{Hand, Wrench};
 
 /// The three 16-bit counters of the quadrature encoders and the hold switch.
 pub trait Counters {
-    /// The counts as they are: left joint, right joint, handle; none where they cannot be read.
+    /// The present counts: left joint, right joint, handle; `None` if they cannot be read.
     fn counts(&mut self) -> Option<[u16; 3]>;
-    /// The hold switch is on.
+    /// Returns whether the hold switch is on.
     fn held(&mut self) -> bool;
 }
 
-/// Why the device gives no force.
+/// Why the device outputs no force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NoForce {
-    /// The mechanism is where it cannot give one.
+    /// The mechanism is at a position where it cannot output one.
     Mechanism(Fault),
     /// A motor.
     Motor(MotorFault),
 }
 
 impl From<NoForce> for Outage {
-    /// The mechanism may be moved to where it gives force again.
+    /// The mechanism may be moved to where it outputs force again.
     fn from(fault: NoForce) -> Self {
         match fault {
             NoForce::Mechanism(_) => Self::Passing,
@@ -69,7 +69,7 @@ impl From<NoForce> for Outage {
 #[derive(Debug)]
 pub struct Pantograph<C, M> {
     kinematics: Kinematics,
-    /// None where the home position is not known.
+    /// `None` if the home position is not known.
     joints: Option<Joints>,
     counters: C,
     motors: M,
@@ -79,18 +79,18 @@ pub struct Pantograph<C, M> {
 
 /// Three motors that take joint torques (N·m): left, right, handle.
 pub trait Motors {
-    /// Gives torques; what is larger than a motor's limit shortens all of them alike.
+    /// Outputs torques; if one exceeds a motor's limit, all of them are reduced in proportion.
     ///
     /// # Errors
     /// [`MotorFault`]; then all of them are off.
     fn turn(&mut self, torques: [f32; 3]) -> Result<(), MotorFault>;
-    /// No torque, at once.
+    /// No torque, immediately.
     fn off(&mut self);
 }
 
 impl<C: Counters, M: Motors> Pantograph<C, M> {
-    /// A device in its home position: that in which every joint is at its encoder's offset. Without counts that can be
-    /// read there it never knows where it is, and gives neither samples nor force.
+    /// A device in its home position: that in which every joint is at its encoder's offset. If the counts cannot be
+    /// read there it never knows its position, and outputs neither samples nor force.
     ///
     /// # Errors
     /// [`GeometryError`] names the first parameter that is not finite or out of its range.
@@ -108,12 +108,12 @@ impl<C: Counters, M: Motors> Pantograph<C, M> {
         })
     }
 
-    /// The last configuration that was read, or what is wrong with it.
+    /// The last configuration that was read, or its fault.
     pub fn configuration(&self) -> Result<&Configuration, Fault> {
         self.configuration.as_ref().map_err(|&fault| fault)
     }
 
-    /// The configuration as the counters show it now.
+    /// The configuration according to the present counts.
     fn measure(&mut self) -> Result<Configuration, Fault> {
         let joints = self.joints.as_mut().ok_or(Fault::NotRead)?;
         joints.update(self.counters.counts().ok_or(Fault::NotRead)?);
@@ -164,7 +164,7 @@ impl<C: Counters, M: Motors> Actuators for Pantograph<C, M> {
     }
 }
 
-/// Motors that are not there: for a device that only measures.
+/// No motors: for a device that only measures.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoMotors;
 

@@ -1,5 +1,5 @@
-//! A bounded queue of bytes between two contexts, such as an interrupt and the rest of a program: one puts, the other takes.
-//! No byte is lost or doubled as long as each side is a single one; nothing is unsafe, and nothing waits.
+//! A bounded queue of bytes between two contexts, such as an interrupt and the rest of a program: one puts, the other takes. No byte is
+//! lost or duplicated as long as each side is a single one; nothing is unsafe, and nothing waits.
 
 use core::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 
@@ -7,7 +7,7 @@ use core::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 #[derive(Debug)]
 pub struct Ring<const N: usize> {
     bytes: [AtomicU8; N],
-    /// Bytes ever put, and ever taken, wrapping.
+    /// The numbers of bytes ever put, and ever taken, wrapping.
     put: AtomicUsize,
     taken: AtomicUsize,
 }
@@ -27,23 +27,23 @@ impl<const N: usize> Ring<N> {
         }
     }
 
-    /// How many bytes wait.
+    /// The number of bytes that wait.
     pub fn len(&self) -> usize {
         let taken = self.taken.load(Ordering::Acquire);
         self.put.load(Ordering::Acquire).wrapping_sub(taken)
     }
 
-    /// Nothing waits.
+    /// Returns whether no byte waits.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// For how many bytes there is room.
+    /// The number of bytes for which there is room.
     pub fn room(&self) -> usize {
         N.saturating_sub(self.len())
     }
 
-    /// Puts a byte at the end; false where there is no room for it. To be called by one context only.
+    /// Puts a byte at the end; returns false if there is no room for it. Only one context may call it.
     #[must_use]
     pub fn put(&self, byte: u8) -> bool {
         let put = self.put.load(Ordering::Relaxed);
@@ -57,13 +57,13 @@ impl<const N: usize> Ring<N> {
         true
     }
 
-    /// Puts all of a frame or nothing: half a frame is of no use.
+    /// Puts all bytes of a frame or none: half a frame is useless.
     #[must_use]
     pub fn put_all(&self, bytes: &[u8]) -> bool {
         bytes.len() <= self.room() && bytes.iter().all(|&byte| self.put(byte))
     }
 
-    /// The first byte, which stays. To be called by the context that takes.
+    /// The first byte, which remains in the queue. Only the context that takes may call it.
     pub fn peek(&self) -> Option<u8> {
         let taken = self.taken.load(Ordering::Relaxed);
         if self.put.load(Ordering::Acquire) == taken {
@@ -72,7 +72,7 @@ impl<const N: usize> Ring<N> {
         Some(self.bytes.get(taken & Self::MASK)?.load(Ordering::Relaxed))
     }
 
-    /// Takes the first byte. To be called by one context only.
+    /// Takes the first byte. Only one context may call it.
     pub fn take(&self) -> Option<u8> {
         let byte = self.peek()?;
         let taken = self.taken.load(Ordering::Relaxed);

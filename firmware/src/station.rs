@@ -1,25 +1,25 @@
-//! The program of a board, free of hardware: bytes that came in, commands and samples out of them, a step, a force that is demanded
-//! of the servo loop, and reports. All of it happens in turns, one after each tick; a board gives the line and a clock ([`Link`]), the
-//! servo loop with its device ([`Servo`]) and what it is ([`Setup`]).
+//! The program of a board, free of hardware: from the bytes that arrived to commands and samples, a step, a force that is demanded of the
+//! servo loop, and reports. All of it happens in turns, one after each tick; a board provides the line and a clock ([`Link`]), the servo
+//! loop with its device ([`Servo`]) and its description ([`Setup`]).
 //!
 //! ```text
-//! Servo::tick(now) -- the hand is measured, the force given --+
+//! Servo::tick(now) -- measures the hand, outputs a force -----+
 //!        ^    |                                               |
 //!        |    | sample   +------------------- turn(link, servo) -------------------+
 //! demand |    +--------> | intake.rs --> Controller --> report.rs: pose, forces,   |
-//!        |               |   ^  who is overtaken |      events, health             |
+//!        |               |   ^  counts overtaken |      events, health             |
 //!        +---------------|---|-------------------+                 |               |
 //!                        |   | samples                             v               |
 //!          link.take --> | Decoder -- commands --> command.rs --> outbox.rs        | --> link.send
 //!                        |                         refusal.rs                      |
 //!                        +---------------------------------------------------------+
-//! setup.rs: what the board is; the modes that it has the time and the line for
-//! watch.rs: its health, for a log that is written elsewhere
+//! setup.rs: the description of the board; the modes for which it has the time and the line
+//! watch.rs: its health, for a log that is written in another context
 //! ```
 //!
-//! The work of a turn is bounded, whatever comes over the line: so many bytes, one command, one step. Where ticks interrupt turns, a
-//! turn that takes longer than a tick leaves the force to the servo loop, and the next turn begins with the next tick. The force is
-//! with the device before anything is reported of it. In the safe state the device is off.
+//! The work of a turn is bounded, whatever arrives over the line: a limited number of bytes, one command, one step. If ticks interrupt
+//! turns, a turn that takes longer than a tick leaves the force to the servo loop, and the next turn begins with the next tick. The force
+//! reaches the device before it is reported. In the safe state the device is off.
 
 mod command;
 mod intake;
@@ -47,14 +47,14 @@ use stiction_core::frame::{
 };
 use stiction_core::{Real, Wrench};
 
-/// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it takes.
+/// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it accepts.
 #[derive(Debug)]
 pub struct Station<R: Real, const V: usize, const S: usize, M: BoardModel, const N: usize> {
     decoder: Decoder<N>,
     desk: Desk<R, V, S, M>,
 }
 
-/// All but the decoder, in whose buffer commands lie while they are carried out.
+/// Everything except the decoder, in whose buffer commands are while they are carried out.
 #[derive(Debug)]
 struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     setup: &'static Setup,
@@ -65,7 +65,7 @@ struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     mode: Mode,
     bytes_per_turn: u32,
     intake: Intake,
-    /// Samples of the line that went to the control loop.
+    /// Samples of the line that were passed to the control loop.
     stepped: u16,
     told: Told,
     outbox: Outbox,
@@ -85,15 +85,15 @@ where
     /// As after power-up.
     ///
     /// # Errors
-    /// [`Refusal`] of the setup's scene or limits. A mode that the board has no time or no line for is not found here.
+    /// [`Refusal`] of the setup's scene or limits. A mode for which the board has no time or no line is not detected here.
     pub fn new(setup: &'static Setup) -> Result<Self, Refusal> {
         Self::among(setup, M::NO_OBSTACLES)
     }
 
-    /// As [`Self::new`], the setup's scene with the obstacles that the model may have.
+    /// Like [`Self::new`], with the setup's scene and the obstacles that the model may have.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Like [`Self::new`].
     pub fn among(
         setup: &'static Setup,
         obstacles: M::Surroundings<'static>,
@@ -123,8 +123,8 @@ where
         })
     }
 
-    /// One turn, after a tick of the servo loop: what it demanded goes to the device at once. What that was given: force (N) and
-    /// moment (N·m), world frame.
+    /// One turn, after a tick of the servo loop: its demand is output to the device immediately. Returns what the device was given: force
+    /// (N) and moment (N·m), world frame.
     pub fn turn<D: Source + Actuators>(
         &mut self,
         link: &mut impl Link,
@@ -140,8 +140,8 @@ where
         force
     }
 
-    /// A tick, at a time (µs, wrapping) of the board's clock, and its turn, which no other tick interrupts. What the device was given, as
-    /// by [`Self::turn`].
+    /// A tick, at a time (µs, wrapping) of the board's clock, and its turn, which no other tick interrupts. Returns what the device was
+    /// given, like [`Self::turn`].
     pub fn tick<D: Source + Actuators>(
         &mut self,
         now_us: u32,
@@ -170,24 +170,24 @@ where
         }
     }
 
-    /// How the board works now; its timer follows the tick rate.
+    /// The present mode of the board; its timer follows the tick rate.
     pub fn mode(&self) -> &Mode {
         &self.desk.mode
     }
 
-    /// Why the force is what it was at the end of the last turn.
+    /// Why the force had its value at the end of the last turn.
     pub fn flags(&self) -> &Flags {
         &self.desk.flags
     }
 
-    /// What has been counted.
+    /// The counts.
     pub fn health(&self) -> Health {
         self.desk.health(self.decoder.faults())
     }
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
-    /// A frame came, or something that is none.
+    /// Handles a frame that arrived, or something that is none.
     fn receive<D: Source>(
         &mut self,
         received: Result<Frame<M::Command<'_>>, Fault>,
@@ -207,7 +207,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
                     self.intake.follow(sequence);
                     return self.scene_among((&scene, reference), now_us, link);
                 }
-                // No command without room for obstacles.
+                // Not a command without room for obstacles.
                 return Next::More;
             }
         };
@@ -234,7 +234,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// An undamaged frame that is no command is answered; of a damaged one nobody knows what it was.
+    /// An undamaged frame that is not a command is answered; what a damaged one was is unknown.
     fn refuse(&mut self, fault: &Fault, now_us: u32, link: &mut impl Link) -> Next {
         if let Some(frame) = fault.frame {
             self.intake.follow(frame.sequence);
@@ -248,7 +248,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// The sample of this turn through the solver, the force that it demands through the servo loop to the device, both to the client.
+    /// Passes the sample of this turn through the solver, the force that it demands through the servo loop to the device, and both to the
+    /// client.
     fn step<D: Source + Actuators>(
         &mut self,
         now_us: u32,
@@ -267,7 +268,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.controller.measured(took);
         self.flags = turn.flags;
         self.latched = turn.latched;
-        // A sample that came is in the pose, however old it is by now.
+        // A sample that arrived is in the pose, however old it is by now.
         self.told.silent = turn.flags.silent && sample.is_none();
         if let Some(output) = &turn.output {
             self.happened(output, now_us, link);

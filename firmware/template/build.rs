@@ -1,10 +1,10 @@
-//! Compiles `scene.toml` in, and tells the linker where flash and RAM are. Keep the part of your chip.
+//! Compiles `scene.toml` in, and provides the linker with the locations of flash and RAM. Keep the part for your chip.
 
 use std::process::ExitCode;
 
 use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
 
-/// What other scenes, which come over the line, may have.
+/// The capacities for other scenes, which come over the line.
 const ROOM: SceneModel = SceneModel {
     obstacles: ObstacleRoom {
         count: 0,

@@ -1,4 +1,4 @@
-//! The walk whose bits are compared goes everywhere and stays within bounds, and its hash is that of its answers.
+//! The walk whose bits are compared visits every state and stays within bounds, and its hash is that of its answers.
 
 use std::collections::HashMap;
 use stiction_core::{Evolution, Fixed, Full, Real, SiFloat, StateKind, Status, Touch};
@@ -6,7 +6,7 @@ use stiction_firmware::bits::{Among, Place, follow, of_walk};
 
 const FRAMES: u32 = 10_000;
 
-/// How often each state was held in, after checking what must hold for every answer.
+/// How often each state was held, after checking what must hold for every answer.
 fn held_states<R: Real<Si: SiFloat>, M: Place>(evolution: Evolution) -> HashMap<StateKind, u32> {
     let (mut seen, mut limited, mut states) = (0, 0, HashMap::new());
     follow::<R, M>(evolution, FRAMES, |answer| {

@@ -1,4 +1,4 @@
-//! A job of the instruction bench comes back with the solver's own answers; what is not a job is refused.
+//! A job of the instruction bench returns the solver's own answers; bytes that are not a job are refused.
 
 use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, SiFloat, Solver,

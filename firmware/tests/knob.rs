@@ -31,7 +31,7 @@ const MOTOR: MotorConstants = MotorConstants {
     reversed: false,
 };
 
-/// A counter that shows what a test says; nothing where it is broken.
+/// A counter that shows the value given by a test; `None` if it is broken.
 #[derive(Clone, Default)]
 struct Shown(Rc<Cell<Option<u16>>>);
 
@@ -127,7 +127,7 @@ fn a_turned_knob_sticks_and_slips() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knob.toml");
     let scene = WrittenScene::read(file.as_ref(), f64::from(f32::MAX)).unwrap();
     let mut settings = Settings::default();
-    // The statics alone: no limit of force or of its rate is met.
+    // The statics alone: no limit of force or of its rate is reached.
     settings.limits.force = 1e3;
     settings.limits.moment = 1e3;
     settings.limits.force_rate = 1e6;
@@ -146,7 +146,7 @@ fn a_turned_knob_sticks_and_slips() {
         let tick = controller.turn(Some(&sample), &mut servo);
         let [along, up] = tick.force.force;
         assert!(up > 0.0, "the plate presses on the hand: {tick:?}");
-        // mu_s = 0.8 at the only contact, and no weight; a rounding of f32 in it.
+        // mu_s = 0.8 at the only contact, and no weight; plus a rounding of f32.
         assert!(Real::abs(along) <= 0.8 * up * (1.0 + 1e-5), "{i}: {tick:?}");
         if let Some((from, force)) = last {
             work -= f64::from(force) * f64::from(x - from);

@@ -2,7 +2,7 @@
 
 use stiction_firmware::safety::{Arrival, Arrivals, Silence, Ticks};
 
-/// The next tick of 1 kHz comes within so many µs, at the latest.
+/// The next tick of 1 kHz comes within this many µs, at the latest.
 const NEXT: u32 = 1_500;
 
 #[test]
@@ -18,7 +18,7 @@ fn silence_is_noticed_before_20_ms_have_passed() {
                 .find(|&tick| silence.is_silent(at(tick), NEXT))
                 .unwrap();
             let age = phase + zero * 1_000;
-            // At the latest with the tick that one of 1.5 ms would follow in time.
+            // At the latest with the tick that could still be followed in time by one after 1.5 ms.
             assert!(age <= 19_500 && age > 18_500, "{age}");
             assert_eq!(silence.count, 1);
         }
@@ -49,7 +49,7 @@ fn silence_lasts_until_something_is_heard_however_often_the_clock_wraps() {
     silence.hear(now);
     assert!(!silence.is_silent(now, NEXT));
     assert_eq!(silence.count, 1);
-    // A time stamp a little ahead of the clock is of now.
+    // A time stamp slightly ahead of the clock counts as now.
     silence.hear(now.wrapping_add(3));
     assert!(!silence.is_silent(now, NEXT));
 }
@@ -72,12 +72,12 @@ fn a_sender_that_begins_anew_is_believed_in_silence_only() {
     }
     assert_eq!(arrivals.arrive(0, false), Arrival::Late);
     assert_eq!(arrivals.arrive(1, false), Arrival::Late);
-    // One of them alone may be an old one.
+    // A single one of them may be an old one.
     assert_eq!(arrivals.arrive(2, true), Arrival::Late);
     assert_eq!(arrivals.arrive(3, true), Arrival::New);
     assert_eq!(arrivals.arrive(4, true), Arrival::New);
     assert_eq!((arrivals.restarts, arrivals.late, arrivals.lost), (1, 3, 0));
-    // One that goes on where it was is believed at once.
+    // A sender that continues where it was is accepted immediately.
     assert_eq!(arrivals.arrive(7, true), Arrival::New);
     assert_eq!(arrivals.lost, 2);
 }

@@ -1,4 +1,4 @@
-//! The queue between an interrupt and the program loses, doubles and swaps nothing.
+//! The queue between an interrupt and the program loses, duplicates and reorders nothing.
 
 use std::thread;
 use stiction_firmware::ring::Ring;

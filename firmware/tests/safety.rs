@@ -1,4 +1,4 @@
-//! What force may go to the hand: limits of size and rate, passivity.
+//! The force that may be output to the hand: limits of size and rate, passivity.
 
 use stiction_core::Wrench;
 use stiction_firmware::safety::{Allowed, Governor, LimitParameter, Limits, Passivity};
@@ -13,7 +13,7 @@ impl Random {
         let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
     }
-    /// Any float, of any size, now and then none.
+    /// Any float, of any magnitude, and sometimes NaN or an infinity.
     fn any(&mut self) -> f32 {
         match self.bits() % 8 {
             0 => f32::from_bits(self.bits() as u32),
@@ -86,7 +86,7 @@ fn the_force_keeps_its_direction_at_its_limit() {
     let [x, y] = given.wrench.force;
     assert!((x - 3.0).abs() < 1e-5 && (y + 4.0).abs() < 1e-5);
     assert!(given.size_limited && !given.rate_limited);
-    // Larger than its square can be told in f32.
+    // Its square is too large for f32.
     let huge = Wrench {
         force: [3e38, 3e38],
         moment: -3e38,
@@ -107,7 +107,7 @@ fn a_wanted_force_within_the_limits_is_reached_exactly() {
         moment: 0.012_345,
     };
     let ticks = (0..).take_while(|_| governor.toward(&wanted).wrench != wanted);
-    assert_eq!(ticks.count(), 14); // 1.4526 N in steps of 0.1 N: there with the 15th
+    assert_eq!(ticks.count(), 14); // 1.4526 N in steps of 0.1 N: reached with the 15th
     let given = governor.toward(&wanted);
     assert!(!given.size_limited && !given.rate_limited && given.wrench == wanted);
 }
@@ -220,7 +220,7 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
         ..passivity
     };
     assert_eq!(late.bounds(), [500.0, 31.25]);
-    // Without damping nothing is passive but nothing.
+    // Without damping only zero stiffness is passive.
     let free = Passivity {
         damping_translation: 0.0,
         ..passivity
@@ -233,8 +233,7 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
     assert_eq!(none.check().unwrap_err().parameter, LimitParameter::Hold);
 }
 
-/// A mass at a virtual wall that is sampled and held, integrated finely: the energy that the wall has given to it when it
-/// leaves.
+/// A mass at a virtual wall that is sampled and held, integrated finely: the energy that the wall has added to it when it leaves.
 fn energy_gained(stiffness: f64, damping: f64) -> f64 {
     let (mass, hold, fine) = (0.05, 1e-3, 1_000);
     let dt = hold / f64::from(fine);

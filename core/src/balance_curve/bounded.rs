@@ -1,4 +1,4 @@
-//! A motion's turn and slide as quantities, with their bounds or without, for the events of a trammel.
+//! Turn and slide of a motion as quantities, with or without their bounds, for the events of a trammel.
 
 use super::{BalanceCurve, Place};
 use crate::bounded::{Bounds, Quantity};

@@ -30,7 +30,7 @@ impl<R: Real> Margin<R> {
         }
     }
 
-    /// In units of about its largest part.
+    /// In units of about its largest component.
     pub(super) fn scaled(&self) -> Self {
         let size = (self.start.abs().max(self.along.abs())).max(self.turning.length_bound());
         if size == R::ZERO {
@@ -45,8 +45,8 @@ impl<R: Real> Margin<R> {
         }
     }
 
-    /// A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero is
-    /// taken where the margin is overdrawn by this, beyond doubt.
+    /// A contact that has just opened, or a force that is exactly at its limit, may leave the margin along a tangent: its zero is taken
+    /// where the margin is exceeded by this amount, beyond doubt.
     fn credit(&self) -> R {
         if self.start <= self.rounding {
             self.rounding.doubled()
@@ -55,8 +55,8 @@ impl<R: Real> Margin<R> {
         }
     }
 
-    /// True beyond doubt at the end of an extent, of a margin in units of its own. Where the body swings round at the first pull,
-    /// tau grows between neighbouring x and D is as small as its rounding: of E·D a search sees nothing then.
+    /// True if a margin, in its own units, is beyond doubt used up at the end of an extent. Where the body swings round at the first pull,
+    /// tau grows between adjacent values of x and D is as small as its rounding: a search sees nothing of E·D there.
     pub(super) fn is_used_up(&self, extent: &Extent<R>) -> bool {
         let end = self.at(&extent.end) + self.along * extent.part();
         end < self.start.min(R::ZERO) - R::beyond_doubt(self.rounding)
@@ -67,7 +67,7 @@ impl<R: Real> Margin<R> {
     }
 }
 
-/// A bound of the second derivative of E·D, of first order in E less its part along tau, in D and in how far it must hold.
+/// A bound of the second derivative of E·D: of first order in E without its term along tau, in D and in the window.
 pub(super) struct CurvatureBound<R> {
     per_d: R,
     per_e: R,
@@ -76,14 +76,14 @@ pub(super) struct CurvatureBound<R> {
 }
 
 impl<R: Real> CurvatureBound<R> {
-    /// From a place on, as far as a window.
+    /// From a point up to a window.
     fn bound(&self, (e, d): (R, R), window: R) -> R {
         self.least + self.per_d * d.abs() + self.per_e * e.abs() + self.per_window * window
     }
 }
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
-    /// E·D and its slope at a place, and its curvature from there as far as a window.
+    /// E·D and its slope at a point, and its curvature from there up to a window.
     pub(super) fn slope(
         &self,
         margin: &Margin<R>,
@@ -101,7 +101,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// How the second derivative of E·D is bounded.
+    /// The coefficients that bound the second derivative of E·D.
     pub(super) fn curvature_bound(&self, margin: &Margin<R>) -> CurvatureBound<R> {
         let rate = self.rate.abs();
         let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
@@ -116,10 +116,10 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// Shortens the extent to the first place at which the margin is used up. True if it is before the end.
+    /// Shortens the extent to the first point at which the margin is used up. Returns true if that is before the end.
     pub(crate) fn stop_at(&self, margin: &Margin<R>, extent: &mut Extent<R>) -> bool {
         let limit = extent.end;
-        // The farthest that it can fall before the end: the ordinary frame is done here.
+        // The most by which it can fall before the end: an ordinary frame is finished here.
         let fall = margin.along.abs() * extent.part_bound
             + margin.turning.length_bound() * limit.turn.abs();
         if margin.start - fall > margin.rounding {
@@ -133,7 +133,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         } else {
             self.curved_zero(margin, extent)
         };
-        // What comes before the end is sure, though a search for the end gave up.
+        // What happens before the end is certain, even though a search for the end gave up.
         let (end, unsure) = match found {
             Found::Nothing { .. } => return false,
             Found::Zero { x, .. } if x == limit.x => (limit, extent.unsure),
@@ -149,8 +149,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         true
     }
 
-    /// How far a margin can fall on an extent: by what goes with tau, and by the turn below the chord between its ends, from
-    /// which it strays by a sagitta.
+    /// The most by which a margin can fall on an extent: by its term in tau, and through the turn below the chord between its ends, from
+    /// which it deviates by a sagitta.
     fn fall(&self, margin: &Margin<R>, extent: &Extent<R>) -> R {
         let (along, limit) = (margin.along, &extent.end);
         let falls = if extent.rises {
@@ -163,7 +163,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         falls + chord + sagitta.halved().halved().halved()
     }
 
-    /// The zero of a margin where the body does not turn: E·D is linear.
+    /// The zero of a margin if the body does not turn: E·D is linear.
     fn linear_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
         let fall = margin.start * self.drive.x - margin.along * self.begin().h_slope;
         let start = margin.start + margin.credit();

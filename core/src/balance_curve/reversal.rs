@@ -7,8 +7,8 @@ use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
-    /// Shortens the extent to the first place at which a foot turns back whose displacement is a margin, less what it goes back by
-    /// `slack` per tau. True if it is before the end.
+    /// Shortens the extent to the first point at which a foot turns back; its displacement is a margin, and it may move back by `slack` per
+    /// tau. Returns true if that is before the end.
     pub(crate) fn stop_at_reversal(
         &self,
         foot: &Margin<R>,
@@ -22,7 +22,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let begin: Bounded<R> = self.advance_of(&foot, &self.at(R::ZERO), limit);
         let bounds = &begin.bounds;
         if begin.value < -bounds.error {
-            // It goes back at once.
+            // It moves back immediately.
             *extent = Extent {
                 end: self.at(R::ZERO),
                 folds: false,
@@ -49,7 +49,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         true
     }
 
-    /// The derivative of a margin by tau, times (H'D - HD') of (E7), which is positive up to the fold: up to x = `window`.
+    /// The derivative of a margin with respect to tau, times (H'D - HD') of (E7), which is positive up to the fold; valid up to x =
+    /// `window`.
     fn advance_of<Q: Quantity<R>>(&self, margin: &Margin<R>, p: &Place<R>, window: R) -> Q {
         let rate = self.rate.abs();
         let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());

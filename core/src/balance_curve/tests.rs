@@ -1,5 +1,5 @@
-//! The curve and what is measured on it, against their formulas and against finite differences. The bounds of the curvatures
-//! must hold as far as they are given for, and be no looser than the terms that they are sums of.
+//! The curve and the quantities on it, against their formulas and against finite differences. The bounds of the curvatures must hold over
+//! the range that they are given for, and must be no looser than the terms that they are sums of.
 
 use super::*;
 use crate::bounded::Bounded;
@@ -12,7 +12,7 @@ mod ends;
 mod reversal;
 
 impl Random {
-    /// Of sizes from 0.03 to 10.
+    /// A number of a magnitude from 0.03 to 10.
     fn number(&mut self) -> f64 {
         let size = libm::exp(3.0 * self.next() - 0.7);
         size * self.next().sign()
@@ -57,7 +57,7 @@ impl Random {
 
 const STEP: f64 = 1e-4;
 
-/// Places and how far a bound must hold from there.
+/// Points, and windows over which a bound must hold from there.
 const WINDOWS: [(f64, f64); 5] = [
     (0.0, 0.1),
     (0.05, 0.02),
@@ -66,14 +66,14 @@ const WINDOWS: [(f64, f64); 5] = [
     (3.0, 0.01),
 ];
 
-/// The first and the second derivative at a place.
+/// The first and the second derivative at a point.
 fn derivatives(f: impl Fn(f64) -> f64, x: f64) -> [f64; 2] {
     let (before, at, after) = (f(x - STEP), f(x), f(x + STEP));
     let first = (after - before) / (2.0 * STEP);
     [first, (after - 2.0 * at + before) / (STEP * STEP)]
 }
 
-/// The largest size of a function at many places of a range.
+/// The largest magnitude of a function over a range, by dense sampling.
 fn largest(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> f64 {
     let places = (0..=64).map(|i| from + (to - from) * f64::from(i) / 64.0);
     places.map(|x| f(x).abs()).fold(0.0, f64::max)
@@ -92,14 +92,14 @@ fn bounds(bound: f64, second: f64, terms: f64) {
     assert!(bound <= 2.5 * terms + 1e-5, "{bound} for {terms}");
 }
 
-/// E at a place and a tau.
+/// E at a point and a tau.
 fn level(margin: &Margin<f64>, p: &Place<f64>, tau: f64) -> f64 {
     let (sin, cos) = libm::sincos(p.turn);
     let Vec2 { x, y } = margin.turning;
     margin.start + margin.along * tau - x * (1.0 - cos) + y * sin
 }
 
-/// The largest derivatives of H and D on the whole turn, of the orders 1 to 3.
+/// The largest derivatives of H and D on the whole turn, orders 1 to 3.
 fn turns<H: SecondHarmonic<f64>>(curve: &BalanceCurve<f64, H>) -> [[f64; 3]; 2] {
     let once = (0.0, core::f64::consts::TAU / curve.rate.abs());
     let second = |x: f64| curve.second(&curve.at(x));
@@ -117,7 +117,7 @@ fn turns<H: SecondHarmonic<f64>>(curve: &BalanceCurve<f64, H>) -> [[f64; 3]; 2] 
     ]
 }
 
-/// Every test with a foot that stays and with one that slides.
+/// Runs every test with a foot that stays and with one that slides.
 macro_rules! test_both {
     ($($case:ident),* $(,)?) => {$(
         #[test]

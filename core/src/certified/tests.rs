@@ -1,4 +1,4 @@
-//! The certified frame against the balance found by halving: its conditions, its end and its bounds.
+//! The certified frame against the balance found by bisection: its conditions, its end and its bounds.
 
 use super::*;
 use crate::fixtures::sampled;
@@ -28,7 +28,7 @@ impl Case {
         }
     }
 
-    /// What the whole path adds to the moment, which is balanced where it begins.
+    /// The change of the moment over the whole path; the moment is balanced where the path begins.
     fn drives(&self) -> Drive<f64> {
         Drive {
             couple: self.now - self.drive.y,
@@ -43,12 +43,12 @@ impl Case {
         })
     }
 
-    /// z at a part of the path.
+    /// z at a fraction of the path.
     fn hold(&self, part: f64) -> Vec2<f64> {
         self.hold - self.drive * (1.0 - part)
     }
 
-    /// The balance next to the unturned body at a part of the path, by halving.
+    /// The balance next to the unturned body at a fraction of the path, by bisection.
     fn balance(&self, part: f64, within: f64) -> f64 {
         let Vec2 { x, y } = self.hold(part);
         let pull = |turn: f64| {
@@ -69,7 +69,7 @@ impl Case {
     }
 }
 
-/// Grips from soft to stiff, pulled and pushed, near the balance and far from it, displacements to all sides.
+/// Grips from soft to stiff, pulled and pushed, near the balance and far from it, displacements in all directions.
 fn cases() -> impl Iterator<Item = Case> {
     let holds = [
         (0.0, 0.0),
@@ -100,7 +100,7 @@ fn cases() -> impl Iterator<Item = Case> {
     sampled(all, 97)
 }
 
-/// (E8): where its conditions hold amply the frame is certified, where one fails it is not.
+/// (E8): if its conditions hold with room to spare the frame is certified, if one fails it is not.
 #[test]
 fn frame_is_certified_where_kantorovich_says_so() {
     let mut found = [0, 0];
@@ -126,7 +126,7 @@ fn frame_is_certified_where_kantorovich_says_so() {
     );
 }
 
-/// All along there is a stable balance within what the certified frame promises, and it ends in that at the end.
+/// On the whole path there is a stable balance within the bound of the certified frame, and the turn ends in it.
 #[test]
 fn certified_turn_keeps_the_balance_and_its_bounds() {
     for case in cases() {
@@ -154,7 +154,7 @@ fn certified_turn_keeps_the_balance_and_its_bounds() {
     }
 }
 
-/// The rate of the turn in tau and its change stay below a bound, which (E8) says with lengths and the least stability.
+/// The rate of the turn in tau and its change stay below the bound that (E8) gives from lengths and the least stability.
 #[test]
 fn balance_bends_no_more_than_promised() {
     const STEP: f64 = 1e-3;
@@ -196,8 +196,8 @@ fn balance_bends_no_more_than_promised() {
     }
 }
 
-/// All along the body turns as fast as at the end with the body not yet turned, but for a spread that is of the first order in the turn
-/// and in what the displacement adds.
+/// On the whole path the body turns as fast as at the end with the body not yet turned, except for a spread that is of first order in the
+/// turn and in what the displacement adds.
 #[test]
 fn rate_of_the_turn_is_within_its_spread() {
     const STEP: f64 = 1e-3;
@@ -230,7 +230,7 @@ fn rate_of_the_turn_is_within_its_spread() {
     }
 }
 
-/// Without a load that bends it: what is allowed is allowed up to its bound and with it (E8).
+/// Without a load that bends the balance: values are accepted up to and including their bound (E8).
 #[test]
 fn conditions_hold_up_to_their_bounds() {
     let case = |now, pull| Case {
@@ -241,7 +241,7 @@ fn conditions_hold_up_to_their_bounds() {
     };
     assert!(case(0.0, 0.5).certified().is_some());
     assert!(case(0.0, 0.5_f64.next_up()).certified().is_none());
-    // 1 over the stability is reckoned half as much again as it is.
+    // 1 over the stability is taken one and a half times as large as it is.
     let step = |now: f64| now * 1.5 + <f64 as Real>::MICRO;
     let (mut low, mut high) = (0.0_f64, 0.25);
     while low.next_up() < high {

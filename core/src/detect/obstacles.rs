@@ -1,6 +1,6 @@
-//! Obstacles with corners (STATICS 12): how far the body is from them, which pairs touch, and the first one that a motion reaches. Body
-//! and obstacle are apart by the largest gap along an axis: an outward normal of either, or the direction in which a thin wall or a
-//! rod ends. On a motion one axis is watched for each obstacle, as long as its gap is positive.
+//! Obstacles with corners (STATICS 12): how far the body is from them, which pairs touch, and the first one that a motion reaches. Body and
+//! obstacle are separated by the largest gap along an axis: an outward normal of either, or the direction in which a thin wall or a rod
+//! ends. During a motion one axis is watched for each obstacle, as long as its gap is positive.
 
 use crate::obstacle::corners_of;
 use crate::real::Real;
@@ -19,13 +19,13 @@ pub(crate) use reached::{Among, Known, Reached, first_reached};
 pub(crate) use tally::Sizes;
 pub(crate) use watched::{Short, Watch};
 
-/// Two contacts of one obstacle that are closer than this are one (L). It is more than how far one may be from the end of its side: a
-/// touch beyond it and a touch off its line.
+/// Two contacts of one obstacle that are closer than this count as one (L). It is more than the possible distance of a contact from the end
+/// of its side: a touch beyond it and a touch off its line.
 pub(crate) fn together<R: Real>() -> R {
     R::MICRO.max(R::TOUCH.doubled())
 }
 
-/// The index of the first side in line with that of a corner.
+/// The index of the first side that is collinear with the side of a corner.
 fn line_of<R: Real>(scene: &impl World<R>, corner: u8) -> u8 {
     scene.corner(corner).map_or(corner, |corner| corner.line)
 }
@@ -37,7 +37,7 @@ fn corners<R: Real>(scene: &impl World<R>, obstacle: usize) -> Range<u8> {
     first.saturating_add(own.start)..first.saturating_add(own.end)
 }
 
-/// The next or previous one of a range, round and round.
+/// The next or previous index of a range, cyclically.
 fn beside(range: &Range<u8>, index: u8, next: bool) -> u8 {
     let last = range.end.saturating_sub(1);
     match (next, index) {
@@ -48,7 +48,7 @@ fn beside(range: &Range<u8>, index: u8, next: bool) -> u8 {
     }
 }
 
-/// The sides of a shape of so many vertices: a point has none.
+/// The sides of a shape with these vertices: a point has none.
 fn sides(vertices: Range<u8>) -> Range<u8> {
     if vertices.len() > 1 { vertices } else { 0..0 }
 }

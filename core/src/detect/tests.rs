@@ -1,4 +1,4 @@
-//! Gaps, the room to the nearest of them and the first touch, against all vertices and surfaces in turn and small steps.
+//! Gaps, the room to the nearest of them and the first touch, against a loop over all vertices and surfaces and small steps.
 
 use super::*;
 use crate::fixtures::sampled;
@@ -11,7 +11,7 @@ mod touch;
 
 type Room<R> = Scene<R, 5, 3>;
 
-/// Its frame has its origin aside.
+/// The origin of its frame is off centre.
 const VERTICES: [[f64; 2]; 5] = [
     [3.5, 0.0],
     [3.15, 0.47],
@@ -61,7 +61,7 @@ fn poses() -> impl Iterator<Item = ([(f64, f64); 3], [f64; 3])> {
     sampled(all, 7)
 }
 
-/// By a point of its own, as by the holding point.
+/// Placed by an arbitrary point, such as the holding point.
 fn placed<R: Real>(si: impl Fn(f64) -> R::Si, [x, y, turn]: [f64; 3]) -> Placed<R> {
     let number = |x: f64| R::from_si(si(x), R::Si::ONE);
     Placed {
@@ -109,7 +109,7 @@ fn gap_is_known_to_its_rounding() {
     }
 }
 
-/// The room is the least gap of all, less a touch and its rounding; where all are far it may be less, never more.
+/// The room is the least gap of all, less a touch and its rounding; if all are far away it may be less, never more.
 #[test]
 fn room_is_the_least_gap() {
     let (mut near, mut far) = (0, 0);
@@ -134,7 +134,7 @@ fn room_is_the_least_gap() {
             far += 1;
         }
         let swings = |turn: f64| at.is_clear(&scene, turn * turn);
-        // No vertex is farther from the point than 1: what a turn can take, and half of twice as much.
+        // No vertex is farther from the point than 1: the displacement of a turn, and half of twice as much.
         if room > 0.0 {
             assert!(swings(0.9 * libm::sqrt(room)) && !swings(1.6 * libm::sqrt(room)));
         } else {
@@ -144,7 +144,7 @@ fn room_is_the_least_gap() {
     assert!(cfg!(miri) || near > 10 && far > 10, "{near} {far}");
 }
 
-/// Standing on a surface with a vertex only its neighbours can come to that.
+/// If the body stands on a surface with a vertex, only the neighbours of that vertex can reach that surface.
 #[test]
 fn room_of_a_pivot_leaves_its_own_vertex_out() {
     for turn in [-0.2, 0.1, 0.3] {
@@ -165,7 +165,7 @@ fn room_of_a_pivot_leaves_its_own_vertex_out() {
     }
 }
 
-/// In f32 the room is less than the least gap by a touch and by what [`Placed::gap_at`] says of the gap's rounding.
+/// In f32 the room is less than the least gap by a touch and by the rounding of the gap from [`Placed::gap_at`].
 #[test]
 fn room_leaves_the_rounding_out() {
     for (point, offset) in [
@@ -212,7 +212,7 @@ fn rod(offset: f64) -> Room<f64> {
     .expect("a sound scene")
 }
 
-/// Of a rod that hangs down from a point beyond its end, over planes from near to far.
+/// A rod hangs down from a point beyond its end, over planes from near to far.
 #[test]
 fn far_room_is_no_more_than_the_gap() {
     for i in 0..100 {
@@ -228,7 +228,7 @@ fn far_room_is_no_more_than_the_gap() {
     }
 }
 
-/// What counts as a touch is not clear, not even for a body that does not turn.
+/// A touch is not clear, not even for a body that does not turn.
 #[test]
 fn touch_is_not_clear() {
     let touch = <f64 as Real>::TOUCH;
@@ -248,7 +248,7 @@ fn touch_is_not_clear() {
     }
 }
 
-/// Shift and turn count together, of either sign.
+/// Shift and turn count together, with either sign.
 #[test]
 fn near_is_neither_shifted_nor_turned_by_more_than_a_little() {
     const LITTLE: f64 = 1e-3;

@@ -1,4 +1,4 @@
-//! The first place at which functions fall to zero, against looking everywhere.
+//! The first point at which functions fall to zero, against dense sampling.
 
 use super::*;
 use crate::fixtures::{Random, number, sampled};
@@ -104,7 +104,7 @@ fn first_fall_is_found_in_fixed_point() {
     first::<Fixed>();
 }
 
-/// What is zero everywhere is found at a place of the piece, and at none where zero is within its rounding.
+/// A function that is zero everywhere has a fall at some point of the piece, and none if zero is within its rounding.
 #[test]
 fn what_is_zero_everywhere_has_a_place() {
     let zero = |rounding| Level {

@@ -1,5 +1,5 @@
-//! What a board and its client say to each other of obstacles (FRAME 8): all messages of [`Command`] and [`Report`], and those that a
-//! scene with obstacles needs besides.
+//! The messages about obstacles between a board and its client (FRAME 8): all messages of [`Command`] and [`Report`], and those that a
+//! scene with obstacles needs in addition.
 
 use super::command::Command;
 use super::fault::FaultKind;
@@ -18,31 +18,31 @@ use crate::forces::{Contact, Touch, Touching};
 pub enum CommandAmong<'a> {
     /// One that every board knows.
     Common(Command<'a>),
-    /// A new scene among obstacles. The body starts anew. Answered by [`Report::Reply`].
+    /// A new scene among obstacles. The body starts again. Answered by [`Report::Reply`].
     SceneAmong(SceneAmong<'a>),
 }
 
 /// A message from a board with room for obstacles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReportAmong<'a> {
-    /// One that every board has.
+    /// One that every board sends.
     Common(Report<'a>),
-    /// For how many obstacles there is room; before the answer to [`Command::Hello`].
+    /// The room for obstacles; sent before the answer to [`Command::Hello`].
     Room(Room),
     /// The forces after a step in a scene with obstacles.
     ForcesAmong(Forces<'a, ContactAmong>),
 }
 
-/// For how many obstacles a board has room.
+/// The room of a board for obstacles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Room {
-    /// So many obstacles.
+    /// The number of obstacles.
     pub obstacles: u8,
-    /// With so many corners together.
+    /// The number of corners of all obstacles together.
     pub corners: u8,
 }
 
-/// A contact among obstacles: a [`Contact`] with what touches what, and where it faces. SI units, world frame.
+/// A contact among obstacles: a [`Contact`] with what touches what, and the direction of its normal. SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactAmong {
     /// What touches what.
@@ -55,12 +55,12 @@ pub struct ContactAmong {
     pub normal: f32,
     /// Friction T on the body along the tangent t = (n_y, -n_x) (N).
     pub friction: f32,
-    /// 0 where it sticks, 1 or -1 where it slides along t or against it with the hand.
+    /// 0 if it sticks, 1 or -1 if it slides along t or against it with the hand.
     pub sliding: i8,
 }
 
 impl ContactAmong {
-    /// Of a contact of a state and what is said of it by [`Solver::touches`](crate::Solver::touches).
+    /// From a contact of a state and the corresponding item of [`Solver::touches`](crate::Solver::touches).
     pub const fn new(contact: &Contact<f32>, touching: &Touching<f32>) -> Self {
         Self {
             touch: touching.touch,
@@ -153,7 +153,7 @@ impl<'a> Wire<'a> for ReportAmong<'a> {
     fn version(&self) -> u8 {
         match self {
             Self::Common(Report::Reply(reply)) if is_of_obstacles(reply.subject) => VERSION_AMONG,
-            // Who does not know the room goes on without it.
+            // A client that does not know the room goes on without it.
             Self::Common(_) | Self::Room(_) => VERSION,
             Self::ForcesAmong(_) => VERSION_AMONG,
         }
@@ -190,13 +190,13 @@ impl<'a> Wire<'a> for ReportAmong<'a> {
     }
 }
 
-/// In the place of an obstacle: a half-plane.
+/// Stands for a half-plane in the place of an obstacle.
 const HALF_PLANE: u8 = u8::MAX;
 /// Marks a side of the body that a corner of an obstacle touches.
 const BODY_SIDE: u8 = 0x80;
 
-/// The three bytes of a touch: vertex or side of the body, obstacle, and which of its sides or corners, or of the half-planes. `None`
-/// where an index is too large for them.
+/// The three bytes of a touch: vertex or side of the body, obstacle, and which of its sides or corners, or which half-plane. `None` if an
+/// index is too large for them.
 fn touch_bytes(touch: Touch) -> Option<[u8; 3]> {
     let of_body = |index: usize| u8::try_from(index).ok().filter(|byte| *byte < BODY_SIDE);
     let of_obstacle = |index: usize| u8::try_from(index).ok().filter(|byte| *byte < HALF_PLANE);
@@ -230,6 +230,7 @@ const fn is_touch([of_body, obstacle]: [u8; 2]) -> bool {
     of_body & BODY_SIDE == 0 || obstacle != HALF_PLANE
 }
 
+/// The touch of three bytes, the inverse of [`touch_bytes`]; they have already been validated.
 fn touch([of_body, obstacle, index]: [u8; 3]) -> Touch {
     let [on_body, obstacle_index, index] = [of_body & !BODY_SIDE, obstacle, index].map(usize::from);
     if obstacle == HALF_PLANE {
@@ -264,6 +265,7 @@ impl Item for ContactAmong {
         sink.f32s(&[self.normal, self.friction]);
         sink.byte(self.sliding.cast_unsigned());
     }
+    /// Reads a contact in the order of FRAME 5.9; its bytes have already been validated.
     fn get(fields: &mut Fields<'_>) -> Self {
         let touch = touch(fields.take());
         let (direction, point) = (fields.f32s(), fields.f32s());

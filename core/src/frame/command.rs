@@ -8,7 +8,7 @@ use super::scene::SceneCommand;
 use crate::geometry::Angle;
 use crate::hand::{Hand, TrackerSample};
 
-/// A message to the board. Each one but the samples of the hand is answered: [`Command::Hello`] by
+/// A message to the board. Each one except the samples of the hand is answered: [`Command::Hello`] by
 /// [`Report::Info`](super::Report::Info), [`Command::Ping`] by [`Report::Pong`](super::Report::Pong), the others by
 /// [`Report::Reply`](super::Report::Reply).
 ///
@@ -33,13 +33,13 @@ pub enum Command<'a> {
     Tracker(TrackerSample<f32>),
     /// The springs and the friction, the friction on every surface.
     Parameters(Parameters),
-    /// A new scene. The body starts anew.
+    /// A new scene. The body starts again.
     Scene(SceneCommand<'a>),
-    /// How the board works.
+    /// The operating mode of the board.
     Mode(Mode),
-    /// A client comes: what is the board?
+    /// A client introduces itself and asks what the board is.
     Hello,
-    /// Is the board there, and what time is it?
+    /// Asks whether the board responds, and for its time.
     Ping,
     /// Back to the start.
     Reset(Reset),
@@ -71,6 +71,7 @@ impl Parameters {
         sink.option(self.memory);
     }
 
+    /// Reads the payload of parameters (FRAME 4.3); fails if its length is wrong or its flag is neither 0 nor 1.
     fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(21)?;
         let [
@@ -89,7 +90,7 @@ impl Parameters {
     }
 }
 
-/// What a reset takes back.
+/// What a reset restores.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reset {
     /// The body, to the start pose of its scene.
@@ -151,6 +152,7 @@ impl<'a> Wire<'a> for Command<'a> {
         }
     }
 
+    /// Writes the payload of each command in the order of its table in FRAME 4.
     fn write(&self, sink: &mut impl Sink) {
         match self {
             Self::Hand(hand) => write_hand(hand, sink),
@@ -167,6 +169,7 @@ impl<'a> Wire<'a> for Command<'a> {
         }
     }
 
+    /// Reads the payload of a type; fails if the type is unknown, the length is wrong, or a flag or code has no meaning.
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
             HAND => read_hand(&mut fields).map(Self::Hand),

@@ -1,8 +1,8 @@
-//! What is wrong with a frame that is not accepted, and how often that happened (FRAME 6).
+//! The faults of frames that are not accepted, and their counts (FRAME 6).
 
 use super::Reference;
 
-/// Why the bytes between two delimiters are no message.
+/// Why the bytes between two delimiters are not a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FaultKind {
     /// More bytes than the receiver has room for.
@@ -11,7 +11,7 @@ pub enum FaultKind {
     Cobs,
     /// The checksum is wrong, or the frame is too short to have one.
     Crc,
-    /// The checksum is right, but it is a frame of another version of this format.
+    /// The checksum is right, but the frame is of another version of this format.
     Version,
     /// A type that this side does not know or does not receive.
     UnknownType,
@@ -52,11 +52,11 @@ impl FaultKind {
 pub struct Fault {
     /// Why.
     pub kind: FaultKind,
-    /// Which frame it was, so that it can be refused. Known where the checksum was right: the frame came as it was sent.
+    /// Which frame it was, so that it can be refused. Known if the checksum was right: then the frame arrived as it was sent.
     pub frame: Option<Reference>,
 }
 
-/// Faults by kind; a count stays at its greatest value.
+/// Faults by kind; a count saturates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     counts: [u32; FaultKind::ALL.len()],
@@ -85,7 +85,7 @@ impl Faults {
         let counts = self.counts.iter();
         counts.fold(0, |sum: u32, &n| sum.saturating_add(n))
     }
-    /// In the order of [`FaultKind::ALL`].
+    /// The counts in the order of [`FaultKind::ALL`].
     pub(super) const fn counts(&self) -> [u32; FaultKind::ALL.len()] {
         self.counts
     }

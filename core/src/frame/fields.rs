@@ -2,7 +2,7 @@
 
 use super::fault::FaultKind;
 
-/// Takes the fields of a payload. The length is asked for first; beyond the end every field would be 0.
+/// Reads the fields of a payload. The length is checked first; beyond the end every field would be 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Fields<'a> {
     rest: &'a [u8],
@@ -12,11 +12,11 @@ impl<'a> Fields<'a> {
     pub(super) const fn new(bytes: &'a [u8]) -> Self {
         Self { rest: bytes }
     }
-    /// Exactly so many bytes are left.
+    /// Checks that exactly this many bytes are left.
     pub(super) fn exactly(&self, bytes: usize) -> Result<(), FaultKind> {
         require(self.rest.len() == bytes, FaultKind::Length)
     }
-    /// At least so many bytes are left.
+    /// Checks that at least this many bytes are left.
     pub(super) fn at_least(&self, bytes: usize) -> Result<(), FaultKind> {
         require(self.rest.len() >= bytes, FaultKind::Length)
     }
@@ -29,7 +29,7 @@ impl<'a> Fields<'a> {
             None => [0; N],
         }
     }
-    /// The next so many bytes, or what there is.
+    /// The next `count` bytes, or as many as there are.
     pub(super) fn bytes(&mut self, count: usize) -> &'a [u8] {
         let (bytes, rest) = self
             .rest
@@ -38,7 +38,7 @@ impl<'a> Fields<'a> {
         self.rest = rest;
         bytes
     }
-    /// All that is left.
+    /// All remaining bytes.
     pub(super) fn remaining(&mut self) -> &'a [u8] {
         self.bytes(self.rest.len())
     }
@@ -55,7 +55,7 @@ impl<'a> Fields<'a> {
     pub(super) fn i32(&mut self) -> i32 {
         i32::from_le_bytes(self.take())
     }
-    /// The bits of an f32 as they are.
+    /// The bits of an f32, unchanged.
     pub(super) fn f32(&mut self) -> f32 {
         f32::from_le_bytes(self.take())
     }
@@ -70,30 +70,30 @@ impl<'a> Fields<'a> {
             _ => Err(FaultKind::Value),
         }
     }
-    /// A flag and a number, which means nothing where the flag is 0.
+    /// A flag and a number, which is meaningless if the flag is 0.
     pub(super) fn option(&mut self) -> Result<Option<f32>, FaultKind> {
         let given = self.flag()?;
         let value = self.f32();
         Ok(given.then_some(value))
     }
-    /// The entry of a table at the index that comes next.
+    /// The entry of a table at the index that follows.
     pub(super) fn code<T: Copy>(&mut self, table: &[T]) -> Result<T, FaultKind> {
         at(table, self.u8())
     }
 }
 
-/// Where fields are put.
+/// A destination for fields.
 pub trait Sink {
-    /// The next bytes as they are.
+    /// Appends bytes unchanged.
     fn put(&mut self, bytes: &[u8]);
-    /// What is to be sent cannot be.
+    /// Marks the message as one that cannot be sent.
     fn refuse(&mut self);
 
     /// One byte.
     fn byte(&mut self, byte: u8) {
         self.put(&[byte]);
     }
-    /// One byte of parts that have no bit in common.
+    /// One byte from parts that have no bit in common.
     fn parts(&mut self, parts: &[u8]) {
         self.byte(parts.iter().fold(0, |byte, part| byte | part));
     }
@@ -109,7 +109,7 @@ pub trait Sink {
     fn i32(&mut self, value: i32) {
         self.put(&value.to_le_bytes());
     }
-    /// The bits of a float as they are.
+    /// The bits of a float, unchanged.
     fn f32(&mut self, value: f32) {
         self.put(&value.to_le_bytes());
     }
@@ -119,7 +119,7 @@ pub trait Sink {
             self.f32(value);
         }
     }
-    /// A flag and a number, which is 0 where there is none.
+    /// A flag and a number, which is 0 if there is none.
     fn option(&mut self, value: Option<f32>) {
         self.byte(u8::from(value.is_some()));
         self.f32(value.unwrap_or_default());
@@ -137,7 +137,7 @@ pub trait Sink {
     }
 }
 
-/// Fails with a fault unless it `holds`.
+/// Fails with a fault unless `holds`.
 pub(super) const fn require(holds: bool, fault: FaultKind) -> Result<(), FaultKind> {
     if holds { Ok(()) } else { Err(fault) }
 }

@@ -13,12 +13,11 @@ pub struct Forces<'a, C: Item = Contact<f32>> {
     /// Force (N, world frame) and moment (N·m, about the holding point, counter-clockwise positive) of the hand's springs on the
     /// body: the bits of the solver.
     pub wrench: Wrench<f32>,
-    /// What the board gives to the hand (N, N·m, world frame), after its limits: the opposite of `wrench` where nothing limits
-    /// it.
+    /// What the board outputs to the hand (N, N·m, world frame), after its limits: the opposite of `wrench` unless something limits it.
     pub feedback: Wrench<f32>,
     /// The whole turns of theta.
     pub turns: i32,
-    /// The contacts, with their reactions (N); of a board at most [`MAX_CONTACTS`](crate::MAX_CONTACTS), 8.
+    /// The contacts, with their reactions (N); a board sends at most [`MAX_CONTACTS`](crate::MAX_CONTACTS), 8.
     pub contacts: List<'a, C>,
 }
 
@@ -29,13 +28,13 @@ pub struct Events<'a> {
     pub slips: u32,
     /// The longest of them (m) >= 0; 0 without a slip.
     pub longest_slip: f32,
-    /// The events in order; of a board at most [`MAX_EVENTS`](crate::MAX_EVENTS), 16.
+    /// The events in order; a board sends at most [`MAX_EVENTS`](crate::MAX_EVENTS), 16.
     pub list: List<'a, Event>,
 }
 
 impl<'a, C: Item> Forces<'a, C> {
     const HEAD_BYTES: usize = 29;
-    /// With as many contacts as a state has at most.
+    /// With the most contacts that a state has.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * C::BYTES;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
@@ -48,6 +47,7 @@ impl<'a, C: Item> Forces<'a, C> {
         self.contacts.write(sink);
     }
 
+    /// Reads the payload of forces (FRAME 5.2); fails if its length does not match the number of contacts.
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let wrench = |fields: &mut Fields<'_>| Wrench {
@@ -68,7 +68,7 @@ impl<'a, C: Item> Forces<'a, C> {
 
 impl<'a> Events<'a> {
     const HEAD_BYTES: usize = 9;
-    /// With as many events as are told of a step.
+    /// With the most events that a step reports.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_EVENTS * Event::BYTES;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
@@ -100,6 +100,7 @@ impl Item for Contact<f32> {
         sink.f32s(&[self.normal, self.friction]);
         sink.byte(self.sliding.cast_unsigned());
     }
+    /// Reads a contact in the order of FRAME 5.2; its bytes have already been validated.
     fn get(fields: &mut Fields<'_>) -> Self {
         let [vertex, surface] = fields.take().map(usize::from);
         let point = fields.f32s();

@@ -1,15 +1,15 @@
-//! How a board fares, on the wire (FRAME 5.6).
+//! The condition of a board, on the wire (FRAME 5.6).
 
 use super::fault::{FaultKind, Faults};
 use super::fields::{Fields, Sink};
 
-/// Whether a board gives force to the hand, and if not, why.
+/// Whether a board outputs force to the hand, and if not, why.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Drive {
-    /// Force is given, or the board has no actuators and would give it.
+    /// Force is output, or would be if the board had actuators.
     #[default]
     On,
-    /// No fresh sample of the hand: no force until they return.
+    /// No fresh sample of the hand: no force until samples return.
     Silent,
     /// A fault: no force until [`Reset::Everything`](super::Reset::Everything).
     Latched,
@@ -29,21 +29,20 @@ impl Drive {
     }
 }
 
-/// How a board fares. Counts begin at power-up or [`Reset::Everything`](super::Reset::Everything) and stay at their
-/// greatest value.
+/// The condition of a board. Counts begin at power-up or [`Reset::Everything`](super::Reset::Everything) and saturate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Health {
     /// Force to the hand.
     pub drive: Drive,
     /// Ticks of the clock.
     pub ticks: u32,
-    /// Ticks at which the tick before was not finished.
+    /// Ticks at which the previous tick was not finished.
     pub missed_ticks: u32,
-    /// Samples of the hand that came.
+    /// Samples of the hand that arrived.
     pub samples: u32,
-    /// Of these, samples that a newer one overtook before a step was made with them.
+    /// Of these, samples that a newer one overtook before a step used them.
     pub late_samples: u32,
-    /// Frames that did not come: gaps in the sequence numbers.
+    /// Frames that did not arrive: gaps in the sequence numbers.
     pub lost_frames: u32,
     /// Reports that were not sent, because the line was busy.
     pub unsent: u32,
@@ -58,6 +57,7 @@ pub struct Health {
 impl Health {
     pub(super) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
 
+    /// Writes the payload of health (FRAME 5.6).
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Drive::ALL, &self.drive);
         let counts = [
@@ -75,6 +75,7 @@ impl Health {
         }
     }
 
+    /// Reads the payload of health (FRAME 5.6); fails if its length is wrong or the code of the drive has no meaning.
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         Ok(Self {

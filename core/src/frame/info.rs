@@ -28,24 +28,24 @@ impl NumberType {
     }
 }
 
-/// What a board is and how it works now.
+/// What a board is and its present settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Info<'a> {
     /// Version of the firmware: major, minor, patch.
     pub version: [u8; 3],
     /// The number type of its solver.
     pub number: NumberType,
-    /// Room for so many vertices.
+    /// The maximum number of vertices.
     pub vertices: u8,
-    /// Room for so many surfaces.
+    /// The maximum number of surfaces.
     pub surfaces: u8,
     /// Its solver has friction.
     pub friction: bool,
     /// Its solver has weight.
     pub weight: bool,
-    /// It gives forces to the hand.
+    /// It outputs forces to the hand.
     pub actuators: bool,
-    /// It takes frames of at most so many bytes before COBS.
+    /// The longest frame that it accepts, in bytes before COBS.
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
@@ -59,7 +59,7 @@ pub struct Info<'a> {
     pub friction_now: [f32; 2],
     /// Its memory length (m) now; `None`: L / 4096, or there is no surface.
     pub memory_now: Option<f32>,
-    /// How it works now.
+    /// Its present operating mode.
     pub mode: Mode,
     /// Name of the board.
     pub name: Text<'a>,
@@ -70,6 +70,7 @@ impl<'a> Info<'a> {
     /// With the longest name.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
+    /// Writes the payload of info (FRAME 5.5).
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.put(&self.version);
         sink.code(&NumberType::ALL, &self.number);
@@ -88,6 +89,7 @@ impl<'a> Info<'a> {
         self.name.write(sink);
     }
 
+    /// Reads the payload of info (FRAME 5.5); fails if it is too short, or if a code, a bit or a character is not permitted.
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let version = fields.take();

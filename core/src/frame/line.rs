@@ -14,12 +14,12 @@ pub const CRC_BYTES: usize = 4;
 
 static CRC: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
-/// The bytes of a frame before COBS, what a [`Decoder`] needs room for, of a message with a payload of so many bytes.
+/// The bytes before COBS of a frame whose payload has this many bytes: the room that a [`Decoder`] needs.
 pub const fn frame_bytes(payload: usize) -> usize {
     payload.saturating_add(HEAD_BYTES + CRC_BYTES)
 }
 
-/// The bytes of a frame on the wire, the delimiter included; at most, where it is longer than 253 before COBS.
+/// The bytes of a frame on the wire, including the delimiter; an upper bound if it is longer than 253 before COBS.
 pub const fn wire_bytes(payload: usize) -> usize {
     let frame = frame_bytes(payload);
     frame.saturating_add(2).saturating_add(frame / 254)
@@ -34,8 +34,8 @@ impl<'a, M: Message<'a>> Frame<M> {
         }
     }
 
-    /// Writes the frame as it goes over the wire, its delimiter included, and gives the part of `out` that it takes; see
-    /// [`wire_bytes`]. `None` where it does not fit, or where a list of the message has more than 255 items.
+    /// Writes the frame as it is sent over the wire, including its delimiter, and returns the part of `out` that it occupies; see
+    /// [`wire_bytes`]. `None` if it does not fit, or if a list of the message has more than 255 items.
     pub fn encode<'o>(&self, out: &'o mut [u8]) -> Option<&'o [u8]> {
         let mut line = Line::new(out);
         line.put(&[self.message.version(), self.message.code(), self.sequence]);
@@ -45,7 +45,7 @@ impl<'a, M: Message<'a>> Frame<M> {
     }
 }
 
-/// A frame being written. The first byte, and every one after a 0 of the frame, is a code byte that is filled in later.
+/// A frame being written. The first byte, and every one in place of a 0 of the frame, is a code byte that is filled in later.
 struct Line<'o> {
     out: &'o mut [u8],
     length: usize,
@@ -74,6 +74,7 @@ impl<'o> Line<'o> {
         self.set(self.length, byte);
         self.length = self.length.saturating_add(1);
     }
+    /// Stuffs one byte of the frame (COBS): fills in a pending code byte if the byte is 0 or the block is full, and appends the byte.
     fn stuff(&mut self, byte: u8) {
         match self.cobs.push(byte) {
             PushResult::AddSingle(byte) => self.append(byte),
@@ -103,7 +104,7 @@ impl<'o> Line<'o> {
 }
 
 impl Sink for Line<'_> {
-    // Inlined at every field it would take some four times the flash.
+    // Inlined at every field it would need about four times the flash.
     #[inline(never)]
     fn put(&mut self, bytes: &[u8]) {
         self.crc.update(bytes);
@@ -116,8 +117,8 @@ impl Sink for Line<'_> {
     }
 }
 
-/// Finds the frames in a stream of bytes. Total: any bytes give messages or counted faults, and whatever came before, the
-/// frame after the next delimiter is found. It has room for frames of N bytes before COBS, see [`frame_bytes`].
+/// Finds the frames in a stream of bytes. Total: any bytes yield messages or counted faults, and whatever came before, the frame after the
+/// next delimiter is found. It has room for frames of N bytes before COBS, see [`frame_bytes`].
 ///
 /// ```
 /// use stiction_core::frame::{Command, Decoder, FaultKind, Frame};
@@ -163,13 +164,13 @@ impl<const N: usize> Decoder<N> {
         }
     }
 
-    /// The frames that were not accepted so far.
+    /// The frames that have not been accepted so far.
     pub const fn faults(&self) -> &Faults {
         &self.faults
     }
 
-    /// The next byte of the line: at the end of a frame the message in it, or what is wrong with it. What it borrows is in
-    /// the decoder's buffer. Delimiters between frames are nothing.
+    /// Takes the next byte of the line; at the end of a frame, returns the message in it, or its fault. What the message borrows is in the
+    /// decoder's buffer. Extra delimiters between frames are ignored.
     pub fn push<'a, M: Message<'a>>(&'a mut self, byte: u8) -> Option<Result<Frame<M>, Fault>> {
         let end = match self.cobs.feed(byte) {
             Ok(DecodeResult::NoData) => return None,
@@ -233,7 +234,7 @@ fn read<'a, M: Message<'a>>(frame: &'a [u8]) -> Result<Frame<M>, Fault> {
         kind: FaultKind::Length,
         frame: None,
     };
-    // These three stay where they are in every version.
+    // These three keep their positions in every version.
     let (&[version, code, sequence], body) = body.split_first_chunk().ok_or(short)?;
     let fault = |kind| Fault {
         kind,

@@ -1,4 +1,4 @@
-//! Lists within a payload: on one side the sender's items, on the other the bytes as they came, nothing copied.
+//! Lists within a payload: on one side the sender's items, on the other the bytes as received, without copying.
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, require};
@@ -6,13 +6,13 @@ use core::fmt;
 
 /// An item of a list: a fixed number of bytes.
 pub trait Item: Copy {
-    /// So many bytes.
+    /// The length in bytes.
     const BYTES: usize;
-    /// To bytes.
+    /// Writes the item as bytes.
     fn put(&self, sink: &mut impl Sink);
-    /// From bytes that are valid.
+    /// Reads an item from valid bytes.
     fn get(fields: &mut Fields<'_>) -> Self;
-    /// The flags and codes in these bytes have a meaning. Where there are none, any bytes have.
+    /// Returns whether the flags and codes in these bytes have a meaning. If there are none, any bytes are valid.
     fn valid(_bytes: &[u8]) -> bool {
         true
     }
@@ -39,7 +39,7 @@ enum Items<'a, T> {
 }
 
 impl<'a, T: Item> List<'a, T> {
-    /// The next `count` items of a payload, which has them.
+    /// The next `count` items of a payload; fails if it is too short.
     pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
         let bytes = fields.bytes(count.saturating_mul(T::BYTES));
         require(bytes.chunks(T::BYTES).all(T::valid), FaultKind::Value)?;
@@ -47,18 +47,18 @@ impl<'a, T: Item> List<'a, T> {
             items: Items::Received { bytes, count },
         })
     }
-    /// How many items.
+    /// The number of items.
     pub const fn len(&self) -> usize {
         match self.items {
             Items::Given(items) => items.len(),
             Items::Received { count, .. } => count,
         }
     }
-    /// No items.
+    /// Returns whether there are no items.
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
-    /// The item of an index.
+    /// The item at an index.
     pub fn get(&self, index: usize) -> Option<T> {
         match self.items {
             Items::Given(items) => items.get(index).copied(),
@@ -117,16 +117,16 @@ pub struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    /// A text is cut to so many characters when it is sent.
+    /// A text is cut to this many characters when it is sent.
     pub const LONGEST: usize = 200;
 
-    /// A text; what is not printable ASCII is sent as `?`.
+    /// A text; characters that are not printable ASCII are sent as `?`.
     pub const fn new(text: &'a str) -> Self {
         Self {
             bytes: text.as_bytes(),
         }
     }
-    /// `None` where there are other characters than printable ASCII.
+    /// `None` if there are characters other than printable ASCII.
     pub(super) fn read(bytes: &'a [u8]) -> Option<Self> {
         let valid = bytes.iter().all(|byte| PRINTABLE.contains(byte));
         valid.then_some(Self { bytes })

@@ -1,8 +1,8 @@
 //! The tracker of the paper, a Logitech 3-D mouse or head tracker: from the bytes of its serial line to position and
 //! orientation. 19200 baud, 8 data bits; a client asks for a record by [`REQUEST`].
 //!
-//! A record has 16 bytes of 7 bits each. Bit 7 is set in the first byte alone, which is how records are found; there is no
-//! checksum, so a flipped bit within a record is not seen.
+//! A record has 16 bytes of 7 bits each. Bit 7 is set in the first byte only, which marks the start of a record; there is no checksum, so a
+//! flipped bit within a record goes unnoticed.
 //!
 //! ```text
 //!  0      bit 7: 1, bit 6: fringe of the range, bit 5: out of range, bits 4 to 0: buttons
@@ -36,13 +36,13 @@ pub struct LogitechRecord {
     pub buttons: u8,
     /// The receiver is at the fringe of the range: the pose is less accurate.
     pub at_fringe: bool,
-    /// The receiver is out of range: position and orientation mean nothing.
+    /// The receiver is out of range: position and orientation are meaningless.
     pub out_of_range: bool,
 }
 
 impl LogitechRecord {
-    /// The sample for a [`Projection`](crate::Projection); the hand holds while one of the buttons of `hold` is pressed.
-    /// `None` where the tracker is out of range.
+    /// The sample for a [`Projection`](crate::Projection); the hand holds while one of the buttons of `hold` is pressed. `None` if the
+    /// tracker is out of range.
     pub fn sample(&self, hold: u8) -> Option<TrackerSample<f32>> {
         (!self.out_of_range).then_some(TrackerSample {
             position: self.position,
@@ -51,6 +51,7 @@ impl LogitechRecord {
         })
     }
 
+    /// Decodes a record (FRAME 9): position in m, orientation as a unit quaternion, flags from the first byte.
     fn of(record: &[u8; 16]) -> Self {
         let &[
             flags,
@@ -80,7 +81,7 @@ impl LogitechRecord {
     }
 }
 
-/// The number of bytes of 7 bits each, the high ones first.
+/// The number made of bytes of 7 bits each, the high ones first.
 fn number(sevens: &[u8]) -> i32 {
     sevens
         .iter()
@@ -140,12 +141,12 @@ impl LogitechDecoder {
         }
     }
 
-    /// Records that ended too early: a start byte came within one. One whose first byte is lost is passed over uncounted.
+    /// Records that ended too early because a start byte came within one. A record whose first byte is lost is skipped and not counted.
     pub const fn faults(&self) -> u32 {
         self.faults
     }
 
-    /// The next byte of the line; with the last one of a record the record.
+    /// Takes the next byte of the line; with the last byte of a record, returns the record.
     pub fn push(&mut self, byte: u8) -> Option<LogitechRecord> {
         if byte & START != 0 {
             if self.length != 0 {

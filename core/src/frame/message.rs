@@ -9,11 +9,11 @@ pub trait Message<'a>: Wire<'a> {}
 
 impl<'a, T: Wire<'a>> Message<'a> for T {}
 
-/// To and from the bytes of a payload.
+/// Conversion to and from the bytes of a payload.
 pub trait Wire<'a>: Sized {
-    /// The newest version of the frames that are read.
+    /// The newest version of the frames that can be read.
     const NEWEST: u8 = VERSION;
-    /// The version of its frame: the first one that can say it.
+    /// The version of its frame: the lowest one that can represent it.
     fn version(&self) -> u8 {
         VERSION
     }
@@ -21,6 +21,6 @@ pub trait Wire<'a>: Sized {
     fn code(&self) -> u8;
     /// The payload.
     fn write(&self, sink: &mut impl Sink);
-    /// From type and payload.
+    /// Reads a message from its type and payload.
     fn read(code: u8, fields: Fields<'a>) -> Result<Self, FaultKind>;
 }

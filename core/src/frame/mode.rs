@@ -1,4 +1,4 @@
-//! How a board works: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
+//! The operating mode of a board: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, require};
@@ -11,7 +11,7 @@ pub enum Stepping {
     /// With every tick of its clock, with the newest sample.
     #[default]
     Timed,
-    /// With every sample, once: every sample is stepped, as in a file.
+    /// With every sample, once: every sample gets a step, as in a file.
     PerSample,
 }
 
@@ -28,14 +28,14 @@ impl Stepping {
     }
 }
 
-/// How a board works. The default is path evolution at 1 kHz in the x-y plane, with every pose and its events. A board
-/// refuses what is out of its range (FRAME 4.5).
+/// The operating mode of a board. The default is path evolution at 1 kHz in the x-y plane, with every pose and its
+/// events. A board refuses values out of its range (FRAME 4.5).
 ///
 /// ```
 /// use stiction_core::Evolution;
 /// use stiction_core::frame::{Command, Decoder, Frame, Mode};
 ///
-/// // A pose every 2 steps of the paper's evolution, and forces every 10.
+/// // The paper's evolution, with a pose every 2 steps and forces every 10.
 /// let mode = Mode {
 ///     evolution: Evolution::Frame,
 ///     pose_every: 2,
@@ -65,11 +65,11 @@ pub struct Mode {
     pub events: bool,
     /// Ticks per second (Hz), 100 to [`Info::fastest_tick`](super::Info::fastest_tick).
     pub tick_rate: u16,
-    /// A pose every so many steps; 0: none.
+    /// Steps per pose; 0: no poses.
     pub pose_every: u16,
-    /// Forces every so many steps; 0: none.
+    /// Steps per forces; 0: no forces.
     pub forces_every: u16,
-    /// Health every so many milliseconds; 0: never.
+    /// Milliseconds per health; 0: never.
     pub health_every: u16,
 }
 
@@ -97,6 +97,7 @@ impl Mode {
 
     pub(super) const BYTES: usize = 13;
 
+    /// Writes the payload of mode (FRAME 4.5); refuses an axis other than 0, 1, 2.
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Evolution::ALL, &self.evolution);
         sink.code(&Stepping::ALL, &self.stepping);
@@ -114,6 +115,7 @@ impl Mode {
         sink.u16(self.health_every);
     }
 
+    /// Reads the payload of mode (FRAME 4.5); fails if a code or flag has no meaning, or if both axes are the same.
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         let evolution = fields.code(&Evolution::ALL)?;
         let stepping = fields.code(&Stepping::ALL)?;

@@ -1,5 +1,4 @@
-//! The obstacles of a scene on the wire (FRAME 4.9): a list of them, each with the number of its corners, and after it the corners of
-//! all.
+//! The obstacles of a scene on the wire (FRAME 4.9): a list of them, each with the number of its corners, followed by the corners of all.
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, require};
@@ -8,8 +7,7 @@ use super::scene::{HEAD_BYTES, SceneCommand, copied, scene_bytes};
 use crate::scene::{Description, ObstacleDescription, Parameter, SceneError};
 use core::fmt;
 
-/// The payload of a scene among so many obstacles with so many corners together, in bytes: that much longer than the one of the same
-/// scene without them, [`scene_bytes`].
+/// The bytes that this many obstacles with this many corners together add to the payload of the same scene without them, [`scene_bytes`].
 pub const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
     let rows = obstacles.saturating_mul(<Row as Item>::BYTES);
     let corners = corners.saturating_mul(<[f32; 2] as Item>::BYTES);
@@ -54,13 +52,13 @@ const COUNTS: usize = 2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneAmong<'a> {
-    /// All but the obstacles.
+    /// Everything except the obstacles.
     pub scene: SceneCommand<'a>,
     /// The obstacles.
     pub obstacles: ObstacleList<'a>,
 }
 
-/// The obstacles in a message; at most 255, with at most 255 corners together. What was received points into the receiver's buffer.
+/// The obstacles in a message; at most 255, with at most 255 corners together. A received list points into the receiver's buffer.
 #[derive(Clone, Copy)]
 pub struct ObstacleList<'a> {
     items: Items<'a>,
@@ -75,7 +73,7 @@ enum Items<'a> {
     },
 }
 
-/// All of an obstacle but its corners, of which it has so many.
+/// An obstacle without its corners, of which it has `corners`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Row {
     corners: u8,
@@ -85,7 +83,7 @@ struct Row {
 }
 
 impl<'a> SceneAmong<'a> {
-    /// Of what [`Scene::among`](crate::Scene::among) takes.
+    /// From the arguments of [`Scene::among`](crate::Scene::among).
     pub fn new(
         description: &Description<'a, f32>,
         obstacles: &'a [ObstacleDescription<'a, f32>],
@@ -104,6 +102,7 @@ impl<'a> SceneAmong<'a> {
         self.obstacles.write(sink);
     }
 
+    /// Reads the payload of scene-among (FRAME 4.9); fails if its length does not match its counts.
     pub(super) fn read(fields: &Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(HEAD_BYTES.saturating_add(COUNTS))?;
         let mut lists = *fields;
@@ -122,7 +121,7 @@ impl<'a> SceneAmong<'a> {
 }
 
 impl<'a> ObstacleList<'a> {
-    /// How many obstacles.
+    /// The number of obstacles.
     pub const fn len(&self) -> usize {
         match self.items {
             Items::Given(given) => given.len(),
@@ -130,12 +129,12 @@ impl<'a> ObstacleList<'a> {
         }
     }
 
-    /// No obstacles.
+    /// Returns whether there are no obstacles.
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// How many corners all of them have.
+    /// The number of corners of all of them.
     pub fn corner_count(&self) -> usize {
         match self.items {
             Items::Given(given) => {
@@ -146,11 +145,10 @@ impl<'a> ObstacleList<'a> {
         }
     }
 
-    /// As descriptions, copied into the places given. The numbers are not checked: that is the work of
-    /// [`Scene::among`](crate::Scene::among).
+    /// As descriptions, copied into the given slices. The numbers are not checked: [`Scene::among`](crate::Scene::among) does that.
     ///
     /// # Errors
-    /// More obstacles or corners than there are places for.
+    /// More obstacles or corners than the slices hold.
     pub fn descriptions<'b, 'c>(
         &self,
         corners: &'c mut [[f32; 2]],
@@ -165,7 +163,7 @@ impl<'a> ObstacleList<'a> {
         let corner_count = (self.corner_count(), Parameter::CornerCount);
         let mut rest = copied(self.corners(), corner_count, corners)?;
         for (place, row) in places.iter_mut().zip(self.rows()) {
-            // The corners are as many as the rows say.
+            // The number of corners is the sum over the rows.
             let (vertices, after) = rest
                 .split_at_checked(usize::from(row.corners))
                 .unwrap_or((rest, &[]));
@@ -203,7 +201,7 @@ impl<'a> ObstacleList<'a> {
         self.corners().for_each(|corner| corner.put(sink));
     }
 
-    /// The next so many obstacles with so many corners of a payload, which has them.
+    /// The next obstacles and corners of a payload, in these numbers; fails if it is too short.
     fn take(fields: &mut Fields<'a>, [rows, corners]: [usize; 2]) -> Result<Self, FaultKind> {
         let rows: List<'a, Row> = List::take(fields, rows)?;
         let counts = rows.iter().map(|row| usize::from(row.corners));
@@ -219,7 +217,7 @@ impl<'a> ObstacleList<'a> {
 impl Row {
     fn of(obstacle: &ObstacleDescription<'_, f32>) -> Self {
         Self {
-            // Of more, the corners of all are more than can be sent, too.
+            // If there are more, the corners of all are more than can be sent, too.
             corners: u8::try_from(obstacle.vertices.len()).unwrap_or(u8::MAX),
             friction_static: obstacle.friction_static,
             friction_dynamic: obstacle.friction_dynamic,

@@ -1,4 +1,4 @@
-//! The pose on the wire (FRAME 5.1): 33 bytes with everything around it, and the bits of the solver.
+//! The pose on the wire (FRAME 5.1): 33 bytes including all framing, with the bits of the solver.
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, at, index_of, require};
@@ -39,6 +39,7 @@ impl EventSet {
     /// The bits of all events.
     const ALL: u16 = (1 << Event::ALL.len()) - 1;
 
+    /// The bit of an event: bit k for event k of [`Event::ALL`].
     const fn bit(event: Event) -> u16 {
         match event {
             Event::Touch => 1,
@@ -63,7 +64,7 @@ pub struct Pose {
     pub position: [f32; 2],
     /// The remainder of theta (rad), in [-pi, pi], counter-clockwise positive.
     pub rest: f32,
-    /// The whole turns of theta modulo 8; [`Pose::angle`] tells which ones they are.
+    /// The whole turns of theta modulo 8; [`Pose::angle`] determines the full number.
     pub turns: u8,
     /// Depth coordinate (m), as in the sample of the hand.
     pub depth: f32,
@@ -73,7 +74,7 @@ pub struct Pose {
     pub status: Status,
     /// The hand holds the body.
     pub held: bool,
-    /// The board gives no force to the hand; [`Health::drive`](super::Health::drive) tells why.
+    /// The board outputs no force to the hand; [`Health::drive`](super::Health::drive) has the reason.
     pub force_off: bool,
     /// What happened since the last pose that was sent.
     pub events: EventSet,
@@ -92,8 +93,8 @@ const TURNS_FROM: u32 = 13;
 const TURNS_BITS: u16 = 0b111 << TURNS_FROM;
 
 impl Pose {
-    /// The pose of an answer of the solver: its bits. `events` are those since the last pose that was sent, the ones of
-    /// this answer among them.
+    /// The pose of an answer of the solver, bit for bit. `events` are those since the last pose that was sent, including those of this
+    /// answer.
     pub fn new(output: &Output<f32>, events: EventSet, sample: u8) -> Self {
         Self {
             position: output.position,
@@ -109,7 +110,7 @@ impl Pose {
         }
     }
 
-    /// Theta with all its turns: of those that fit, the ones nearest to the turns of an earlier pose.
+    /// Theta with all its turns: of the numbers that fit, the one nearest to the turns of an earlier pose.
     ///
     /// ```
     /// use stiction_core::Angle;
@@ -150,6 +151,8 @@ impl Pose {
         sink.byte(self.sample);
     }
 
+    /// Reads the payload of a pose (FRAME 5.1) whose type has the state in its lower bits; fails if the length is wrong or a bit is set
+    /// that must be 0.
     pub(super) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         let [x, y, rest, depth] = fields.f32s();
@@ -173,7 +176,7 @@ impl Pose {
     }
 }
 
-/// The code of a status. Codes keep their place; a new status takes the next one, wherever it stands in [`Status::ALL`].
+/// The code of a status. Codes never change; a new status takes the next one, wherever it is in [`Status::ALL`].
 const fn status_code(status: Status) -> u8 {
     match status {
         Status::Ok => 0,
@@ -188,7 +191,7 @@ const fn status_code(status: Status) -> u8 {
     }
 }
 
-/// The status of a code. One to come is taken for [`Status::Ambiguous`]: the pose may be out of balance.
+/// The status of a code. A code of a future status counts as [`Status::Ambiguous`]: the pose may be out of balance.
 fn status(code: u8) -> Status {
     let known = Status::ALL
         .into_iter()

@@ -1,4 +1,4 @@
-//! The answer to a command on the wire (FRAME 5.4): done, or why not.
+//! The answer to a command on the wire (FRAME 5.4): done, or the reason why not.
 
 use super::Reference;
 use super::fault::{Fault, FaultKind};
@@ -6,7 +6,7 @@ use super::fields::{Fields, Sink};
 use super::list::Text;
 use crate::scene::{Parameter, SceneError};
 
-/// Done, or why not.
+/// Done, or the reason why not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reason {
     /// The command was carried out.
@@ -20,7 +20,7 @@ pub enum Reason {
     Length,
     /// A field holds a code without a meaning.
     Code,
-    /// A number is not allowed; which one, and what is allowed, is told.
+    /// A number is not allowed; the reply names it and says what is allowed.
     Number,
     /// The stiffness would make the haptic device unstable: b > K (T/2 + delay) does not hold.
     NotPassive,
@@ -70,7 +70,7 @@ pub enum Subject {
     Scene(Parameter),
     /// The ticks per second (Hz).
     TickRate,
-    /// What is sent would not fit the line (bytes per second).
+    /// The reports would not fit the line (bytes per second).
     LineRate,
 }
 
@@ -90,13 +90,13 @@ pub enum Subject {
 pub struct Reply<'a> {
     /// The command that is answered.
     pub command: Reference,
-    /// Done, or why not.
+    /// Done, or the reason why not.
     pub reason: Reason,
     /// What the refusal is about.
     pub subject: Subject,
     /// The value that is refused, in the unit of the subject; otherwise 0.
     pub value: f32,
-    /// The nearest value that is allowed, or, of [`Reason::NotPassive`], the bound that it must stay below, where the board knows it;
+    /// The nearest value that is allowed, or, for [`Reason::NotPassive`], the bound that the value must stay below, if the board knows it;
     /// otherwise NaN.
     pub limit: f32,
     /// What is allowed, in words; may be empty.
@@ -133,7 +133,7 @@ impl<'a> Reply<'a> {
         }
     }
 
-    /// A frame came undamaged but is no command. `None` for one that came damaged: nobody knows what it was.
+    /// For a frame that arrived undamaged but is no command. `None` for one that arrived damaged: what it was is unknown.
     pub const fn to_fault(fault: &Fault) -> Option<Self> {
         let reason = match fault.kind {
             FaultKind::Version => Reason::Version,
@@ -161,7 +161,7 @@ impl<'a> Reply<'a> {
         self.write_about(subject_code, sink);
     }
 
-    /// As [`Self::write`], of a board with room for obstacles.
+    /// Like [`Self::write`], for a board with room for obstacles.
     pub(super) fn write_among(&self, sink: &mut impl Sink) {
         self.write_about(
             |subject| obstacle_code(subject).unwrap_or(subject_code(subject)),
@@ -184,7 +184,7 @@ impl<'a> Reply<'a> {
         Self::read_about(fields, subject)
     }
 
-    /// As [`Self::read`], of a board with room for obstacles.
+    /// Like [`Self::read`], for a board with room for obstacles.
     pub(super) fn read_among(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         Self::read_about(fields, |about| match obstacle_subject(about) {
             Some(parameter) => Ok(Subject::Scene(parameter)),
@@ -192,6 +192,7 @@ impl<'a> Reply<'a> {
         })
     }
 
+    /// Reads the payload of a reply (FRAME 5.4), with `subject` for the three bytes of the subject and its indices.
     fn read_about(
         fields: &mut Fields<'a>,
         subject: impl FnOnce([u8; 3]) -> Result<Subject, FaultKind>,
@@ -232,7 +233,7 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
             Parameter::FrictionDynamic(i) => (13, [i, 0]),
             Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
             Parameter::Memory(i) => (15, [i, 0]),
-            // Of obstacles, for which most boards have no room: see `obstacle_code`.
+            // Subjects about obstacles, for which most boards have no room: see `obstacle_code`.
             _ => (0, [0; 2]),
         },
         Subject::TickRate => (32, [0; 2]),
@@ -240,6 +241,7 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
     }
 }
 
+/// The subject of a code and its indices, in a reply without obstacles; the inverse of [`subject_code`].
 fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
     let (i, j) = (usize::from(first), usize::from(second));
     let parameter = match code {
@@ -274,7 +276,7 @@ pub(super) const fn is_of_obstacles(subject: Subject) -> bool {
     obstacle_code(subject).is_some()
 }
 
-/// As [`subject_code`], of what an obstacle has.
+/// Like [`subject_code`], for the parameters of an obstacle.
 const fn obstacle_code(subject: Subject) -> Option<(u8, [usize; 2])> {
     let Subject::Scene(parameter) = subject else {
         return None;
@@ -293,6 +295,7 @@ const fn obstacle_code(subject: Subject) -> Option<(u8, [usize; 2])> {
     })
 }
 
+/// The parameter of an obstacle for a code and its indices, the inverse of [`obstacle_code`]; `None` for other codes.
 fn obstacle_subject([code, first, second]: [u8; 3]) -> Option<Parameter> {
     let (obstacle, index) = (usize::from(first), usize::from(second));
     Some(match code {

@@ -11,7 +11,7 @@ use super::pose::Pose;
 use super::reply::Reply;
 use crate::forces::Contact;
 
-/// A message from the board. Poses, forces and events of one step carry the same time.
+/// A message from the board. Poses, forces and events of one step have the same time.
 ///
 /// ```
 /// use stiction_core::{Evolution, Hand, Scene, Solver, State};
@@ -41,24 +41,24 @@ pub enum Report<'a> {
     Events(Events<'a>),
     /// A command was carried out or refused.
     Reply(Reply<'a>),
-    /// What the board is and how it works now.
+    /// What the board is and its present settings.
     Info(Info<'a>),
-    /// How the board fares.
+    /// The condition of the board.
     Health(Health),
     /// The answer to a ping.
     Pong(Pong),
 }
 
-/// The answer to [`Command::Ping`](super::Command::Ping). With the time in its head it tells how the clocks differ.
+/// The answer to [`Command::Ping`](super::Command::Ping). The time in its header shows the difference of the clocks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pong {
     /// Sequence number of the ping.
     pub sequence: u8,
-    /// The time in its head (µs).
+    /// The time in its header (µs).
     pub time: u32,
 }
 
-/// The longest payload that a board sends (bytes): with [`wire_bytes`](super::wire_bytes) the room that it needs to encode its
+/// The longest payload that a board sends (bytes): [`wire_bytes`](super::wire_bytes) of it is the room that the board needs to encode its
 /// reports.
 pub const LONGEST_REPORT: usize = {
     let others = [
@@ -117,6 +117,7 @@ impl<'a> Wire<'a> for Report<'a> {
         }
     }
 
+    /// Writes the payload of each report in the order of its table in FRAME 5.
     fn write(&self, sink: &mut impl Sink) {
         match self {
             Self::Pose(pose) => pose.write(sink),
@@ -132,6 +133,7 @@ impl<'a> Wire<'a> for Report<'a> {
         }
     }
 
+    /// Reads the payload of a type; fails if the type is unknown, the length is wrong, or a value is not permitted.
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
             POSE..=LAST_POSE => Pose::read(code & 7, &mut fields).map(Self::Pose),

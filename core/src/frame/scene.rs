@@ -1,4 +1,4 @@
-//! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board ask for.
+//! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board require.
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink};
@@ -8,7 +8,7 @@ use crate::scene::{Description, Parameter, SceneError, SurfaceDescription};
 /// Bytes before the vertices.
 pub(super) const HEAD_BYTES: usize = 39;
 
-/// The payload of a scene of so many vertices and surfaces, in bytes.
+/// The bytes of the payload of a scene with these numbers of vertices and surfaces.
 pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
     let vertices = vertices.saturating_mul(<[f32; 2] as Item>::BYTES);
     let surfaces = surfaces.saturating_mul(<SurfaceDescription<f32> as Item>::BYTES);
@@ -76,11 +76,11 @@ impl<'a> From<&Description<'a, f32>> for SceneCommand<'a> {
 }
 
 impl<'a> SceneCommand<'a> {
-    /// As a description, its lists copied into the places given. Its numbers are not checked: that is the work of
-    /// [`Scene::new`](crate::Scene::new).
+    /// As a description, with its lists copied into the given slices. Its numbers are not checked: [`Scene::new`](crate::Scene::new) does
+    /// that.
     ///
     /// # Errors
-    /// More vertices or surfaces than there are places for.
+    /// More vertices or surfaces than the slices hold.
     pub fn description<'b>(
         &self,
         vertices: &'b mut [[f32; 2]],
@@ -105,7 +105,7 @@ impl<'a> SceneCommand<'a> {
         self.write_lists(sink);
     }
 
-    /// All but the lists, with their lengths.
+    /// Writes everything except the lists, with their lengths.
     pub(super) fn write_head(&self, sink: &mut impl Sink) {
         sink.count(self.vertices.len());
         sink.count(self.surfaces.len());
@@ -134,7 +134,7 @@ impl<'a> SceneCommand<'a> {
         Self::take_head(fields)?.take_lists(fields, counts)
     }
 
-    /// What comes after the lengths of the lists, without these.
+    /// Reads what follows the lengths of the lists, without the lists.
     #[inline(always)]
     pub(super) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         let given = fields.flag()?;
@@ -153,7 +153,7 @@ impl<'a> SceneCommand<'a> {
         })
     }
 
-    /// With so many vertices and surfaces, which come next.
+    /// With these numbers of vertices and surfaces, which follow.
     #[inline(always)]
     pub(super) fn take_lists(
         self,
@@ -168,7 +168,7 @@ impl<'a> SceneCommand<'a> {
     }
 }
 
-/// The items of a list of so many, copied.
+/// The items of a list, copied; fails if there are more than fit.
 pub(super) fn copied<T>(
     items: impl Iterator<Item = T>,
     (count, parameter): (usize, Parameter),

@@ -1,4 +1,4 @@
-//! The cones at their edges: who holds, who slides, who opens, and from which load on a contact has stiction.
+//! The cones at their edges: which contacts hold, slide and open, and at which load stiction begins.
 
 use super::*;
 use crate::fixtures::number;
@@ -6,7 +6,7 @@ use crate::real::Fixed;
 
 const MEMORY: f64 = 1.0 / 4096.0;
 
-/// A cone of a line, and one of a half-plane: cosine and sine are 1 and 0 to the last bit.
+/// A cone that is a line, and one that is a half-plane: cosine and sine are 1 and 0 to the last bit.
 fn extremes() -> [Coulomb<f64>; 2] {
     [0.0, 1e300].map(|mu| Coulomb::from_coefficients(mu, mu, MEMORY))
 }
@@ -45,7 +45,7 @@ fn verdict_is_to_within_the_rounding() {
             let judged = |friction: f64| smooth.judge((0.0, sign * friction), stiction, rounding);
             assert_eq!(judged(rounding), Verdict::Sticks);
             assert_eq!(judged(more), Verdict::Slides(-sign));
-            // Against friction to the one side it slides to the other.
+            // Against friction in one direction it slides in the other.
             let driven = |friction: f64| smooth.is_driven(0.0, -sign * friction, sign, rounding);
             assert!(!driven(rounding) && driven(more) && !driven(-more));
         }
@@ -63,8 +63,8 @@ fn margin(start: f64) -> Margin<f64> {
     }
 }
 
-/// T = mu N on the edges of the cones, along the sign where it holds and against it where it slides; none without a sign. What sticks
-/// holds up to mu_s with stiction, up to mu_d without it.
+/// T = mu N on the edges of the cones, along the sign where it holds and against it where it slides; none without a sign. A sticking
+/// contact holds up to mu_s with stiction, up to mu_d without it.
 #[test]
 fn edges_bear_friction_in_proportion() {
     let friction = Coulomb::<f64>::from_coefficients(0.75, 0.5, MEMORY);
@@ -86,7 +86,7 @@ fn edges_bear_friction_in_proportion() {
     assert_eq!(friction.sliding_edge(0.0).1, 0.0);
 }
 
-/// f = n - s mu_d t and e = t + s mu_d n, both times cos(lambda): of length 1 and at right angles, on any surface.
+/// f = n - s mu_d t and e = t + s mu_d n, both times cos(lambda): of length 1 and perpendicular, on any surface.
 #[test]
 fn sliding_edge_is_a_pair_of_directions() {
     for mu in [0.0, 0.1, 0.9, 5.0, 50.0] {
@@ -108,7 +108,7 @@ fn sliding_edge_is_a_pair_of_directions() {
     }
 }
 
-/// N* = D_c / (mu_s - mu_d), this itself included; none where the coefficients are equal.
+/// N* = D_c / (mu_s - mu_d), including this value; none if the coefficients are equal.
 fn stiction_begins_at_the_threshold<R: Real>()
 where
     R::Si: From<f32>,
@@ -159,7 +159,7 @@ where
                 .is_none()
         );
     }
-    // A memory of nothing is the shortest one.
+    // A memory length of zero becomes the shortest one.
     let shortest = Coulomb::<R>::from_coefficients(si(0.5), si(0.25), si(0.0));
     assert_eq!(shortest.memory(), R::MICRO);
 }

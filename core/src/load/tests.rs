@@ -1,12 +1,12 @@
-//! Force, lever and couple count together: for what a number type represents, and in the sizes that roundings are taken of.
+//! Force, lever and couple count together: for what a number type represents, and in the magnitudes from which roundings are computed.
 
 use super::*;
 use crate::fixtures::{Random, loads, unloaded};
 
 mod sliding;
 
-/// The pull on the lever and the couple together, each of either sign, up to what the number type represents; and so the square of
-/// the lever alone, which is the moment of a foot that slides to below the holding point.
+/// The pull on the lever and the couple together, each with either sign, up to what the number type represents; also the square of the
+/// lever alone, which is the moment of a foot that slides to below the holding point.
 #[test]
 fn load_is_representable_together_with_the_couple() {
     let most = <f64 as Real>::LOAD;
@@ -29,7 +29,8 @@ fn load_is_representable_together_with_the_couple() {
     }
 }
 
-/// No point within one body size of the hold goes farther than the hand goes and turns; the bound is larger by an eighth at most.
+/// No point within one body size of the holding point moves farther than the hand moves and turns; the bound is larger by an eighth at
+/// most.
 #[test]
 fn sizes_are_those_of_all_parts_together() {
     let mut random = Random(9);

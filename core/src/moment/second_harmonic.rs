@@ -1,19 +1,18 @@
-//! The second harmonic of a moment: what a foot that slides adds to the balance of a pinned one
-//! (STATICS 3.6). A foot that sticks does not give way while the body turns, and there is none: by type, so that nothing
-//! of it is compiled.
+//! The second harmonic of a moment: the contribution of a sliding foot to the balance of a pinned one (STATICS 3.6). A sticking foot does
+//! not move while the body turns, so it has none: the type makes sure that nothing of it is compiled.
 
 use crate::geometry::Vec2;
 use crate::real::Real;
 use core::fmt::Debug;
 
-/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one: what (E11) adds to H. Every verb adds its share to that of
-/// the first harmonic; `turn` is (cos ϑ, sin ϑ).
+/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q in addition to the first one: what (E11) adds to H. Every verb adds its
+/// share to that of the first harmonic; `turn` is (cos ϑ, sin ϑ).
 pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
-    /// A foot that stays.
+    /// The harmonic of a foot that stays.
     const NONE: Self;
 
-    /// Of a foot that slides, the lever being (along, off) the surface, the reaction on an edge of the friction cone at
-    /// (cos lambda, sign sin lambda) from the normal.
+    /// The harmonic of a sliding foot, with the lever (along, off) the surface and the reaction on an edge of the friction cone at (cos lambda, sign sin
+    /// lambda) from the normal.
     fn sliding(lever: (R, R), edge: (R, R)) -> Self;
     /// The moment at ϑ = 0.
     fn moment(self, first: R) -> R;
@@ -21,19 +20,19 @@ pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
     fn stability(self, first: R) -> R;
     /// -d²M/dϑ² at ϑ = 0.
     fn stiffening(self, first: R) -> R;
-    /// `first` less the fall of the moment to ϑ, with `times` for one of the two factors sin ϑ of that.
+    /// `first` less the decrease of the moment up to ϑ, with `times` in place of one of its two factors sin ϑ.
     fn falls(self, first: R, times: R, turn: (R, R)) -> R;
-    /// `first` and that fall.
+    /// `first` plus that decrease.
     fn rises(self, first: R, times: R, turn: (R, R)) -> R;
-    /// Its derivative by ϑ.
+    /// Its derivative with respect to ϑ.
     fn slope(self, first: R, turn: (R, R)) -> R;
     /// Its second derivative.
     fn second(self, first: R, turn: (R, R)) -> R;
-    /// A bound of its derivative of an order, from that of the first harmonic; of order 0, half of how far it falls.
+    /// A bound of its derivative of an order, from that of the first harmonic; for order 0, half of its decrease.
     fn bound(self, first: R, order: u8) -> R;
     /// In other units of moment.
     fn in_units(self, unit: R) -> Self;
-    /// The same `k` times as large.
+    /// The same multiplied by `k`.
     fn times(self, k: R) -> Self;
 }
 

@@ -1,4 +1,4 @@
-//! The turns downhill against slow searches: folds and balances; what is polished and what is representable.
+//! The turns downhill against slow searches: folds and balances; polishing and the range of representable values.
 
 use super::*;
 use crate::fixtures::{number, searches};
@@ -28,7 +28,7 @@ fn fold_lands_on_the_first_stable_balance() {
     }
 }
 
-/// A moment of a number type, its own balance off by `now`.
+/// A moment of a number type, out of balance by `now`.
 fn moment<R: Real>(now: f64, stiffness: f64, (x, y): (f64, f64)) -> Moment<R, Pinned>
 where
     R::Si: From<f32>,
@@ -41,8 +41,7 @@ where
     }
 }
 
-/// Where the stability has no reciprocal in fixed point a balance is polished all the same, and a moment so many times as
-/// large has one.
+/// If the stability has no reciprocal in fixed point a balance is polished all the same, and the moment multiplied by the softness has one.
 #[test]
 fn soft_grip_is_polished() {
     for stiffness in [1.0, 0.1, 0.01, 0.007, 0.004, 0.001] {
@@ -71,7 +70,7 @@ fn soft_grip_is_polished() {
     assert_eq!(unstable.softness(), <Fixed as Real>::ONE);
 }
 
-/// From anywhere downhill to the first balance, by small steps; the springs' couple alone may outweigh the load for turns.
+/// From anywhere downhill to the first balance, by small steps; the springs' couple alone may outweigh the load over several turns.
 #[test]
 fn downhill_ends_at_the_first_balance() {
     const STEP: f64 = if cfg!(miri) { 1e-2 } else { 1e-4 };
@@ -119,7 +118,7 @@ fn downhill_ends_at_the_first_balance() {
     }
 }
 
-/// A turn downhill that gives up is where the moment still pulls on, and says so.
+/// A turn downhill that gives up ends where the moment still pulls on, and reports it.
 #[test]
 fn turn_that_gives_up_says_so() {
     for (now, k, load) in [(30.0, 1.0, (2.0, -2.0)), (-2.0, 0.0, (-1.0, -2.0))] {
@@ -143,15 +142,14 @@ fn turn_that_gives_up_says_so() {
     }
 }
 
-/// Before an angle at which the springs' couple outweighs the load there is no balance, so that many turns are no more work
-/// than one.
+/// Before an angle at which the springs' couple outweighs the load there is no balance, so many turns need no more work than one.
 #[test]
 fn many_turns_are_no_more_work_than_one() {
     for k in [0.25, 1.0, 4.0] {
         for angle in [6.0, 60.0, 6000.0] {
             let moment = moment::<f64>(k * angle, k, (2.0 * k, 0.0));
             let (found, counts) = searches::counted(|| moment.downhill());
-            // A search takes 3 to 9 steps to a simple zero; within the last turn there may be a near one before it.
+            // A search takes 3 to 9 steps to a simple zero; within the last turn there may be a near-zero before it.
             assert!(counts.steps <= 16, "{k} {angle}: {counts:?}");
             let (sin, _) = libm::sincos(found.turn);
             let left = angle - found.turn - 2.0 * sin;
@@ -160,7 +158,7 @@ fn many_turns_are_no_more_work_than_one() {
     }
 }
 
-/// It snaps where the moment grew before it fell; one that keeps its size at first and then falls has not.
+/// It snaps if the moment grew before it fell; one that keeps its size at first and then falls does not.
 #[test]
 fn moment_that_only_falls_does_not_snap() {
     for (y, snapped) in [(1.0, false), (-1.0, true)] {
@@ -171,7 +169,7 @@ fn moment_that_only_falls_does_not_snap() {
     }
 }
 
-/// Without a load there is no fold to be left behind: the springs' balance.
+/// Without a load there is no fold to leave behind: the result is the springs' balance.
 #[test]
 fn fold_without_a_load_is_the_balance_of_the_springs() {
     let moment = moment::<f64>(0.5, 2.0, (0.0, 0.0));

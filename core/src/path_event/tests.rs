@@ -9,7 +9,7 @@ use crate::state::{Edge, SingleVertex};
 
 mod edge;
 
-/// What follows from a trigger, to where the body rests.
+/// The consequence of a trigger, up to where the body rests.
 fn happens<R: Real>(
     scene: &impl World<R>,
     (at, to): (&mut Grip<R>, &Grip<R>),
@@ -23,7 +23,7 @@ fn happens<R: Real>(
 
 const STICTION: Regime<f64> = Regime::Stick { stiction: true };
 
-/// A vertex that bears (N, T), parts of N* and of mu_d N or mu_s N, and where the hand goes.
+/// A vertex that bears (N, T), as fractions of N* and of mu_d N or mu_s N, and the destination of the hand.
 struct Case {
     bench: Bench,
     hand: HandAt,
@@ -34,7 +34,7 @@ struct Case {
 }
 
 impl Case {
-    /// N in parts of N*, T in those of mu N.
+    /// N as a fraction of N*, T as a fraction of mu N.
     fn random(seed: u64, part: f64, friction: impl Fn(&Bench) -> f64) -> Option<Self> {
         let mut random = Random(seed);
         let mu = 0.2 + 0.5 * random.next().abs();
@@ -74,7 +74,7 @@ impl Case {
         state
     }
 
-    /// By small steps, hand frozen and the moment balanced: it is driven all the way to a place, and nothing is in the way.
+    /// By small steps, hand frozen and the moment balanced: it is driven all the way to a point, and nothing blocks it.
     fn slips_to(&self, theta: f64, foot: f64) -> bool {
         let mut near = self.theta;
         let mut steps = (1..=20).map(|i| self.foot + (foot - self.foot) * f64::from(i) / 20.0);
@@ -90,7 +90,7 @@ impl Case {
         is_driven && is_far && (near - theta).abs() < 1e-9
     }
 
-    /// The foot goes on with the hand as it begins to slide.
+    /// The foot moves on with the hand as it begins to slide.
     fn is_driven(&self) -> bool {
         let hand = self.hand.on(self.way, 1e-4);
         let (_, foot) = self.bench.slides(&hand, self.theta, self.sign);
@@ -98,14 +98,15 @@ impl Case {
     }
 }
 
-/// Without stiction the vertex begins to slide, without a jump; with it, it slips: to mu_d N, where it sticks if N >= N*, and else slides on.
+/// Without stiction the vertex begins to slide, without a jump; with it, it slips to mu_d N, where it sticks if N >= N*, and otherwise
+/// slides on.
 fn yields_with_and_without_stiction<R: Plain>(digits: f64) -> [usize; 3] {
     let mut seen = [0; 3];
     for seed in sampled(0..400, 97) {
         let part = 0.5 + 1.5 * Random(seed).next().abs();
         for stiction in [false, true] {
             let mu = |bench: &Bench| bench.friction[usize::from(!stiction)];
-            // What presses harder has stiction.
+            // A contact that presses harder has stiction.
             let part = if stiction { part } else { part.min(0.9) };
             let Some(case) = Case::random(seed, part, mu) else {
                 continue;
@@ -160,7 +161,7 @@ fn yields_with_and_without_stiction_in_every_number_type() {
     }
 }
 
-/// At the edge of its cone, with a hand that goes back, it neither slides nor slips.
+/// At the edge of its cone, with a hand that moves back, it neither slides nor slips.
 #[test]
 fn hand_that_goes_back_begins_no_slide() {
     const STEP: f64 = 1e-4;
@@ -190,7 +191,8 @@ fn hand_that_goes_back_begins_no_slide() {
     assert!(cfg!(miri) || count > 20, "{count}");
 }
 
-/// What sticks loosely, or slides, gains stiction where N has risen to N*, neither before nor later; the stick stays as it is.
+/// A contact that sticks loosely, or slides, gains stiction where N has risen to N*, neither earlier nor later; the stick continues
+/// unchanged.
 #[test]
 fn stiction_is_gained_at_the_threshold() {
     let mut seen = [0; 2];
@@ -271,8 +273,8 @@ fn certified_stick_gains_stiction_and_keeps_it() {
     );
 }
 
-/// At N* itself, and above it, a contact that rests has stiction; just below it keeps what it had. Without a drop of the friction there is
-/// none, however it is pressed.
+/// At N* itself, and above it, a contact that rests has stiction; just below it, it keeps its state. Without a drop of the friction there
+/// is no stiction, however hard it is pressed.
 #[test]
 fn stiction_of_what_rests_is_renewed_at_the_threshold() {
     for (part, gains) in [
@@ -307,7 +309,7 @@ fn stiction_of_what_rests_is_renewed_at_the_threshold() {
     }
 }
 
-/// What comes to a halt sticks loosely, where it is.
+/// A contact that comes to a halt sticks loosely, where it is.
 #[test]
 fn halt_leaves_no_stiction() {
     let mut count = 0;

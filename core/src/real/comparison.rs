@@ -1,6 +1,6 @@
-//! Number types as one gets them from crates: f32 with the functions of `libm` or of `micromath`, and `fixed`
-//! arithmetic with the functions of `cordic`. They exist only so that what the solver's own kernels save in time
-//! and errors can be measured; nothing else depends on them. Errors, of sin(x) / x at most twice those of the sine:
+//! Number types from existing crates: f32 with the functions of `libm` or of `micromath`, and `fixed` arithmetic with
+//! the functions of `cordic`. They exist only to measure how much time and error the solver's own kernels save; nothing
+//! else depends on them. Errors, where that of sin(x) / x is at most twice that of the sine:
 //!
 //! | type | sine, cosine | atan2 | square root, relative, of 1/64 and more |
 //! |---|---|---|---|
@@ -13,7 +13,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::types::I8F24;
 use micromath::F32;
 
-/// Implements the operators of a newtype by functions of what it holds.
+/// Implements the operators of a newtype by functions of its inner value.
 macro_rules! operators {
     ($name:ident: $add:path, $sub:path, $mul:path, $div:path, $neg:path) => {
         operators!(@ $name, Add, add, $add);
@@ -37,7 +37,7 @@ macro_rules! operators {
     };
 }
 
-/// Implements [`Real`] for a newtype of f32: everything is that of f32 but what follows the name.
+/// Implements [`Real`] for a newtype of f32: everything is that of f32 except what follows the name.
 macro_rules! single {
     ($name:ident: $($functions:item)*) => {
         operators!($name: f32::add, f32::sub, f32::mul, f32::div, f32::neg);
@@ -97,8 +97,9 @@ single! { LibmSingle:
     }
 }
 
-/// f32 with the functions of `micromath`, to measure against; only with the feature `comparison`. The statics is
-/// out by as much as its angles: a body that touches a surface at its start may be refused, and forces do not balance.
+/// f32 with the functions of `micromath`, to measure against; only with the feature `comparison`. The errors of the
+/// statics are as large as those of its angles: a body that touches a surface at its start may be refused, and forces
+/// do not balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct MicromathSingle(f32);
 
@@ -187,8 +188,9 @@ impl Real for CordicFixed {
     fn sinc_cos(self) -> (Self, Self) {
         sinc_and_cosine(self)
     }
+    /// The angle of (x, y) from the arctangent of the smaller over the larger coordinate, moved to its quadrant.
     fn atan2(self, other: Self) -> Self {
-        // The crate's own divides without a look at the range of the quotient.
+        // The division of the crate does not check the range of the quotient.
         let (x, y) = (other, self);
         if Real::abs(y) > Real::abs(x) {
             let angle = cordic::atan(saturating_div(x.0, y.0));
@@ -216,7 +218,7 @@ impl Real for CordicFixed {
     }
 }
 
-/// sin(x) / x and cos(x) for sines whose error is too large to be divided by a small angle.
+/// sin(x) / x and cos(x) for sines whose error is too large for a division by a small angle.
 fn sinc_and_cosine<R: Real>(x: R) -> (R, R) {
     let (sin, cos) = x.sin_cos();
     if x.abs() < R::HALF {
@@ -295,7 +297,7 @@ mod tests {
         for (y, x) in [(0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)] {
             let angle = R::from_si(y, 1.0).atan2(R::from_si(x, 1.0));
             let exact = libm::atan2(f64::from(y), f64::from(x));
-            // Half a turn is one, either way round.
+            // Half a turn counts as one, in either direction.
             let apart = (wide(angle) - exact).abs();
             assert!(apart.min((apart - TAU).abs()) <= errors.angle, "{y} {x}");
         }
@@ -308,7 +310,7 @@ mod tests {
             angle: 4e-7,
             root: 6e-8,
         });
-        // Half or three quarters of 6e-8, and the rounding of the f32 in which the result is looked at.
+        // Half or three quarters of 6e-8, and the rounding of the f32 in which the result is examined.
         check::<Fixed>(&Errors {
             circle: 7.5e-8,
             angle: 1.7e-7,

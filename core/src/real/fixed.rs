@@ -1,6 +1,6 @@
-//! Fixed point with 8 bits before and 24 bits after the point: the solver on chips without a floating point unit.
-//! Everything saturates, nothing wraps or panics; the kernels multiply 16-bit halves where the chip has no long
-//! multiply and give the same bits everywhere. Errors in units of the last place, 2^-24 = 6e-8:
+//! Fixed point with 8 bits before and 24 bits after the point: the solver on chips without a floating-point unit. Everything saturates,
+//! nothing wraps or panics; the kernels multiply 16-bit halves if the chip has no long multiply and give the same bits everywhere. Errors
+//! in units of the last place, 2^-24 = 6e-8:
 //!
 //! | function | error |
 //! |---|---|
@@ -22,8 +22,8 @@ mod root;
 #[cfg(test)]
 pub(super) mod samples;
 
-/// A fixed-point number in [-128, 128] in steps of 2^-24; the ends of the range stand for everything beyond. The number type for
-/// chips without a floating point unit: the same solver, scenes and hands given and answers taken in `f32`.
+/// A fixed-point number in [-128, 128] in steps of 2^-24; the ends of the range stand for everything beyond. The number type for chips
+/// without a floating-point unit: the same solver, with scenes, hands and answers in `f32`.
 ///
 /// | function | error, in units of the last place, 2^-24 = 6e-8 |
 /// |---|---|
@@ -63,7 +63,7 @@ pub(super) mod samples;
 /// assert_eq!((output.status, output.position[0]), (Status::Saturated, 0.0));
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
-// The most negative number of the format is never made: the rails are symmetric, so that -x and |x| are exact.
+// The most negative number of the format never occurs: the rails are symmetric, so that -x and |x| are exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Fixed(I8F24);
 

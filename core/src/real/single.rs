@@ -1,7 +1,6 @@
-//! `f32`: the default of the product. Own polynomials, fitted to minimise the largest error: sine and cosine
-//! of degree 7 and 8 on [-pi/4, pi/4] (error below 1.2e-7), arctangent of degree 9 on [0, tan(pi/8)]
-//! (error below 4e-7 over the circle). Only +, -, ×, / and a correctly rounded square root: the same bits
-//! on every machine.
+//! `f32`: the default. Own polynomials, fitted to minimise the largest error: sine and cosine of degree 7 and 8 on
+//! [-pi/4, pi/4] (error below 1.2e-7), arctangent of degree 9 on [0, tan(pi/8)] (error below 4e-7 over the circle).
+//! Only +, -, ×, / and a correctly rounded square root: the same bits on every machine.
 
 use super::Real;
 use core::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI, TAU};
@@ -68,6 +67,7 @@ impl Real for f32 {
     fn abs(self) -> f32 {
         f32::abs(self)
     }
+    /// Reduces the angle to a quarter turn in two steps, then evaluates the polynomials.
     fn sin_cos(self) -> (f32, f32) {
         if self.abs() < SMALL {
             let y = self * self;
@@ -93,6 +93,7 @@ impl Real for f32 {
         let (sin, cos) = Real::sin_cos(self);
         (sin / self, cos)
     }
+    /// The arctangent of the smaller over the larger coordinate, reduced to tan(pi/8), moved to its octant.
     fn atan2(self, other: f32) -> f32 {
         let (x, y) = (other.abs(), self.abs());
         if x == 0.0 && y == 0.0 {
@@ -109,7 +110,7 @@ impl Real for f32 {
         let angle = if other < 0.0 { PI - angle } else { angle };
         angle.copysign(self)
     }
-    // Once in an image.
+    // Compiled once per image.
     #[inline(never)]
     fn turns(self) -> (i32, f32) {
         if self.abs() <= PI {

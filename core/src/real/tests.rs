@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Of a type with two zeros, which `is_negative` tells apart.
+/// For a type with two zeros, which `is_negative` distinguishes.
 fn check_zeros<R: Real>(is_negative: impl Fn(R) -> bool) {
     let (plus, minus) = (R::ZERO, -R::ZERO);
     assert!(!is_negative(plus) && is_negative(minus));
@@ -23,8 +23,7 @@ fn zeros_keep_their_signs_and_roots_have_none() {
     check_zeros(f64::is_sign_negative);
 }
 
-/// A number and its rounding make another one, which is near. In fixed point, whose numbers are as far apart everywhere, at
-/// 0 too.
+/// A number plus its rounding is another number, which is near. In fixed point, whose numbers are equally spaced, at 0 too.
 fn check_rounding<R: Real>(from: i32) {
     for n in from..=8 {
         let size = R::from_int(n);

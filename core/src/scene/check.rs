@@ -1,4 +1,4 @@
-//! The checks of a description that need nothing but its numbers. The first fault ends them.
+//! The checks of a description that need only its numbers. The first fault ends them.
 
 use super::{Description, Parameter, SceneError, SurfaceDescription};
 use crate::friction::Coulomb;
@@ -36,22 +36,22 @@ fn require<F: Real>(
     }
 }
 
-/// The coordinate of the larger size.
+/// The coordinate with the larger magnitude.
 pub(super) fn larger<F: Real>([x, y]: [F; 2]) -> F {
     if y.abs() > x.abs() { y } else { x }
 }
 
-/// What is said to be allowed of numbers that the number type must represent.
+/// The descriptions of what is allowed for numbers that the number type must represent.
 pub(super) struct Representable {
-    /// Of x and y of a place.
+    /// For x and y of a position.
     pub(super) place: &'static str,
-    /// Of the offset of a surface.
+    /// For the offset of a surface.
     pub(super) offset: &'static str,
-    /// Of k_h.
+    /// For k_h.
     pub(super) stiffness: &'static str,
-    /// Of k_theta.
+    /// For k_theta.
     pub(super) rotation: &'static str,
-    /// Of W.
+    /// For W.
     pub(super) weight: &'static str,
 }
 
@@ -77,7 +77,7 @@ macro_rules! representable {
 }
 
 impl Representable {
-    /// In the words for a number type.
+    /// The descriptions for a number type.
     pub(super) fn by<R: Real>() -> Self {
         if R::RANGE <= R::from_int(16) {
             representable!("16", "1e-15")
@@ -119,7 +119,7 @@ pub(super) fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
     )
 }
 
-/// The number type represents it as a coordinate.
+/// Returns whether the number type represents it as a coordinate.
 pub(super) fn fits<R: Real>(x: R) -> bool {
     x.is_finite() && x.abs() <= R::RANGE
 }
@@ -157,7 +157,7 @@ fn check_friction<F: Real>(
     require(given >= F::ZERO, length, given, "0 or more")
 }
 
-/// The vertices; gives the largest distance between two of them, 0 for a point.
+/// Checks the vertices; returns the largest distance between two of them, 0 for a point.
 pub(super) fn check_vertices<F: Real, const V: usize>(
     vertices: &[[F; 2]],
     thinnest: F,
@@ -176,9 +176,8 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
     Ok(length)
 }
 
-/// L of a point, which has no size: 1 m, or the nearest power of two from r/4 to 8 r, where r² = d² + k_theta / k_h and d is
-/// the lever of the holding point. The stability of the balance, about r² / L², is then a number that every type represents,
-/// and so is 1 over it.
+/// L of a point, which has no size: 1 m, or the nearest power of two from r/4 to 8 r, where r² = d² + k_theta / k_h and d is the lever of
+/// the holding point. The stability of the balance, about r² / L², is then a number that every type represents, and so is its reciprocal.
 pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
     let mut square = d.stiffness_rotation / d.stiffness_translation;
     for (g, v) in d.holding_point.iter().zip(d.vertices) {
@@ -197,16 +196,16 @@ pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
     size
 }
 
-/// How far at least, in body sizes, a vertex must be off the sides that do not end at it; a body that is thinner is a rod. Displacements
-/// up to [`Real::MICRO`] are none: with three times that no more than two vertices touch one surface. And the share of a load
-/// that two contacts so far apart bear is known to a 256th.
+/// The least distance, in body sizes, of a vertex from the sides that do not end at it; a thinner body is a rod. Displacements up to
+/// [`Real::MICRO`] count as none: with three times that no more than two vertices touch one surface. The share of a load that two contacts
+/// at this distance bear is known to a 256th.
 pub(super) fn thinnest<R: Real>() -> R::Si {
     let known = R::EPSILON * R::from_int(16) * R::from_int(16);
     let thinnest = known.max(R::MICRO * R::from_int(3));
     thinnest.to_si(R::Si::ONE)
 }
 
-/// The memory length where none is given, in body sizes.
+/// The memory length if none is given, in body sizes.
 pub(super) fn default_memory<F: Real>() -> F {
     F::ONE / F::from_int(4096)
 }

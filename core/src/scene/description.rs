@@ -1,28 +1,28 @@
-//! The scene as it is given, in SI units, and what is said of one that cannot be used.
+//! The scene as given by the user, in SI units, and the error for one that cannot be used.
 
 use core::fmt;
 
 /// A fixed half-plane in SI units, world frame. It has no ends and does not move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDescription<F> {
-    /// Its normal n, which points to the free side; finite, of any length but 0: it is made a unit vector.
+    /// Its normal n, which points to the free side; finite, of any length but 0: it is normalised.
     pub normal: [F; 2],
-    /// Its place b (m): the free side is n·p >= b, with n of length 1. Finite.
+    /// Its position b (m): the free side is n·p >= b, with n of length 1. Finite.
     pub offset: F,
     /// Coefficient of static friction mu_s >= mu_d: a contact sticks while |T| <= mu_s N. Finite; 0 in a model without friction.
     pub friction_static: F,
-    /// Coefficient of dynamic friction mu_d >= 0: a slip ends where |T| = mu_d N. Equal to mu_s it makes a steady slide, smaller
-    /// stick-slip.
+    /// Coefficient of dynamic friction mu_d >= 0: a slip ends where |T| = mu_d N. If it equals mu_s contacts slide steadily, if it is
+    /// smaller they stick and slip.
     pub friction_dynamic: F,
-    /// Memory length D_c (m) >= 0: over so much sliding a contact renews. It sticks and slips where its normal force is at least
-    /// k_h D_c / (mu_s - mu_d), and slides at mu_d where it is less (STATICS 7). Small, it makes more and shorter slips. Finite;
-    /// `None`: L / 4096, L the body's largest vertex distance; 0 and all that is shorter count as 2^-19 L.
+    /// Memory length D_c (m) >= 0: the sliding distance over which a contact renews. It sticks and slips if its normal force is at least
+    /// k_h D_c / (mu_s - mu_d), and slides at mu_d if it is less (STATICS 7). A small value produces more and shorter slips. Finite;
+    /// `None`: L / 4096, L the body's largest vertex distance; 0 and all shorter lengths count as 2^-19 L.
     pub memory: Option<F>,
 }
 
 /// A fixed obstacle with corners in SI units, world frame: a closed convex polygon, a thin wall or a pin. It does not move; several may
-/// touch or overlap and so make a world that is not convex. Coplanar sides of equal friction that meet, their ends nearer than 1e-9 of the
-/// body's size (in `f32` 1e-6, in [`Fixed`](crate::Fixed) 1.9e-6; of coordinates of more than a body size 8 roundings), are one side.
+/// touch or overlap and so form a world that is not convex. Coplanar sides of equal friction that meet are one side: their ends are closer
+/// than 1e-9 of the body's size (in `f32` 1e-6, in [`Fixed`](crate::Fixed) 1.9e-6; for coordinates of more than a body size 8 roundings).
 ///
 /// A table of two pieces with a step on it, and a pin above its edge:
 ///
@@ -60,19 +60,20 @@ pub struct SurfaceDescription<F> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObstacleDescription<'a, F> {
     /// Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall with two sides, one for a pin. Each is farther
-    /// from every side that does not end at it than the body's vertices are from theirs ([`Description::vertices`]), and no side is
-    /// shorter than 2^-16 of the body's size. At most as many of all obstacles as the scene has room for, and 255 with the surfaces.
+    /// from every side that does not end at it than the body's vertices are from theirs ([`Description::vertices`]), and no side is shorter
+    /// than 2^-16 of the body's size. The corners of all obstacles are at most as many as the scene has room for, and 255 together with the
+    /// surfaces.
     pub vertices: &'a [[F; 2]],
-    /// Coefficient of static friction mu_s >= mu_d, as [`SurfaceDescription::friction_static`].
+    /// Coefficient of static friction mu_s >= mu_d, like [`SurfaceDescription::friction_static`].
     pub friction_static: F,
-    /// Coefficient of dynamic friction mu_d >= 0, as [`SurfaceDescription::friction_dynamic`].
+    /// Coefficient of dynamic friction mu_d >= 0, like [`SurfaceDescription::friction_dynamic`].
     pub friction_dynamic: F,
-    /// Memory length D_c (m) >= 0, as [`SurfaceDescription::memory`].
+    /// Memory length D_c (m) >= 0, like [`SurfaceDescription::memory`].
     pub memory: Option<F>,
 }
 
-/// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new). The world frame is right-handed with y upwards,
-/// angles are counter-clockwise; the body frame is that of [`Self::vertices`], wherever its origin is.
+/// A scene in SI units, the input of [`Scene::new`](crate::Scene::new). The world frame is right-handed with y upwards, angles are
+/// counter-clockwise; the body frame is that of [`Self::vertices`], wherever its origin is.
 ///
 /// ```
 /// use stiction_core::{Description, Parameter, Scene, SurfaceDescription};
@@ -115,16 +116,15 @@ pub struct Description<'a, F> {
     /// and 255, among obstacles 128.
     pub vertices: &'a [[F; 2]],
     /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface, and the body no deeper in an
-    /// obstacle, than 1e-5 of its size; those nearer to one than that touch it from the start.
+    /// obstacle, than 1e-5 of its size; those closer than that touch it from the start.
     pub start: [F; 3],
     /// Weight W (N) >= 0 at the centroid, along world -y; 0 in a model without weight.
     pub weight: F,
-    /// The first holding point g (m), body frame, taken wherever the hand is, with no offset between its angle and the body's.
-    /// `None`: the hand takes hold where it is, within [`Self::reach`], and at the angle that it has, so that the springs are at
-    /// rest; so it does each time after it has let go.
+    /// The first holding point g (m), body frame, taken wherever the hand is, with no offset between its angle and the body's. `None`: the
+    /// hand takes hold where it is, within [`Self::reach`], and at its present angle, so that the springs are at rest; it does the same
+    /// each time after it has let go.
     pub holding_point: Option<[F; 2]>,
-    /// How far outside the body a hand may be and still take hold (m) >= 0. For a first hold by [`Self::holding_point`] it does
-    /// not count.
+    /// How far outside the body a hand may be and still take hold (m) >= 0. It does not apply to a first hold by [`Self::holding_point`].
     pub reach: F,
     /// Translational stiffness k_h (N/m) > 0: the hand pulls the holding point with k_h (p_h - G).
     pub stiffness_translation: F,
@@ -205,6 +205,7 @@ pub enum Parameter {
 }
 
 impl fmt::Display for Parameter {
+    /// The name of the parameter, as in an error: `static friction of surface 0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::VertexCount => write!(f, "number of vertices"),
@@ -249,10 +250,10 @@ impl fmt::Display for Parameter {
 pub struct SceneError<F> {
     /// Which parameter.
     pub parameter: Parameter,
-    /// Its value, SI units. Of a place or a pose the component that is not finite, or else the one of the larger size, with its
-    /// sign (theta where theta is at fault); of a vertex or corner so, too, where it is its place among the others that is at fault.
-    /// Of a normal its length, or the component that is not finite; of a side its length; of a count the count; of a penetration or
-    /// an overlap the depth (m).
+    /// Its value, SI units. For a position or a pose the component that is not finite, or otherwise the one with the larger magnitude, with
+    /// its sign (theta if theta is at fault); this also holds for a vertex or corner whose fault is its position relative to the others.
+    /// For a normal its length, or the component that is not finite; for a side its length; for a count the count; for a penetration or an
+    /// overlap the depth (m).
     pub value: F,
     /// What is allowed, in words.
     pub allowed: &'static str,

@@ -1,4 +1,4 @@
-//! The obstacles of a scene: checked, made non-dimensional, with the sides that make one line and the corners that are covered.
+//! The obstacles of a scene: checked, made non-dimensional, with the sides that form one line and the corners that are covered.
 
 use super::check::{Room, check_obstacles, default_memory, sides};
 use super::{Description, ObstacleDescription, Parameter, Scene, SceneError};
@@ -60,7 +60,7 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
     /// ```
     ///
     /// # Errors
-    /// As [`Scene::new`]; and the first parameter of an obstacle that is not finite, out of its range or inconsistent with the others.
+    /// Like [`Scene::new`]; and the first parameter of an obstacle that is not finite, out of its range or inconsistent with the others.
     pub fn among(
         description: &Description<'_, R::Si>,
         obstacles: &[ObstacleDescription<'_, R::Si>],
@@ -124,7 +124,7 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
         }
     }
 
-    /// Makes one world of the obstacles and the half-planes: in the outside float, where their places have not been rounded to the
+    /// Unites the obstacles and the half-planes to one world: in the outside float, in which their positions have not been rounded to the
     /// number type.
     fn unite(
         &mut self,
@@ -177,7 +177,7 @@ pub(super) fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = 
     sides.map(|(from, to)| outward(from, to).map(|x| R::from_si(x, R::Si::ONE)))
 }
 
-/// The outward unit normal of the side between two corners, counter-clockwise; of a pin any.
+/// The outward unit normal of the side between two corners, counter-clockwise; for a pin any unit vector.
 fn outward<F: Real>(from: [F; 2], to: [F; 2]) -> [F; 2] {
     let (x, y) = (to[0] - from[0], to[1] - from[1]);
     if x == F::ZERO && y == F::ZERO {

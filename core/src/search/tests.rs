@@ -5,8 +5,8 @@ use crate::fixtures::searches;
 
 mod zeros;
 
-/// The step leads to the zero of the lowest course that a bound of the curvature allows, E + d x - K x²/2; what starts at
-/// zero and rises is left at the crest of that.
+/// The step leads to the zero of the lowest curve that a bound of the curvature permits, E + d x - K x²/2; a function that starts at zero
+/// and rises is stepped to the crest of that.
 #[test]
 fn steps_follow_the_lowest_course() {
     const ROUNDING: f64 = 1e-9;
@@ -42,7 +42,7 @@ fn steps_follow_the_lowest_course() {
         (zero, 0.0, 0.0),
     ] {
         assert_eq!(slope(value, d, 2.0).first_step(), first, "{value} {d}");
-        // Later on it is there, or, where it still falls, just before.
+        // Later on it is reached, or, if the function still falls, just before.
         let next = slope(value, d, 2.0).safe_step();
         assert!(if value > 0.0 && d < 0.0 {
             next > 0.0 && next < ROUNDING
@@ -53,7 +53,7 @@ fn steps_follow_the_lowest_course() {
     assert_eq!(slope(zero, 3.0, 0.0).first_step(), <f64 as Real>::HUGE);
 }
 
-/// What is as small as its rounding is not clear of zero, at the beginning or at the end of a step.
+/// A value as small as its rounding is not clear of zero, at the beginning or at the end of a step.
 #[test]
 fn rounding_counts_as_zero() {
     const ROUNDING: f64 = 1.0 / 1024.0;
@@ -74,7 +74,7 @@ fn rounding_counts_as_zero() {
     }
 }
 
-/// Of two zeros at one place the first listed counts; with no zero before the limit there is none.
+/// Of two zeros at one point the first in the list counts; with no zero before the limit there is none.
 #[test]
 fn first_listed_of_two_zeros_counts() {
     let falls = |x: f64, from: f64| Slope {
@@ -92,8 +92,8 @@ fn first_listed_of_two_zeros_counts() {
     }
 }
 
-/// (1 - x)² with a bound of its curvature that is twice too large: every step is a part of the distance to its double root. A search
-/// that gives up says so, at a place up to which there is no zero.
+/// (1 - x)² with a bound of its curvature that is twice too large: every step is a fraction of the distance to its double root. A search
+/// that gives up reports it, at a point up to which there is no zero.
 #[test]
 fn search_that_gives_up_says_so() {
     let falls = |x: f64| Slope {

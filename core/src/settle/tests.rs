@@ -1,4 +1,4 @@
-//! What a trigger leads to, and the counts of motions that were tried.
+//! The consequences of a trigger, and the counts of motions that were tried.
 
 use super::*;
 use crate::fixtures;
@@ -7,7 +7,7 @@ use crate::state::{Edge, SingleVertex};
 
 use StateKind as Kind;
 
-/// A point has one contact: nothing of it is let go.
+/// A point has one contact, which is not let go.
 #[test]
 fn point_keeps_its_contact() {
     let scene = fixtures::scene::<1, 1>(&[[0.0, 0.0]], &[0.0]);
@@ -30,7 +30,7 @@ fn point_keeps_its_contact() {
     assert!(log.events.is_empty());
 }
 
-/// Where no motion of its contact is consistent, a vertex beside it that was let go is taken back; where there is none, the body stays.
+/// If no motion of its contact is consistent, a vertex next to it that was let go is taken back; if there is none, the body stays.
 #[test]
 fn contact_that_was_let_go_is_taken_back() {
     let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
@@ -57,7 +57,7 @@ fn contact_that_was_let_go_is_taken_back() {
     }
 }
 
-/// Neither a touch nor a lift where the search for it gave up before: on as it was.
+/// Neither a touch nor a lift happens if the search for it gave up earlier: the state continues.
 #[test]
 fn nothing_happens_where_a_search_gave_up() {
     let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
@@ -95,7 +95,7 @@ fn nothing_happens_where_a_search_gave_up() {
     }
 }
 
-/// Who lasts keeps its place to the bit; another contact gets the place that it has in the pose.
+/// A contact that lasts keeps its position to the bit; another contact gets its position from the pose.
 #[test]
 fn pivot_that_lasts_stays_to_the_bit() {
     for i in 0..100 {
@@ -120,7 +120,7 @@ fn pivot_that_lasts_stays_to_the_bit() {
     }
 }
 
-/// Contacts of two surfaces and of more, each by themselves.
+/// Counted separately for contacts of two surfaces and of more.
 #[test]
 fn motions_that_were_tried_are_counted_for_each_kind_of_state() {
     for (kind, other) in [

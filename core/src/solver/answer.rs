@@ -1,4 +1,4 @@
-//! The answer of a step in SI units: the pose and what happened with every step, the forces when they are asked for.
+//! The answer of a step in SI units: the pose and what happened in every step, the forces on request.
 
 use super::{Solver, State};
 use crate::forces::{Contact, Contacts, Touches, Touching, Wrench};
@@ -12,6 +12,7 @@ use crate::work::Work;
 use crate::world::World;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
+    /// The answer of a step from the state and the log: pose in m and rad, world frame; the longest slip in m.
     pub(super) fn output(&self, state: &State<R>, (work, log): (Work, Log<R>)) -> Output<R::Si> {
         let pose = state.contact.pose(&self.scene);
         let angle = pose.orientation.angle();
@@ -34,9 +35,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// Force and moment of the hand's springs on the body in a state, world frame: F = k_h (p_h - G) (N) and
-    /// M = k_theta (phi - theta) (N·m), Eqs. (3) and (4) of the paper. Zero while it is not held. What a device gives to the
-    /// hand is the opposite, [`Wrench::feedback`].
+    /// Force and moment of the hand's springs on the body in a state, world frame: F = k_h (p_h - G) (N) and M = k_theta (phi - theta)
+    /// (N·m), Eqs. (3) and (4) of the paper. Zero while it is not held. A device outputs the opposite to the hand, [`Wrench::feedback`].
     pub fn wrench(&self, state: &State<R>) -> Wrench<R::Si> {
         if !state.held {
             return Wrench::default();
@@ -49,9 +49,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// The contacts of a state with their reactions, which are zero while the body is not held. Of a held body they add up to nothing
-    /// with the wrench and the weight, unless the status says that the pose is out of balance. Where several contacts bear more than balance determines, one share of the load is given
-    /// (STATICS 4, 5).
+    /// The contacts of a state with their reactions, which are zero while the body is not held. For a held body they balance the wrench and
+    /// the weight, unless the status reports that the pose is out of balance. If several contacts bear more than balance determines, one
+    /// distribution of the load is returned (STATICS 4, 5).
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);
@@ -84,7 +84,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
     Solver<R, V, S, WithObstacles<O, C, M>>
 {
-    /// What touches what in a state, and where it faces, in the order of [`Self::contacts`].
+    /// What touches what in a state, with the directions of the normals, in the order of [`Self::contacts`].
     pub fn touches(&self, state: &State<R>) -> Touches<R::Si> {
         let scene = &self.scene;
         let placed = state.contact.placed(scene);

@@ -24,7 +24,7 @@
 /// # })?;
 /// // A box, flat on the floor, mu = 0.5 / 0.3, is pressed 10 mm down and dragged by 0.1 m in a
 /// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm; where
-/// // the hand jumps, it slips the rest of the way at once.
+/// // the hand jumps, it slips the rest of the distance in one slip.
 /// let drag = |evolution| {
 ///     let solver = Solver::new(scene.clone(), evolution);
 ///     let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
@@ -39,8 +39,8 @@ pub enum Evolution {
     /// Exact events along the straight path of the hand: the result does not depend on the frame rate.
     #[default]
     Path,
-    /// From the first event of a frame the hand jumps to its new pose (as in the paper, but for that event). What else happens,
-    /// happens at the end of the frame, so that number and length of slips depend on the frame rate.
+    /// From the first event of a frame the hand jumps to its new pose (as in the paper, except for that event). Everything else happens at
+    /// the end of the frame, so that number and length of slips depend on the frame rate.
     Frame,
 }
 

@@ -1,5 +1,4 @@
-//! How a frame is evolved: certified where nothing happens; else event by event along the path of the hand (STATICS 7), or in one
-//! jump.
+//! The evolution of a frame: certified if nothing happens; otherwise event by event along the path of the hand (STATICS 7), or in one jump.
 
 use super::{Evolution, Solver, State};
 use crate::event::Status;
@@ -14,39 +13,39 @@ use crate::state::ContactState;
 use crate::verb::Trigger;
 use crate::work::Work;
 
-/// Where the following of the hand stands.
+/// The stage of following the hand.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stage<R> {
     /// In balance on the path of the hand.
     OnPath,
     /// At an event on it.
     AtEvent(Trigger<R>),
-    /// It comes to rest there, the hand frozen.
+    /// Coming to rest there, the hand frozen.
     Settling(Settling<R>),
     /// At rest at the end of the path.
     Arrived,
 }
 
-/// What is left to do of the hand's path.
+/// What remains of the hand's path.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Errand<R> {
     stage: Stage<R>,
-    /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
+    /// The fraction of the hand's displacement that is left, 0 to 1; 0 if nothing is left to do.
     left: R,
 }
 
-/// How the hand was followed since the body was last with it. Apart from the errand, as that leaves the state small.
+/// How the hand was followed since the body last caught up with it. Separate from the errand, so that the state stays small.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Course {
-    /// In so many pieces, each to an event or to where a search gave up.
+    /// The number of pieces so far, each to an event or to where a search gave up.
     pieces: u8,
     /// An event has happened.
     had_event: bool,
-    /// By a jump to the end of its path: what settles does so there.
+    /// The hand has jumped to the end of its path: the body settles there.
     has_jumped: bool,
-    /// The next piece goes the part 4^-k of what is left: where the looks at a path do not suffice, those at a shorter one do.
+    /// The next piece covers the fraction 4^-k of the remainder: if the evaluations do not suffice for a path, they do for a shorter one.
     quarters: u8,
-    /// What limited it.
+    /// The status that limited it.
     limited: Status,
 }
 
@@ -67,7 +66,7 @@ impl<R: Real> Errand<R> {
         left: R::ZERO,
     };
 
-    /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
+    /// The fraction of the hand's displacement that is left, 0 to 1; 0 if nothing is left to do.
     pub(super) fn left(&self) -> R {
         self.left
     }
@@ -77,15 +76,15 @@ impl<R: Real> Errand<R> {
     }
 }
 
-/// After so many pieces the hand jumps: a body that goes from event to event without end comes to rest, and one that cannot keep up
-/// with the hand is with it again.
+/// After this many pieces the hand jumps: a body that passes from event to event without end comes to rest, and one that cannot keep up
+/// with the hand catches up with it.
 const MAX_PIECES: u8 = 128;
-/// On pieces shorter than 4^-8 of the displacement the searches do not get away from where they are.
+/// On pieces shorter than 4^-8 of the displacement the searches make no progress.
 const MAX_QUARTERS: u8 = 8;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// The hand goes to `target` and the body with it, if it holds it, as far as the work goes; `again`: it has been on the way there.
-    /// False, and nothing has moved, where it is out of range.
+    /// The hand moves to `target` and the body with it, if held, as far as the work suffices; `again`: it was already on its way there.
+    /// Returns false, with nothing moved, if the target is out of range.
     pub(super) fn go_to(
         &self,
         state: &mut State<R>,
@@ -126,8 +125,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         true
     }
 
-    /// The hand goes on to a new place. What settles settles first; from an event or the end of a path the body, which is in balance
-    /// there, goes straight on.
+    /// Redirects the hand to a new pose. A body that settles does so first; from an event or the end of a path the body, which is in
+    /// balance there, goes straight on.
     fn turn_to_a_new_place(state: &mut State<R>) {
         match state.errand.stage {
             Stage::OnPath | Stage::Settling(_) => {}
@@ -153,15 +152,15 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.follow_hand(state, (&to, false), (work, log));
     }
 
-    /// Piece by piece to the end of the hand's path, or until the work that is left is less than the next piece may take. Each piece is
-    /// a call of its own (`inline(never)`): the stack holds the work of one. `tried`: a certified frame to there, in vain.
+    /// Follows the hand piece by piece to the end of its path, or until the remaining work is less than the next piece may take. Each piece
+    /// is a call of its own (`inline(never)`): the stack holds the data of one. `tried`: a certified frame to there has failed.
     fn follow_hand(
         &self,
         state: &mut State<R>,
         (to, mut tried): (&Grip<R>, bool),
         (work, log): (&mut Work, &mut Log<R>),
     ) {
-        // One piece at least, so that the body gets on.
+        // At least one piece, so that the body makes progress.
         let mut is_first = true;
         loop {
             let most = self.most_of_piece(state, tried);
@@ -208,7 +207,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         log.limit(Status::Behind);
     }
 
-    /// The next verb of what settles. What rests then goes on in the same piece, as it may be out of balance.
+    /// The next verb of a body that settles. After it rests the same piece goes on, as it may be out of balance.
     #[inline(never)]
     fn settle_on(
         &self,
@@ -250,7 +249,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         (contact.most_of_verb()).saturating_add(contact.most_of_verb_among(&self.scene))
     }
 
-    /// Along the straight path of the hand to the next event (STATICS 7); after the last one that happens on it the hand jumps.
+    /// Along the straight path of the hand to the next event (STATICS 7); after the last event permitted on it the hand jumps.
     #[inline(never)]
     fn along_path(
         &self,
@@ -264,7 +263,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             quarters,
             ..
         } = state.course;
-        // By frame the first event happens where the hand reaches it, too (STATICS 7.2).
+        // In frame evolution, too, the first event happens where the hand reaches it (STATICS 7.2).
         let is_last_event = had_event && self.evolution == Evolution::Frame;
         let is_balanced = matches!(state.unrest, Status::Ok | Status::Jammed);
         if is_last_event || pieces >= MAX_PIECES || quarters > MAX_QUARTERS || !is_balanced {
@@ -296,7 +295,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         } else {
             state.grip.lerp(&end, moved.part)
         };
-        // What slides on where a contact closes is seen on a displacement (rule 11): the next one.
+        // Which contacts slide on after a contact closes is decided on a displacement (rule 11): the next one.
         let touches_at_end = matches!(moved.trigger, Trigger::Touch(_))
             && !moved.unsure
             && state.contact.regime().slide().is_some()
@@ -318,7 +317,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             return;
         }
         state.course.pieces = pieces.saturating_add(1);
-        // Up to where a search gave up nothing has happened: on from there.
+        // Nothing has happened up to where a search gave up: continue from there.
         if !moved.unsure {
             state.course.had_event = true;
             state.errand.stage = Stage::AtEvent(moved.trigger);

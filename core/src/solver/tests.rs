@@ -1,4 +1,4 @@
-//! A frame of which a search gives up says so, or ends where it should all the same.
+//! If a search gives up, the frame reports it, or ends where it should all the same.
 
 use super::*;
 use crate::contact::Pair;

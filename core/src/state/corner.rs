@@ -21,7 +21,7 @@ use crate::world::World;
 pub(crate) struct Corner<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) surface: u8,
-    /// mu_s bounds the friction, not mu_d.
+    /// mu_s limits the friction, not mu_d.
     pub(crate) stiction: bool,
 }
 
@@ -62,7 +62,7 @@ impl<R: Real> Corner<R> {
         ]
     }
 
-    /// The two outer edges; none where the cones span the whole plane.
+    /// The two outer edges; none if the cones span the whole plane.
     fn outer_edges(&self, scene: &impl World<R>) -> [Option<OuterEdge<R>>; 2] {
         let edges = self.cone_edges(scene);
         [R::ONE, -R::ONE].map(|turn| {
@@ -81,8 +81,8 @@ impl<R: Real> Corner<R> {
         })
     }
 
-    /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; where this direction leads into
-    /// the other surface, it climbs that one.
+    /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; if this direction leads into the other
+    /// surface, it climbs that one.
     fn slides(&self, scene: &impl World<R>, outer: &OuterEdge<R>) -> Trigger<R> {
         let index = [self.pivot.contact.surface, self.surface];
         let [first, second] = index.map(|s| scene.surface(s));
@@ -139,6 +139,7 @@ impl<R: Real> Corner<R> {
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
+    /// Turns the body about the corner by the result of a search downhill, to balance or to the first touch, then tests the reaction.
     fn turn_by(
         &mut self,
         scene: &impl World<R>,
@@ -153,6 +154,8 @@ impl<R: Real> Corner<R> {
         moved
     }
 
+    /// Tests the reaction in balance: inside the outer edges the vertex rests, beyond one it slides along that surface, pulled off both it
+    /// is free (STATICS 6).
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
         let rounding = load.rounding();
@@ -175,8 +178,8 @@ impl<R: Real> Corner<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
     }
 
-    /// Surfaces press harder than the load pulls by at most 1 over the sine of the angle of an edge of one cone and one of the other. Of
-    /// half-planes alone it is taken to be that of the normals.
+    /// Surfaces press harder than the load pulls by at most 1 over the sine of the angle between an edge of one cone and one of the other.
+    /// For half-planes alone the angle of the normals is used.
     pub(crate) fn is_jammed<W: World<R>>(
         &self,
         scene: &W,
@@ -254,8 +257,8 @@ mod tests {
         (scene.expect("a sound scene"), corner)
     }
 
-    /// The reaction may have any direction between the outer edges of the two cones, of mu_s or of mu_d, these included; where both surfaces are
-    /// left the vertex is free, else it slides on one of them. The cone of a rough plane may have both.
+    /// The reaction may have any direction between the outer edges of the two cones, of mu_s or of mu_d, inclusive; if it leaves both
+    /// surfaces the vertex is free, otherwise it slides on one of them. The cone of a rough plane may contain both.
     #[test]
     fn vertex_stays_while_the_reaction_is_between_the_outer_edges() {
         let even = [0.3, 1.2, 1.9, -0.7].map(|angle| (angle, [0.5, 0.5]));
@@ -273,7 +276,7 @@ mod tests {
             let [floor, plane] = mu.map(|mu| libm::atan(mu * dynamic));
             let (first, last) = (f64::min(-floor, angle - plane), floor.max(angle + plane));
             for i in -300..=300 {
-                // Of the reaction from the floor's normal; both edges are among them.
+                // Angles of the reaction from the floor's normal, including both edges.
                 let edges = [first, last];
                 let turn = match i {
                     -300 | 300 => edges[usize::from(i > 0)],
@@ -299,7 +302,7 @@ mod tests {
                     else {
                         panic!("{angle} {turn} {trigger:?}");
                     };
-                    // Where the hand pulls, and not into the other surface.
+                    // In the direction of the hand's pull, but not into the other surface.
                     let [along, other] =
                         [contacts[0], 1 - contacts[0]].map(|i| scene.surface(i as u8));
                     let direction = along.tangent * sign;
@@ -310,14 +313,14 @@ mod tests {
         }
     }
 
-    /// What is pushed into a narrow wedge of smooth surfaces stays only where their reactions bear the push.
+    /// A vertex that is pushed into a narrow wedge of smooth surfaces stays only if their reactions bear the push.
     fn wedge_bears_what_it_holds<R: Real>(si: impl Fn(f64) -> R::Si) -> usize {
         let mut held = 0;
         for (exponent, tilt) in (0..24).flat_map(|k| [0.0, 0.4, 2.0].map(|tilt| (k, tilt))) {
             let narrow = libm::ldexp(1.3, -exponent);
             let angles = [tilt, tilt + core::f64::consts::PI - narrow];
             let (scene, corner) = corner::<R>(&si, angles, [0.0; 2]);
-            // Into the wedge, and by a part onto its first surface.
+            // Into the wedge, and with a component onto its first surface.
             let [first, second] = [0, 1].map(|surface| scene.surface(surface));
             let into = first.tangent * -second.normal.dot(first.tangent).sign();
             let grip = Grip {
@@ -335,7 +338,7 @@ mod tests {
                 left = left + surface.normal * normal;
                 most = most.max(normal);
             }
-            // Beyond what the number type represents they need not be reported.
+            // Beyond the range of the number type they need not be reported.
             let is_borne = left.length_bound() <= most / R::from_int(1000);
             assert!(is_borne || most >= R::RANGE, "{narrow} {tilt}");
             held += 1;

@@ -1,5 +1,5 @@
-//! Two vertices on one surface, or two contacts in one line (STATICS 4, 12.5): the angle is locked to the surface. Everything is linear
-//! in the hand's path and in the slip, so every event is closed form.
+//! Two vertices on one surface, or two collinear contacts (STATICS 4, 12.5): the angle is locked to the surface. Everything is linear in
+//! the hand's path and in the slip, so every event has a closed form.
 
 use super::SingleVertex;
 use super::segment::Segment;
@@ -29,7 +29,7 @@ pub(crate) struct Edge<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) other: Pair,
     pub(crate) regime: Regime<R>,
-    /// So far it can slide before a vertex can touch another surface; 0: not known.
+    /// The distance that it can slide before a vertex can touch another surface; 0: not known.
     room: R,
     watch: Watch,
 }
@@ -60,6 +60,7 @@ impl<R: Real> Edge<R> {
         -moment / span
     }
 
+    /// N_1, N_2, N and T on a displacement of the hand, linear in tau since the edge does not turn (E4).
     fn reaction(
         &self,
         scene: &impl World<R>,
@@ -89,7 +90,7 @@ impl<R: Real> Edge<R> {
         self.pivot.surface(scene).sliding(sign)
     }
 
-    /// A certified frame: it stays, or slides with the hand. All is linear on the way, so that its end decides.
+    /// A certified frame: it stays, or slides with the hand. Everything is linear on the path, so that its end decides.
     pub(crate) fn follow<W: World<R>>(
         &mut self,
         scene: &W,
@@ -143,7 +144,7 @@ impl<R: Real> Edge<R> {
         follows
     }
 
-    /// True if nothing else can be reached on a way of the edge that has ended here.
+    /// True if nothing else can be reached on a displacement of the edge that has ended here.
     #[inline(always)]
     fn has_room<W: World<R>>(
         &mut self,
@@ -161,7 +162,7 @@ impl<R: Real> Edge<R> {
         self.room > R::ZERO
     }
 
-    /// To half-planes, but that on which it lies.
+    /// The room to half-planes other than the one on which it lies.
     fn room_beside<W: World<R>>(&self, scene: &W, placed: &Placed<R>) -> R {
         let counts = |pair: &Pair| {
             pair.surface != self.pivot.contact.surface && (!W::CORNERS || *pair != self.other)
@@ -276,7 +277,7 @@ impl<R: Real> Edge<R> {
         segment.moved()
     }
 
-    /// Without friction it glides to balance, the energy falling by itself; then N_i are put to the test.
+    /// Without friction it glides to balance, the energy falling by itself; then the N_i are tested.
     fn glide_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let edge = self.sliding(scene, R::ONE);
         self.pivot.slide(scene, grip, &edge);
@@ -285,7 +286,7 @@ impl<R: Real> Edge<R> {
         Moved::by(reaction.opens(None).unwrap_or(Trigger::Balanced))
     }
 
-    /// Puts the edge to the test as it lies.
+    /// Tests the edge in its present pose.
     #[inline(never)]
     pub(crate) fn relax<W: World<R>>(
         &mut self,
@@ -300,6 +301,7 @@ impl<R: Real> Edge<R> {
         Moved::by(self.test(scene, grip, sliding))
     }
 
+    /// Tests the reactions at the frozen hand: a contact opens, a slide goes on, or the total reaction is judged by its cone (STATICS 4).
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>, sliding: Option<R>) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
         let reaction = self.reaction(scene, &load, &Displacement::slide(Vec2::ZERO));
@@ -322,8 +324,8 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// Slips along sign·t to the first of |T| = mu_d N, touch, N_i = 0. Where |T| = mu_d N ends it, it sticks if it is pressed hard
-    /// enough, else it slides on with the hand (rule 4).
+    /// Slips along sign·t to the first of |T| = mu_d N, touch, N_i = 0. If |T| = mu_d N ends it, it sticks if it is pressed hard enough,
+    /// otherwise it slides on with the hand (rule 4).
     #[inline(never)]
     pub(crate) fn slip<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
@@ -376,7 +378,7 @@ impl<R: Real> Edge<R> {
     }
 }
 
-/// Contact number `contact` lasts alone.
+/// Only contact number `contact` lasts.
 fn keep<R: Real>(contact: usize, sliding: Option<R>) -> Trigger<R> {
     Trigger::Keep {
         contacts: [contact, contact],

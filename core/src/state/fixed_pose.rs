@@ -1,6 +1,5 @@
-//! Contacts that fix the pose together, two of two surfaces or more (STATICS 5, 6): how long they bear the load, and the
-//! motion that begins when they do not. A motion is only begun if it is consistent: driven by the load, and closing no
-//! gap of a contact that it leaves.
+//! Contacts that fix the pose together, two of two surfaces or more (STATICS 5, 6): how long they bear the load, and the motion that begins
+//! when they do not. A motion is only begun if it is consistent: driven by the load, and closing no gap of a contact that it leaves.
 
 mod twist;
 
@@ -30,12 +29,12 @@ pub(super) struct FixedPose<R: Real> {
 /// An incipient motion: the contacts that last, and the direction in which the first of them slides.
 type Mode<R> = ([usize; 2], Option<R>);
 
-/// How far on a path of the hand contacts bear the load.
+/// How far along a path of the hand contacts bear the load.
 enum Borne<R> {
     ToTheEnd,
-    /// To this part of the path.
+    /// Up to this fraction of the path.
     Until(R),
-    /// Not to the end, but none of the facets says where it ends: they may be known less well than reactions.
+    /// Not to the end, but none of the facets shows where it ends: they may be known less accurately than reactions.
     Unknown,
 }
 
@@ -47,7 +46,7 @@ enum Begin {
     SlideAlone,
     Open,
     SlideTogetherInBalance,
-    /// Away from what it takes along (STATICS 12.6).
+    /// Away from a contact that the slide would take along (STATICS 12.6).
     SlideAway,
 }
 
@@ -91,13 +90,13 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// What was done with it so far, in units of work.
+    /// The work done with it so far, in units of work.
     pub(super) fn work(&self) -> u32 {
         work::pose(self.cone.count()).saturating_add(self.cone.work())
     }
 
-    /// True if the contacts bear the load on three edges of their cones, within the limit: those of the last time, or others, which
-    /// are remembered.
+    /// True if the contacts bear the load on three edges of their cones, within the limit: on those of last time, or on others, which are
+    /// stored.
     pub(super) fn bears(
         &self,
         scene: &impl World<R>,
@@ -130,23 +129,23 @@ impl<R: Real> FixedPose<R> {
         is_inside && self.cone.left(wrench, little) <= little
     }
 
-    /// True if the contacts bear the load with no reactions within the limit.
+    /// True if the contacts bear the load, but with no reactions within the limit.
     pub(super) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         let (wrench, little) = (load.wrench(), load.little());
         self.cone.bearers(wrench, little).is_none() && self.cone.exceeds_limit(wrench, little)
     }
 
-    /// To the end of the hand's path, or to where the load is not borne any more. The loads that are borne are convex, so that
-    /// the end decides.
+    /// To the end of the hand's path, or to where the load is not borne any more. The set of loads that are borne is convex, so that the
+    /// end decides.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let (part, trigger) = match self.bears_until(scene, (from, to)) {
             Borne::ToTheEnd => (R::ONE, Trigger::Balanced),
             Borne::Unknown => (R::ONE, self.give_way(scene, (to, &|| *to), 0)),
             Borne::Until(part) => {
                 let at = from.lerp(to, part);
-                // What gives way without stiction is not driven at the bound itself; beyond the rounding, wherever the frame ends, it
-                // shows what is.
+                // A motion that gives way without stiction is not driven at the bound itself; what it is shows beyond the rounding, no
+                // matter where the frame ends.
                 let ahead = || at.ahead(scene, to, self.release(scene, &at));
                 (part, self.give_way(scene, (&at, &ahead), 0))
             }
@@ -158,7 +157,7 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// How far on the hand's path the contacts bear the load. A call of its own: the loads are off the stack when it is known.
+    /// How far along the hand's path the contacts bear the load. A call of its own: the loads are off the stack when it returns.
     #[inline(never)]
     fn bears_until(&self, scene: &impl World<R>, (from, to): (&Grip<R>, &Grip<R>)) -> Borne<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
@@ -176,7 +175,7 @@ impl<R: Real> FixedPose<R> {
         yields.map_or(Borne::Unknown, Borne::Until)
     }
 
-    /// A displacement of the hand after which a load that the contacts had just borne is surely beyond that.
+    /// A displacement of the hand after which a load that the contacts could only just bear is certainly beyond that.
     pub(super) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
         let load = self.pivot.load(scene, grip);
         let of_reactions = self
@@ -185,7 +184,7 @@ impl<R: Real> FixedPose<R> {
         load.release() + of_reactions.doubled()
     }
 
-    /// At rest, or what begins. `tried`: how many motions did not move the body.
+    /// At rest, or the motion that begins. `tried`: how many motions did not move the body.
     pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
         let trigger = if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
@@ -198,14 +197,14 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// True if there are reactions that balance the load, to what the end of a slip is found to.
+    /// True if there are reactions that balance the load, to the accuracy with which the end of a slip is found.
     pub(super) fn is_at_rest(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         let little = load.little();
         self.cone.left(load.wrench(), little) <= little
     }
 
-    /// The directions along t in which two contacts slide where the load crosses the facet of one edge of each.
+    /// The directions along t in which two contacts slide if the load crosses the facet of one edge of each.
     pub(super) fn sliding_signs(&self, scene: &impl World<R>, grip: &Grip<R>) -> Option<[R; 2]> {
         let load = self.pivot.load(scene, grip);
         match self
@@ -218,7 +217,7 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// The motion that begins where so many were tried in vain. `ahead`: the hand where it shows what is driven.
+    /// The motion that begins after `tried` others were tried in vain. `ahead`: the position of the hand at which it shows what is driven.
     fn give_way(
         &self,
         scene: &impl World<R>,
@@ -226,7 +225,7 @@ impl<R: Real> FixedPose<R> {
         tried: usize,
     ) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
-        // Found once, where it is asked for.
+        // Computed once, when it is first needed.
         let known = Cell::new(None);
         let ahead = || {
             let found = known.get().unwrap_or_else(ahead);
@@ -237,8 +236,8 @@ impl<R: Real> FixedPose<R> {
         motions.nth(tried).unwrap_or(Trigger::Undriven)
     }
 
-    /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with
-    /// fewest openings first. Each is looked for when it is asked for.
+    /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with fewest
+    /// openings first. Each is computed only when it is requested.
     fn motions<W: World<R>>(
         &self,
         scene: &W,
@@ -301,7 +300,7 @@ impl<R: Real> FixedPose<R> {
             })
     }
 
-    /// The load pulls contacts off and presses none.
+    /// Returns whether the load pulls contacts off and presses none.
     fn is_pulled(&self, scene: &impl World<R>, load: &Load<R>) -> bool {
         let pull = |&c: &Pair| self.surface(scene, c).normal.dot(load.force);
         self.contacts.iter().all(|c| pull(c) >= R::ZERO)
@@ -318,6 +317,7 @@ impl<R: Real> FixedPose<R> {
         ([index, other.next().unwrap_or(index)], None)
     }
 
+    /// The mode in which a facet yields; two contacts of one vertex, in a corner, last together.
     fn mode_of(&self, yields: &Yield<R>) -> Mode<R> {
         match *yields {
             Yield::Pivot { contact } => self.about(contact),
@@ -332,7 +332,7 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// The surface of a contact, as the body is turned.
+    /// The surface of a contact at the present orientation of the body.
     fn surface(&self, scene: &impl World<R>, contact: Pair) -> Surface<R> {
         scene.face(contact, self.pivot.orientation.rotation())
     }

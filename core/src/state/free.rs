@@ -15,13 +15,13 @@ use crate::verb::{Moved, Trigger};
 use crate::work::Work;
 use crate::world::World;
 
-/// The memory: the pose itself, and what it has just left.
+/// The memory: the pose itself, and the contacts that it has just left.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
-    /// Contacts with obstacles that have opened where the body is still: they say on which side of a thin wall it is.
+    /// Contacts with obstacles that have opened at the present pose: they determine on which side of a thin wall the body is.
     left: Opened,
-    /// Obstacles that are not watched are no nearer (L); 0: not known.
+    /// Obstacles that are not watched are no closer than this (L); 0: not known.
     room: R,
     watch: Watch,
 }
@@ -93,7 +93,7 @@ impl<R: Real> Free<R> {
         is_certified
     }
 
-    /// No obstacle is reached between two places, the turn bent by so much at most.
+    /// Returns whether no obstacle is reached between two poses, with the turn bent by at most the given amount.
     #[inline(never)]
     fn keeps_off<W: World<R>>(
         &mut self,
@@ -141,19 +141,19 @@ impl<R: Real> Free<R> {
         let mut moment = load.pinned::<H>();
         let mut drive = load.drive(&Displacement::turn(displacement.turn));
         if Self::turns_with_hand(scene) {
-            // As the hand does, however little of the moment the number type sees.
+            // As the hand does, however little of the moment the number type can represent.
             (moment.stiffness, drive.couple) = (R::ONE, displacement.turn);
         }
         let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         let moved = self.sweep(scene, &load.placed, &mut segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
-            // The end itself, free of the rounding of the path.
+            // The exact end, without the rounding of the path.
             self.pose = Self::balance::<H>(scene, to, self.pose.orientation).pose;
         }
         moved
     }
 
-    /// The pose in balance at a grip, the angle corrected from near it.
+    /// The pose in balance at a grip, with the angle corrected from a nearby one.
     fn balance<H: SecondHarmonic<R>>(
         scene: &impl World<R>,
         grip: &Grip<R>,
@@ -169,9 +169,9 @@ impl<R: Real> Free<R> {
         Self::new(Self::hanging(scene, grip, orientation))
     }
 
-    /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
-    /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
-    /// by themselves, and the pull that opened the contact leads away from it.
+    /// Moves in a straight line, in holding point and angle, to the balance at the frozen hand, or to the first touch. If that is blocked
+    /// for a body that has just opened, the holding point moves first and the turn follows: both decrease the energy on their own, and the
+    /// pull that opened the contact leads away from it.
     #[inline(never)]
     pub(crate) fn relax<H: SecondHarmonic<R>>(
         &mut self,
@@ -193,6 +193,8 @@ impl<R: Real> Free<R> {
         self.relax_by::<H>(scene, grip, moment.over_fold(direction))
     }
 
+    /// Moves in a straight line to the result of a search downhill; if that is blocked for a body that has just opened, first the holding
+    /// point moves, then the body turns.
     fn relax_by<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -218,8 +220,8 @@ impl<R: Real> Free<R> {
         moved
     }
 
-    /// The hand alone holds it where it is, but for what rounding leaves; among obstacles also but for what the reaction of its last contact
-    /// may be off.
+    /// Returns whether the hand alone holds it where it is, to within rounding; among obstacles also to within the uncertainty of the
+    /// reaction of its last contact.
     pub(crate) fn is_near_balance<W: World<R>>(&self, scene: &W, grip: &Grip<R>, off: R) -> bool {
         let load = self.load(scene, grip);
         let turn = if Self::turns_with_hand(scene) {
@@ -248,12 +250,12 @@ impl<R: Real> Free<R> {
         }
     }
 
-    /// A vertex is still at a surface.
+    /// Returns whether a vertex is still at a surface.
     fn has_just_opened(&self, scene: &impl World<R>) -> bool {
         !Placed::at(&self.pose).touching(scene, R::TOUCH).is_empty()
     }
 
-    /// Turns by `turn` while the holding point goes the part `shift` of its path to balance.
+    /// Turns by `turn` while the holding point covers the fraction `shift` of its path to balance.
     fn straight<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -269,7 +271,7 @@ impl<R: Real> Free<R> {
         moved
     }
 
-    /// Goes a segment on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
+    /// Follows a segment on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
     fn sweep<W: World<R>>(
         &mut self,
         scene: &W,

@@ -1,5 +1,5 @@
-//! Three or more contacts (STATICS 6): the pose is fixed while some combination of the friction cones bears the load. If
-//! none does, the facet of their common cone that yields first names which contacts last and how they move.
+//! Three or more contacts (STATICS 6): the pose is fixed while some combination of the friction cones bears the load. If none does, the
+//! facet of their common cone that yields first determines which contacts last and how they move.
 
 use super::fixed_pose::FixedPose;
 use crate::contact::{MAX_CONTACTS, Pair, Pairs, Reactions};
@@ -18,7 +18,7 @@ use heapless::Vec;
 pub(crate) struct Locked<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) others: Vec<Pair, { MAX_CONTACTS - 1 }>,
-    /// mu_s bounds the friction, not mu_d.
+    /// mu_s limits the friction, not mu_d.
     pub(crate) stiction: bool,
     /// Edges of the friction cones that bore the load last.
     pub(crate) bearers: [u8; 3],
@@ -43,7 +43,7 @@ impl<R: Real> Locked<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
     }
 
-    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
+    /// A certified frame: it stays. The set of loads that are borne is convex, so that the end of the path decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>, work: &mut Work) -> bool {
         let fixed_pose = self.fixed_pose(scene);
         let bears = fixed_pose.bears(scene, to, &mut self.bearers);
@@ -57,7 +57,7 @@ impl<R: Real> Locked<R> {
         self.fixed_pose(scene).advance(scene, from, to)
     }
 
-    /// Puts the contacts to the test as they are.
+    /// Tests the contacts in the present pose.
     #[inline(never)]
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
         self.fixed_pose(scene).test(scene, grip, tried)

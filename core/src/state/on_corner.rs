@@ -1,7 +1,6 @@
-//! A corner of an obstacle on a side of the body (STATICS 12.2): what of a single contact differs from that of a vertex on a
-//! surface. Where it sticks the body turns about the corner as about a vertex, but the normal turns with it. A slip is that of a
-//! vertex with body and world exchanged. A slide with the hand has a balance that is quadratic in the displacement, and is
-//! followed in pieces.
+//! A corner of an obstacle on a side of the body (STATICS 12.2): how a single contact at a corner differs from a vertex on a surface. Where
+//! it sticks the body turns about the corner as about a vertex, but the normal turns with it. A slip is that of a vertex with body and
+//! world exchanged. A slide with the hand has a balance that is quadratic in the displacement, and is followed in pieces.
 
 use super::SingleVertex;
 use super::segment::Segment;
@@ -26,25 +25,25 @@ use crate::verb::{Moved, Trigger};
 use crate::work::Work;
 use crate::world::World;
 
-/// What a look at a place of a slide takes, in units of work.
+/// The cost of evaluating a point of a slide, in units of work.
 pub(crate) const CORNER_LOOK: u32 = 9;
 
-/// Corrections of a place of a slide.
+/// Corrections of a point of a slide.
 const MAX_CORRECTIONS: usize = 6;
 
-/// A piece of a slide is shortened so many times.
+/// The maximum number of times that a piece of a slide is shortened.
 pub(crate) const MAX_HALVINGS: usize = 12;
 
-/// A piece is searched again, shorter, where its end is not found; not more than so many times in all.
+/// A piece whose end is not found is searched again, shorter; at most this many times in all.
 pub(crate) const MOST_OF_PIECES: u32 = 2;
 
-/// How a slide of a corner begins to go on, per part of a displacement of the hand.
+/// The initial rates of a slide of a corner, per unit of a displacement of the hand.
 pub(super) struct SlideRates<R> {
-    /// -dM/dtheta, the foot in balance.
+    /// -dM/dtheta, with the foot in balance.
     pub(super) stability: R,
     /// dM/dtau
     drive: R,
-    /// Of the foot along t: with the turn, and with the hand.
+    /// The rate of the foot along t: with the turn, and with the hand.
     foot_by_turn: R,
     foot_by_hand: R,
     /// M
@@ -52,7 +51,7 @@ pub(super) struct SlideRates<R> {
 }
 
 impl<R: Real> SlideRates<R> {
-    /// Of the foot along t, and the turn.
+    /// The rates of the foot along t, and of the turn.
     pub(super) fn rates(&self) -> Option<(R, R)> {
         (self.stability > R::ZERO).then(|| {
             let turn = self.drive / self.stability;
@@ -61,33 +60,33 @@ impl<R: Real> SlideRates<R> {
     }
 }
 
-/// A slide of a corner along sign·t, from where the body is in balance, along a curve of turn and part of the hand's displacement.
+/// A slide of a corner along sign·t, from where the body is in balance, along a curve of turn and fraction of the hand's displacement.
 struct CornerSlide<'a, R, W> {
     scene: &'a W,
     pivot: Pivot<R>,
     path: (&'a Grip<R>, &'a Grip<R>),
     sign: R,
-    /// The direction in which it begins: turn and part, of length 1.
+    /// The direction in which it begins: turn and fraction, of length 1.
     ahead: (R, R),
-    /// How the moment falls there across that direction.
+    /// The slope of the moment there across that direction.
     steepness: R,
-    /// Axes along which the body was apart from obstacles last.
+    /// Axes along which the body was last separated from obstacles.
     watch: Watch,
 }
 
-/// A place of it.
+/// A point of it.
 struct Spot<R> {
     pivot: Pivot<R>,
     rates: SlideRates<R>,
     part: R,
-    /// Of turn, part and foot along the curve.
+    /// Rates of turn, fraction and foot along the curve.
     turn_rate: R,
     part_rate: R,
     foot_rate: R,
 }
 
 impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
-    /// At a turn and a part, with the foot in balance.
+    /// At a turn and a fraction, with the foot in balance.
     fn at(&self, (turn, part): (R, R)) -> Spot<R> {
         let (from, to) = self.path;
         let grip = from.lerp(to, part);
@@ -111,14 +110,13 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         }
     }
 
-    /// How the moment falls across the direction ahead: as steeply as can be in the beginning, not at all where the curve has turned by a
-    /// right angle.
+    /// The slope of the moment across the direction ahead: steepest at the beginning, zero where the curve has turned by a right angle.
     fn falls(&self, spot: &Spot<R>) -> R {
         let (a, b) = self.ahead;
         spot.rates.stability * b + spot.rates.drive * a
     }
 
-    /// At a place of the curve: as far ahead, and in balance.
+    /// At a point of the curve: this far ahead, and in balance.
     fn along(&self, x: R) -> Spot<R> {
         let (a, b) = self.ahead;
         let mut aside = R::ZERO;
@@ -128,7 +126,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             if falls <= R::EPSILON {
                 break;
             }
-            // The curve is no farther aside than ahead.
+            // The curve is no farther to the side than ahead.
             let step = (spot.rates.moment / falls).max(-x).min(x);
             aside = aside - step;
             spot = self.at((a * x - b * aside, b * x + a * aside));
@@ -154,7 +152,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         }
     }
 
-    /// What ends it: N = 0, the end of the side, N*, a halt, a fold, the end of the displacement.
+    /// The possible ends: N = 0, the end of the side, N*, a halt, a fold, the end of the displacement.
     fn ends(&self, spot: &Spot<R>) -> [Option<Level<R>>; 6] {
         let (from, to) = self.path;
         let displacement = from.displacement_to(to);
@@ -194,7 +192,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         ]
     }
 
-    /// A place of the curve is in balance, to what a search finds, and the curve has turned by less than 60 degrees.
+    /// Returns whether a point of the curve is in balance, to the accuracy of a search, and the curve has turned by less than 60 degrees.
     fn finds(&self, x: R) -> bool {
         let (from, to) = self.path;
         let spot = self.along(x);
@@ -203,8 +201,8 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             && self.falls(&spot).doubled() > self.steepness
     }
 
-    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther; and what it took, in units
-    /// of work.
+    /// Follows the curve to a point or to an earlier event: how far, why, and whether a search got no farther; and the cost, in units of
+    /// work.
     fn piece(&self, contacts: &[Pair], end: R) -> ((R, Trigger<R>, bool), u32) {
         let mut work = 0_u32;
         let found = first_fall((end, end), MOST_FALLS, |x| {
@@ -241,7 +239,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
     }
 }
 
-/// Of a corner that slides along an edge of the cone, per part of a displacement.
+/// For a corner that slides along an edge of the cone, per unit of a displacement.
 pub(super) fn slide_rates<R: Real>(
     scene: &impl World<R>,
     (load, pivot): (&Load<R>, &Pivot<R>),
@@ -249,7 +247,7 @@ pub(super) fn slide_rates<R: Real>(
     displacement: &Displacement<R>,
 ) -> SlideRates<R> {
     let tangent = pivot.surface(scene).tangent;
-    // q: hand and weight from the corner.
+    // q: hand and weight relative to the corner.
     let pull = load.force + load.lever;
     let twist = tangent.cross(pull);
     let foot_by_turn = edge.balanced.turned().dot(pull) / edge.cos;
@@ -311,7 +309,7 @@ impl<R: Real> SingleVertex<R> {
         segment.turn_with_hand(scene, &mut self.pivot, to)
     }
 
-    /// A slip of the body's side along a corner by `shift` along t, or to what ends it before (E7'): how far it goes, and its course.
+    /// A slip of the body's side along a corner by `shift` along t, or to an earlier event (E7'): its extent, and its curve.
     pub(super) fn slip_on_corner<W: World<R>>(
         &self,
         scene: &W,
@@ -320,7 +318,7 @@ impl<R: Real> SingleVertex<R> {
     ) -> (R, Segment<R>) {
         let surface = self.pivot.surface(scene);
         let (normal, tangent) = (surface.normal, surface.tangent);
-        // q: hand and weight from the corner.
+        // q: hand and weight relative to the corner.
         let pull = load.force + load.lever;
         let reaction = |direction: Vec2<R>| Margin {
             start: -direction.dot(load.force),
@@ -352,7 +350,8 @@ impl<R: Real> SingleVertex<R> {
         (shift * segment.part(), segment)
     }
 
-    /// A certified frame: it slides along sign·t and turns. As for a vertex (STATICS 3.4), but the foot and the normal depend on the turn.
+    /// A certified frame: it slides along sign·t and turns. As for a vertex (STATICS 3.4), except that the foot and the normal depend on
+    /// the turn.
     pub(super) fn follow_sliding_on_corner<W: World<R>>(
         &mut self,
         scene: &W,
@@ -374,7 +373,7 @@ impl<R: Real> SingleVertex<R> {
         if !load.is_representable_sliding() {
             return false;
         }
-        // Q / cos(lambda), and with it bounds of the second derivative of M, and of how its first one changes with the hand.
+        // Q / cos(lambda), and from it bounds of the second derivative of M, and of the change of its first one with the hand.
         let edge = spot.pivot.surface(scene).sliding(sign);
         let (lever, hand) = (load.lever.length_bound(), displacement.hand.length_bound());
         let pull = (load.force + load.lever).length_bound() + hand;
@@ -391,7 +390,7 @@ impl<R: Real> SingleVertex<R> {
             return false;
         }
         let turn_bound = step.doubled();
-        // Both ends of the path in balance tell the rest but for what goes with the turn.
+        // The balance at both ends of the path determines the rest except for what changes with the turn.
         let rates = before.rates.rates();
         let mut turn = R::ZERO;
         for _ in 0..MAX_CORRECTIONS {
@@ -441,7 +440,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Slides along sign·t as the hand moves, to the first of fold, touch, lift-off, halt, N = N*, the end of the side; or as far as one
-    /// piece goes.
+    /// piece reaches.
     pub(super) fn advance_sliding_on_corner<W: World<R>>(
         &mut self,
         scene: &W,
@@ -476,7 +475,7 @@ impl<R: Real> SingleVertex<R> {
         if turn.abs() * end > eighth {
             end = eighth / turn.abs();
         }
-        // Not so far that its places are not found any more.
+        // No farther than its points are still found.
         let contacts = self.contacts();
         let (mut piece, mut pieces, mut work) = (None, 0_u32, 0_u32);
         for _ in 0..MAX_HALVINGS {
@@ -517,7 +516,8 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A slide along sign·t in balance at a grip, but for the rounding of the way, which it takes out. False if more is left.
+    /// A slide along sign·t in balance at a grip, except for the rounding of the path, which it removes. Returns false if the error is
+    /// larger.
     pub(super) fn rest_on_corner<W: World<R>>(
         &mut self,
         scene: &W,

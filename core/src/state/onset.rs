@@ -1,4 +1,4 @@
-//! What begins where a reaction is zero: there friction does not decide by the reaction, but by the rates at which it grows along the
+//! What begins where a reaction is zero: there friction is not decided by the reaction, but by the rates at which it grows along the
 //! displacement of the hand (STATICS 7, rule 6).
 
 use super::on_corner::slide_rates;
@@ -12,15 +12,15 @@ use crate::moment::{Pinned, Sliding};
 use crate::real::{Real, along};
 use crate::world::{Surface, World};
 
-/// How a body that turns about its pivot begins to move with the hand: per part of the displacement.
+/// The initial rates of a body that turns about its pivot with the hand: per unit of the displacement.
 struct Rates<R> {
-    /// Of the foot along t.
+    /// The rate of the foot along t.
     foot: R,
     turn: R,
 }
 
 impl<R: Real> SingleVertex<R> {
-    /// Pinned; nothing where that is not stable.
+    /// Pinned; `None` if that is not stable.
     fn pinned_rates(load: &Load<R>, displacement: &Displacement<R>) -> Option<Rates<R>> {
         let moment = load.pinned::<Pinned>();
         (moment.stability() > R::ZERO).then(|| Rates {
@@ -29,7 +29,7 @@ impl<R: Real> SingleVertex<R> {
         })
     }
 
-    /// Sliding along sign·t; nothing where that is not stable.
+    /// Sliding along sign·t; `None` if that is not stable.
     fn sliding_rates<W: World<R>>(
         &self,
         scene: &W,
@@ -59,13 +59,13 @@ impl<R: Real> SingleVertex<R> {
         })
     }
 
-    /// How fast the load grows.
+    /// The growth rate of the load.
     fn load_rate(load: &Load<R>, displacement: &Displacement<R>, rates: &Rates<R>) -> Vec2<R> {
         displacement.hand - load.lever.turned() * rates.turn
     }
 
-    /// Of a vertex that has just touched, or whose reaction has fallen to zero: it sticks if the friction grows more slowly than
-    /// mu_d times the normal reaction, else it slides with the load.
+    /// For a vertex that has just touched, or whose reaction has fallen to zero: it sticks if the friction grows more slowly than mu_d
+    /// times the normal reaction, otherwise it slides with the load.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
         if self.swings(scene, at) {
             return self.begin_swinging(scene, (at, to));
@@ -89,7 +89,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// True if a slide along sign·t would go back as the hand goes on.
+    /// True if a slide along sign·t would move back as the hand goes on.
     pub(crate) fn recedes(
         &self,
         scene: &impl World<R>,
@@ -152,7 +152,8 @@ impl<R: Real> SingleVertex<R> {
         })
     }
 
-    /// True if a slip along sign·t is not held by friction, to what its beginning is found to, and the gap of another contact opens in it.
+    /// True if friction does not hold a slip along sign·t, to the accuracy with which its beginning is known, and the gap of another
+    /// contact opens in it.
     pub(crate) fn slips_off(
         &self,
         scene: &impl World<R>,
@@ -179,7 +180,7 @@ impl<R: Real> SingleVertex<R> {
 }
 
 impl<R: Real> Edge<R> {
-    /// True if a slide along sign·t would go back as the hand goes on.
+    /// True if a slide along sign·t would move back as the hand goes on.
     pub(crate) fn recedes(
         &self,
         scene: &impl World<R>,
@@ -192,7 +193,7 @@ impl<R: Real> Edge<R> {
         along(sign, foot) < -SingleVertex::<R>::slack(&displacement)
     }
 
-    /// Of an edge that has just landed: as of a vertex, without a turn.
+    /// For an edge that has just landed: as for a vertex, without a turn.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(at.displacement_to(to).hand);

@@ -1,5 +1,5 @@
-//! One segment of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a segment and
-//! shortens it to the first event.
+//! One segment of a motion: its curve, its extent, and what ends it. Every verb of every state begins with a segment and shortens it to the
+//! first event.
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin, Place};
 use crate::contact::Pair;
@@ -42,13 +42,13 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         Self::of(curve, extent, trigger)
     }
 
-    /// Of a body that turns about a point in balance of moments, to the end of the path of the hand or to the fold before.
+    /// For a body that turns about a point in balance of moments, to the end of the path of the hand or to an earlier fold.
     pub(super) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>, trigger: Trigger<R>) -> Self {
         let curve = BalanceCurve::balanced(moment, drive);
         Self::of(curve, curve.extent(), trigger)
     }
 
-    /// The same, to where a margin is used up, if that is earlier: what usually ends it, in one search with the others.
+    /// The same, to where a margin is used up, if that is earlier: the usual end, in one search with the others.
     pub(super) fn balanced_until(
         moment: &Moment<R, H>,
         drive: &Drive<R>,
@@ -64,6 +64,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
+    /// A segment of a curve up to an extent; it ends with `trigger`, or in a fold if the extent does.
     fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {
         let trigger = if extent.folds {
             Trigger::Fold(curve.direction())
@@ -86,7 +87,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Ends at a place, if that is earlier.
+    /// Ends at a point, if that is earlier.
     pub(super) fn stop_at_place(&mut self, x: R, trigger: Trigger<R>) {
         if x < self.extent.end.x {
             self.extent.end = self.curve.at(x);
@@ -104,7 +105,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Ends where a further vertex reaches a surface, if that is earlier, the placed point going along a path.
+    /// Ends where another vertex reaches a surface, if that is earlier, with the placed point moving along a path.
     pub(super) fn stop_at_touch(
         &mut self,
         scene: &impl World<R>,
@@ -114,7 +115,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.stop_at_touch_of(scene, placed, (path, Known::of(lasting)));
     }
 
-    /// The same where contacts have just opened.
+    /// The same if contacts have just opened.
     pub(super) fn stop_at_touch_of(
         &mut self,
         scene: &impl World<R>,
@@ -133,14 +134,14 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Ends at the first place at which one of some functions of the motion falls to zero, if that is earlier.
+    /// Ends at the first point at which one of some functions of the motion falls to zero, if that is earlier.
     pub(super) fn stop_at_first<const M: usize>(
         &mut self,
         sample: impl Fn(&BalanceCurve<R, H>, &Place<R>) -> [Option<Level<R>>; M],
         triggers: [Trigger<R>; M],
     ) {
         let limit = self.extent.end;
-        // A turn of an eighth: on the piece no reaction turns back twice.
+        // A turn of an eighth: on such a piece no reaction turns back twice.
         let rate = self.curve.rate().abs().doubled().doubled().doubled();
         let longest = if rate * limit.x > R::ONE {
             R::ONE / rate
@@ -178,7 +179,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.goes_on = false;
     }
 
-    /// Ends where a motion on which the placed point is not one of the body's reaches an obstacle or a half-plane.
+    /// Ends where a motion whose placed point is not one of the body's reaches an obstacle or a half-plane.
     pub(super) fn stop_at_reached(
         &mut self,
         scene: &impl World<R>,
@@ -224,18 +225,18 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.extent.end.turn
     }
 
-    /// The searches share the looks that are left of others.
+    /// The searches use the evaluations that others have left.
     pub(super) fn with(mut self, looks: Looks) -> Self {
         self.extent.looks = looks;
         self
     }
 
-    /// What is left of them.
+    /// The remaining evaluations.
     pub(super) fn looks(&self) -> Looks {
         self.extent.looks
     }
 
-    /// The looks at it and what else was done for them, in units of work.
+    /// The evaluations and other work for them, in units of work.
     pub(super) fn work(&self) -> u32 {
         self.extent.looks.taken()
     }
@@ -249,7 +250,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Turns a pivot to the end of the segment; where it ends in balance with the hand at `to`, without the rounding of the path.
+    /// Turns a pivot to the end of the segment; if it ends in balance with the hand at `to`, without the rounding of the path.
     pub(super) fn turn_with_hand(
         &self,
         scene: &impl World<R>,
@@ -316,7 +317,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
 }
 
 impl<R: Real> Segment<R> {
-    /// Of a body that turns about a pinned vertex as the hand moves, to the first of fold and touch.
+    /// For a body that turns about a pinned vertex as the hand moves, to the first of fold and touch.
     pub(super) fn pinned<W: World<R>>(
         scene: &W,
         load: &Load<R>,

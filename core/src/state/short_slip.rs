@@ -1,5 +1,5 @@
-//! The short slip (STATICS 3.5): the vertex slides a little and the body turns a little with it, in balance all along,
-//! to (E3). That nothing else ends it is certain from its beginning alone, which is why an ordinary slip needs no search.
+//! The short slip (STATICS 3.5): the vertex slides a little and the body turns a little with it, in balance throughout, to (E3). Its
+//! beginning alone proves that nothing else ends it, so an ordinary slip needs no search.
 
 use crate::geometry::Vec2;
 use crate::grip::Grip;
@@ -16,16 +16,16 @@ pub(super) struct ShortSlip<R> {
     pub(super) turn: R,
     /// No point of the body moves farther towards a surface.
     pub(super) travel_bound: R,
-    /// A gap that is larger at the end was open all along.
+    /// A gap that is larger than this at the end was open throughout.
     pub(super) open: R,
 }
 
-/// Newton's steps before a slip is not called short.
+/// Newton's steps before a slip is no longer considered short.
 const MAX_CORRECTIONS: usize = 4;
 
-/// What a place of the slip lacks: the balance of moments and (E3), by Newton's step.
+/// The error of a point of the slip: the balance of moments and (E3), by Newton's step.
 struct Step<R> {
-    /// |lever| / s: at most by so much the body turns while it slides by 1.
+    /// |lever| / s: the most by which the body turns while it slides by 1.
     arm: R,
     /// |z| / s
     bend: R,
@@ -33,14 +33,14 @@ struct Step<R> {
     lack: R,
     /// The turn that goes with a slide by 1.
     lean: R,
-    /// So much the excess of the drive falls while the vertex slides by 1.
+    /// The decrease of the excess of the drive while the vertex slides by 1.
     decay: R,
-    /// q·F, less what goes with the turn `lack`.
+    /// q·F, less the change with the turn `lack`.
     excess: R,
 }
 
 impl<R: Real> Step<R> {
-    /// `along`: the direction of the slide; `drive`: q. Nothing where it is not stable or the drive hardly falls.
+    /// `along`: the direction of the slide; `drive`: q. `None` if it is not stable or the drive hardly falls.
     fn at(load: &Load<R>, along: Vec2<R>, drive: Vec2<R>) -> Option<Self> {
         let stability = load.stability();
         if stability <= R::ZERO {
@@ -73,8 +73,8 @@ impl<R: Real> Step<R> {
 }
 
 impl<R: Real> ShortSlip<R> {
-    /// Of a vertex in balance that breaks away along sign·t, `load` that on the body. Where something else may happen (E9), about
-    /// how far it slides, if its beginning says so; touches are left to the caller.
+    /// For a vertex in balance that breaks away along sign·t, with `load` the load on the body. If something else may happen (E9), an
+    /// estimate of how far it slides, if its beginning permits one; touches are left to the caller.
     pub(super) fn find(
         scene: &impl World<R>,
         (pivot, load): (&Pivot<R>, &Load<R>),
@@ -97,7 +97,7 @@ impl<R: Real> ShortSlip<R> {
         let widest = swing + swing.halved().halved();
         let lever = load.lever.length_bound();
         let bend = begin.bend + R::from_int(3);
-        // The decay changes by less than this; so does dN by the slide.
+        // The decay changes by less than this; so does dN with the slide.
         let curved = (lever * begin.arm * swing * bend).doubled();
         let sixteenth = R::ONE / R::from_int(16);
         let is_short = load.is_representable()

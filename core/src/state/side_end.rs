@@ -1,5 +1,5 @@
-//! The end of a side of an obstacle or of the body (STATICS 12.4): how far a contact that slides is from it, and where that ends a
-//! motion. A contact is on its side until it is beyond the end by a touch, so that it does not change hands at every rounding.
+//! The end of a side of an obstacle or of the body (STATICS 12.4): the distance of a sliding contact from it, and where it ends a motion. A
+//! contact is on its side until it is beyond the end by a touch, so that rounding does not pass it back and forth.
 
 use super::segment::Segment;
 use crate::balance_curve::Margin;
@@ -15,7 +15,7 @@ use crate::thresholds::Thresholds;
 use crate::verb::Trigger;
 use crate::world::World;
 
-/// How far a contact that slides along sign·t is from the end of its side, and how fast that changes.
+/// The distance of a contact that slides along sign·t from the end of its side, and its rate of change.
 pub(in crate::state) fn room_ahead<R: Real>(
     scene: &impl World<R>,
     body: &Instant<R>,

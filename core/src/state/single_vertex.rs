@@ -1,5 +1,5 @@
-//! One vertex on one surface (STATICS 3): pinned it turns in balance of moments about the contact, the angle on its
-//! branch; it slips along the surface with the moment balanced at every place.
+//! One vertex on one surface (STATICS 3): pinned it turns in balance of moments about the contact, the angle on its branch; it slips along
+//! the surface with the moment balanced at every position.
 
 use super::segment::Segment;
 use super::short_slip::ShortSlip;
@@ -26,18 +26,18 @@ use crate::world::{Surface, World};
 pub(crate) struct SingleVertex<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) regime: Regime<R>,
-    /// By so much the body can turn about the pivot before another vertex can touch (rad); 0: not known.
+    /// The angle by which the body can turn about the pivot before another vertex can touch (rad); 0: not known.
     pub(super) room: R,
     pub(super) watch: Watch,
 }
 
-/// A short motion of a vertex or a corner, as far as what else it may touch is concerned.
+/// A short motion of a vertex or a corner, for the purpose of what else it may touch.
 pub(super) struct Travel<R> {
-    /// No point of the body goes farther.
+    /// No point of the body moves farther than this.
     pub(super) bound: R,
-    /// A gap to a half-plane that ends larger was never closed.
+    /// A gap to a half-plane that ends larger than this was never closed.
     pub(super) open: R,
-    /// The body turns by no more, and the foot goes one way.
+    /// The body turns by no more than this, and the foot moves in one direction.
     pub(super) turn: R,
 }
 
@@ -61,12 +61,12 @@ impl<R: Real> SingleVertex<R> {
         gather([self.pivot.contact])
     }
 
-    /// A corner of an obstacle on a side of the body.
+    /// Returns whether it is a corner of an obstacle on a side of the body.
     pub(crate) fn is_corner<W: World<R>>(&self, _: &W) -> bool {
         W::CORNERS && self.pivot.contact.is_corner()
     }
 
-    /// Nothing but the contact holds the angle of a body whose vertex slides (STATICS 3.7).
+    /// Returns whether only the contact holds the angle of a body whose vertex slides (STATICS 3.7).
     pub(crate) fn swings<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
         !self.is_corner(scene) && grip.swings(scene)
     }
@@ -99,9 +99,9 @@ impl<R: Real> SingleVertex<R> {
             return false;
         };
         let orientation = certified.orientation;
-        // The reaction strays by the turn from the straight line to where the hand alone would take it ...
+        // Because of the turn the reaction deviates from the straight line to where the hand alone would take it ...
         if !self.holds(scene, &load, certified.turn_bound) {
-            // ... and by much less from the one to where it ends.
+            // ... and by much less from the straight line to where it ends.
             let end = load.turned(scene, orientation, to);
             let stray = certified
                 .curvature_bound(&load.drive(&displacement))
@@ -121,8 +121,8 @@ impl<R: Real> SingleVertex<R> {
         follows
     }
 
-    /// The regime after a certified turn: without stiction the vertex gains it where it is pressed hard enough (rule 3). Nothing
-    /// where the reaction may rise to that and fall again.
+    /// The regime after a certified turn: without stiction the vertex gains it if it is pressed hard enough (rule 3). `None` if the
+    /// reaction may rise to that and fall again.
     fn pressed(
         &self,
         scene: &impl World<R>,
@@ -146,7 +146,7 @@ impl<R: Real> SingleVertex<R> {
         (surface.friction.is_pressed(normal)).then_some(Regime::Stick { stiction: true })
     }
 
-    /// By so much a reaction strays whose lever strays by a part of its length.
+    /// The deviation of a reaction whose lever deviates by a fraction of its length.
     fn stray<W: World<R>>(&self, scene: &W, load: &Load<R>, part: R) -> R {
         let mut lever = load.lever.length_bound();
         if self.is_corner(scene) {
@@ -156,7 +156,7 @@ impl<R: Real> SingleVertex<R> {
         lever * part + load.rounding()
     }
 
-    /// True if the reaction stays within the cone though the lever strays by a part of its length.
+    /// True if the reaction stays within the cone although the lever deviates by a fraction of its length.
     fn holds(&self, scene: &impl World<R>, load: &Load<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
@@ -164,7 +164,7 @@ impl<R: Real> SingleVertex<R> {
         (surface.friction).is_within((normal, friction), self.regime.has_stiction(), slack)
     }
 
-    /// True if nothing else can be reached on the path from one place to another.
+    /// True if nothing else can be reached on the path from one pose to another.
     #[inline(always)]
     pub(super) fn has_room<W: World<R>>(
         &mut self,
@@ -185,7 +185,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// No other vertex can reach a half-plane on the path to `end`, on which no point of the body goes farther than `travel_bound`, and on
+    /// No other vertex can reach a half-plane on the path to `end`, on which no point of the body moves farther than `travel_bound`, and on
     /// which a gap that ends larger than `open` was never closed.
     fn has_room_at<W: World<R>>(
         &mut self,
@@ -239,7 +239,7 @@ impl<R: Real> SingleVertex<R> {
         keeps_off
     }
 
-    /// The same of a certified turn. No point of the body is farther from the pivot than one body size.
+    /// The same for a certified turn. No point of the body is farther from the pivot than one body size.
     pub(super) fn has_room_to_turn<W: World<R>>(
         &mut self,
         scene: &W,
@@ -277,7 +277,7 @@ impl<R: Real> SingleVertex<R> {
         let mut segment = Segment::pinned(scene, &load, &displacement, &self.contacts());
         let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
         let stiction = self.regime.has_stiction();
-        // Of what happens at one place the last counts.
+        // Of events at one point the last counts.
         if let Some(loosens) = surface.friction.loosens(normal)
             && !stiction
         {
@@ -291,8 +291,8 @@ impl<R: Real> SingleVertex<R> {
         segment.turn_with_hand(scene, &mut self.pivot, to)
     }
 
-    /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
-    /// goes on while it is driven, at once where the turn is blocked.
+    /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides goes on while it is driven,
+    /// immediately if the turn is blocked.
     #[inline(never)]
     pub(crate) fn relax<W: World<R>>(
         &mut self,
@@ -311,7 +311,7 @@ impl<R: Real> SingleVertex<R> {
             let near = R::met_before();
             placed.gap(scene, pair) <= near && (!W::CORNERS || placed.beyond(scene, pair) <= near)
         };
-        // Where the looks gave up among obstacles, the pair is none.
+        // If the evaluations ran out among obstacles, there is no pair.
         let is_known = !W::CORNERS || !moved.unsure;
         let blocked = is_known && matches!(moved.trigger, Trigger::Touch(pair) if was_there(pair));
         if blocked {
@@ -324,7 +324,7 @@ impl<R: Real> SingleVertex<R> {
         moved
     }
 
-    /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
+    /// Downhill to balance, or to the first touch: without a search if the balance is near and nothing blocks the turn.
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let mut work = Work::none();
@@ -355,12 +355,12 @@ impl<R: Real> SingleVertex<R> {
             && (surface.friction).is_driven(normal, friction, sign, off)
     }
 
-    /// What the friction at the end of a slip may be off.
+    /// The uncertainty of the friction at the end of a slip.
     pub(super) fn found_to(load: &Load<R>) -> R {
         R::of_searches(load.rounding_with_foot())
     }
 
-    /// What a reaction that has fallen to zero may be off.
+    /// The uncertainty of a reaction that has fallen to zero.
     pub(crate) fn found_to_at(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
         Self::found_to(&self.pivot.load(scene, grip))
     }
@@ -372,6 +372,7 @@ impl<R: Real> SingleVertex<R> {
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
+    /// Turns the body about the vertex by the result of a search downhill, to balance or to the first touch, then tests friction.
     fn turn_by(
         &mut self,
         scene: &impl World<R>,
@@ -401,9 +402,9 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Slips along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch,
-    /// lift-off, fold. Where it ends in balance it sticks if it is pressed hard enough, else it slides on with the hand (rule 4).
-    /// It goes on piece by piece.
+    /// Slips along sign·t, with the moment unchanged (balanced, except for a contact that opened in mid-slip), to the first of (E3), touch,
+    /// lift-off, fold. If it ends in balance it sticks if it is pressed hard enough, otherwise it slides on with the hand (rule 4). It
+    /// proceeds piece by piece.
     #[inline(never)]
     pub(crate) fn slip(
         &mut self,
@@ -423,6 +424,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
+    /// Slips along sign·t: by the short slip of (E9) if it is certified, otherwise by a search.
     fn slip_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);
@@ -453,7 +455,7 @@ impl<R: Real> SingleVertex<R> {
         moved.after(scene, work)
     }
 
-    /// To the first of what may end it; `about`: how long it is, if that is known.
+    /// To the first event that may end it; `about`: an estimate of its length, if known.
     fn slip_far<W: World<R>>(
         &mut self,
         scene: &W,
@@ -462,18 +464,18 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
+        // Beyond this displacement the hand would pull back; if this load needs a longer one it is made in several slips.
         let lever = load.lever.length_bound();
         let farthest =
             (load.force.length_bound() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
-        // To look no farther than needed is cheap.
+        // Searching no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
         let (slip, segment) = self.slip_segment(scene, load, sign * near);
         let goes_on = segment.goes_on() && near < farthest;
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);
         if goes_on || moved.unsure && slip != R::ZERO {
-            // So far nothing has ended it.
+            // Nothing has ended it so far.
             return Moved {
                 work: moved.work,
                 ..Moved::by(Trigger::GoesOn)
@@ -482,7 +484,7 @@ impl<R: Real> SingleVertex<R> {
         let load = self.pivot.load(scene, grip);
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
-        // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
+        // For a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
         let off = Self::found_to(&load);
         let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
         let folds = matches!(moved.trigger, Trigger::Fold(_));
@@ -503,7 +505,7 @@ impl<R: Real> SingleVertex<R> {
         self.regime = Regime::after_slip(self.pivot.is_pressed(scene, grip), sign);
     }
 
-    /// A slip by `shift` along t, or to what ends it before: how far it goes, and its course.
+    /// A slip by `shift` along t, or to an earlier event: its extent, and its curve.
     fn slip_segment<W: World<R>>(&self, scene: &W, load: &Load<R>, shift: R) -> (R, Segment<R>) {
         if self.is_corner(scene) {
             return self.slip_on_corner(scene, load, shift);
@@ -529,13 +531,13 @@ impl<R: Real> SingleVertex<R> {
         (shift * segment.part(), segment)
     }
 
-    /// True if the body is in balance about the vertex, to what the end of a path is found to.
+    /// True if the body is in balance about the vertex, to the accuracy with which the end of a path is found.
     pub(crate) fn is_found(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         load.moment().abs() <= Self::found_to(&load)
     }
 
-    /// True if its reaction is in the cone, to the same.
+    /// True if its reaction is in the cone, to the same accuracy.
     pub(crate) fn is_in_cone(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         let surface = self.pivot.surface(scene);

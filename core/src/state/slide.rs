@@ -1,6 +1,6 @@
-//! One vertex that slides on a surface with the hand (STATICS 3.6). Its reaction lies on an edge of the dynamic friction cone,
-//! so that its foot is explicit and the angle alone moves, with a second harmonic in its moment. Without friction that edge
-//! is the normal: the vertex glides.
+//! One vertex that slides on a surface with the hand (STATICS 3.6). Its reaction lies on an edge of the dynamic friction cone, so that its
+//! foot is explicit and only the angle moves, with a second harmonic in its moment. Without friction that edge is the normal: the vertex
+//! glides.
 
 use super::SingleVertex;
 use super::segment::Segment;
@@ -55,7 +55,7 @@ impl<R: Real> SingleVertex<R> {
         let Some(certified) = certified else {
             return false;
         };
-        // The reaction strays by the turn from the straight line to where the hand alone would take it.
+        // Because of the turn the reaction deviates from the straight line to where the hand alone would take it.
         let normal = -surface.normal.dot(load.force);
         let stray = load.lever.length_bound() * certified.turn_bound + load.rounding();
         if normal <= stray {
@@ -78,7 +78,7 @@ impl<R: Real> SingleVertex<R> {
             let slack = Self::slack(&displacement);
             let pivot = end.pivot;
             let way = (pivot.foot - self.pivot.foot).abs();
-            // The foot goes one way.
+            // The foot moves in one direction.
             let bound = way + certified.turn_bound;
             let travel = Travel {
                 bound,
@@ -97,8 +97,8 @@ impl<R: Real> SingleVertex<R> {
         true
     }
 
-    /// The least velocity of the foot along its slide, times cos(lambda), per part of the displacement: from its angular velocity and
-    /// how much that changes on the way.
+    /// The least velocity of the foot along its slide, times cos(lambda), per unit of the displacement: from its angular velocity and the
+    /// most by which that changes on the path.
     fn least_advance(
         load: &Load<R>,
         edge: &SlidingEdge<R>,
@@ -110,7 +110,7 @@ impl<R: Real> SingleVertex<R> {
         sign * velocity - load.lever.length_bound() * spread
     }
 
-    /// A foot that goes back by less than this, per part of a displacement, rests but for the rounding (rule 7).
+    /// A foot that moves back by less than this, per unit of a displacement, rests except for the rounding (rule 7).
     pub(super) fn slack(displacement: &Displacement<R>) -> R {
         R::of_displacement(displacement.size())
     }
@@ -160,7 +160,8 @@ impl<R: Real> SingleVertex<R> {
             self.pivot
                 .slide_on_side(scene, &from.lerp(to, moved.part), &edge);
         } else if !self.rest(scene, to, &edge) && W::GLIDES {
-            // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
+            // Near a fork of the balance the digits of the number type do not determine the branch: continue from there with the hand
+            // frozen.
             let down = self.glide_down(scene, to);
             return Moved {
                 part: R::ONE,
@@ -168,7 +169,7 @@ impl<R: Real> SingleVertex<R> {
                 ..down
             };
         } else if !W::GLIDES && self.is_pulled_off(scene, to) {
-            // In balance to the last digit the hand takes it off.
+            // In balance to the last digit the hand lifts it off.
             return Moved {
                 trigger: Trigger::Clear,
                 ..moved
@@ -177,7 +178,7 @@ impl<R: Real> SingleVertex<R> {
         moved
     }
 
-    /// The load pulls the vertex off its surface beyond doubt.
+    /// Returns whether the load pulls the vertex off its surface beyond doubt.
     fn is_pulled_off(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         let (normal, _) = self.pivot.surface(scene).reaction(load.force);
@@ -205,7 +206,7 @@ impl<R: Real> SingleVertex<R> {
         self.slide_by(scene, grip, (&downhill, R::ONE))
     }
 
-    /// The balance of a slide along sign·t folds: on with the turn in a direction, the foot in balance.
+    /// The balance of a slide along sign·t folds: turns on in a direction, with the foot in balance.
     #[inline(never)]
     pub(crate) fn snap_sliding<W: World<R>>(
         &mut self,
@@ -214,7 +215,7 @@ impl<R: Real> SingleVertex<R> {
         (direction, sign): (R, R),
     ) -> Moved<R> {
         if W::CORNERS {
-            // On a side with ends the foot does not go to its balance at once: it turns and slips there.
+            // On a side with ends the foot does not move to its balance immediately: it turns and slips there.
             self.regime = Regime::LOOSE;
             return self.relax(scene, grip, Some(sign));
         }
@@ -243,7 +244,7 @@ impl<R: Real> SingleVertex<R> {
         topples.then_some(ahead.sign())
     }
 
-    /// Turns downhill, the foot in balance from the beginning: it gets there in a straight line, on which energy falls.
+    /// Turns downhill, with the foot in balance from the beginning: it gets there in a straight line, on which energy falls.
     fn slide_by<W: World<R>>(
         &mut self,
         scene: &W,
@@ -282,9 +283,9 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Slides on along sign·t, where another contact has let go: to what two contacts bear together a slide is found less exactly than
-    /// to the balance of one, which is not far, but for a soft grip, and not inside a surface. False, and it sticks where it is, if there is
-    /// no such balance, or if it is farther than a search may end.
+    /// Slides on along sign·t, after another contact has let go: while two contacts bear, a slide is located less accurately than the
+    /// balance of one, which is close by except for a soft grip, and not inside a surface. Returns false, and the vertex sticks where it
+    /// is, if there is no such balance, or if it is farther away than a search may end.
     pub(crate) fn slide_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
@@ -316,14 +317,14 @@ impl<R: Real> SingleVertex<R> {
         slides
     }
 
-    /// A vertex is inside a surface.
+    /// Returns whether a vertex is inside a surface.
     pub(super) fn is_inside<W: World<R>>(&self, scene: &W) -> bool {
         let placed = self.pivot.placed(scene);
         !placed.touching(scene, -R::TOUCH).is_empty()
             || W::CORNERS && placed.is_in_obstacle(scene, R::TOUCH)
     }
 
-    /// In balance but for the rounding of the way, which it takes out. False if more is left.
+    /// In balance except for the rounding of the path, which it removes. Returns false if the error is larger.
     fn rest(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) -> bool {
         if self.swings(scene, grip) {
             self.pivot.slide(scene, grip, edge);

@@ -1,5 +1,5 @@
-//! One vertex that slides, of a body that swings freely about the holding point (STATICS 3.7). The moment about it is -N (A×f): either
-//! it bears nothing and the angle follows from the gap, or its lever lies on the edge of the friction cone.
+//! One vertex that slides, on a body that swings freely about the holding point (STATICS 3.7). The moment about that point is -N (A×f):
+//! either the vertex bears nothing and the angle follows from the gap, or its lever lies on the edge of the friction cone.
 
 use super::SingleVertex;
 use super::segment::Segment;
@@ -17,7 +17,7 @@ use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
-/// The lever of a body that swings, of a vertex that slides along sign·t.
+/// The lever of a body that swings and has a vertex that slides along sign·t.
 pub(super) struct Swing<R> {
     surface: Surface<R>,
     edge: SlidingEdge<R>,
@@ -30,6 +30,7 @@ pub(super) struct Swing<R> {
 }
 
 impl<R: Real> Swing<R> {
+    /// The lever of a load about a vertex that slides along sign·t of a surface, in components along t and n (L).
     pub(super) fn new(load: &Load<R>, surface: &Surface<R>, sign: R) -> Self {
         let lever = Vec2::new(
             surface.tangent.dot(load.lever),
@@ -50,9 +51,9 @@ impl<R: Real> Swing<R> {
         along(self.side, self.load.lever.cross(self.edge.reaction))
     }
 
-    /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be told from one that does. Of a vertex
-    /// that is pressed the lever has the direction of the force, which is known the less the smaller that is. It presses still after a
-    /// turn onto the edge, which changes N by no more than the lever was off it.
+    /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be distinguished from one that does. For a
+    /// vertex that is pressed the lever has the direction of the force, which is known the less accurately the smaller the force is. The
+    /// vertex still presses after a turn onto the edge, which changes N by no more than the distance of the lever from it.
     pub(super) fn bears(&self) -> bool {
         let rounding = self.load.rounding_with_foot();
         let (normal, _) = self.surface.reaction(self.load.force);
@@ -62,7 +63,7 @@ impl<R: Real> Swing<R> {
         (off <= rounding || is_along) && self.load.lever.dot(self.edge.reaction) <= rounding
     }
 
-    /// The bearing lever points away from the surface: it turns out of the way at once.
+    /// The bearing lever points away from the surface: it immediately turns aside.
     pub(super) fn topples(&self) -> bool {
         let rounding = self.load.rounding_with_foot();
         !self.is_unloaded() && self.load.lever.dot(self.edge.reaction) > rounding
@@ -94,7 +95,7 @@ impl<R: Real> Swing<R> {
         }
     }
 
-    /// So fast the foot goes along t as the hand goes on, and the body turns; nothing where the lever is upright and bears nothing.
+    /// The rates of the foot along t and of the turn as the hand goes on; `None` if the lever is upright and bears nothing.
     pub(super) fn rates(&self, displacement: &Displacement<R>) -> Option<(R, R)> {
         let hand = displacement.hand;
         if self.bears() {
@@ -106,7 +107,7 @@ impl<R: Real> Swing<R> {
         })
     }
 
-    /// A quantity of first order in the lever, that along a direction, from its present place on.
+    /// A quantity of first order in the lever, its component along a direction, from its present position on.
     fn along(&self, direction: Vec2<R>, sign: R) -> Margin<R> {
         let (start, turning) = (
             direction.dot(self.load.lever),
@@ -126,18 +127,18 @@ impl<R: Real> Swing<R> {
         self.along(self.edge.balanced, self.side)
     }
 
-    /// Positive while the foot goes along sign·t.
+    /// Positive while the foot moves along sign·t.
     fn goes(&self, displacement: &Displacement<R>) -> Margin<R> {
         self.along(displacement.hand, along(self.side, self.sign))
     }
 
-    /// The vertex bears nothing but rounding.
+    /// Returns whether the vertex bears nothing but rounding.
     fn is_unloaded(&self) -> bool {
         let (normal, _) = self.surface.reaction(self.load.force);
         normal <= self.load.rounding_with_foot()
     }
 
-    /// A slide is in balance: the vertex bears nothing, or bears on the edge of the cone.
+    /// Returns whether a slide is in balance: the vertex bears nothing, or bears on the edge of the cone.
     pub(super) fn is_balanced(&self) -> bool {
         self.is_unloaded() || self.bears()
     }
@@ -206,7 +207,7 @@ impl<R: Real> SingleVertex<R> {
         displacement: &Displacement<R>,
     ) -> Moved<R> {
         if swing.surface.normal.dot(displacement.hand) > R::ZERO {
-            // Nothing turns it: the hand takes it off.
+            // Nothing turns it: the hand lifts it off.
             return Moved {
                 part: R::ZERO,
                 ..Moved::by(Trigger::Clear)
@@ -306,8 +307,8 @@ impl<R: Real> SingleVertex<R> {
         swing.load.lever.dot(swing.edge.reaction) > R::ZERO
     }
 
-    /// Lays the lever on the edge of the cone. Of a vertex that is hardly pressed that may be a turn which a further one does not allow:
-    /// then it bears as it is.
+    /// Lays the lever on the edge of the cone. For a vertex that is hardly pressed another vertex may not permit that turn: then it bears
+    /// as it is.
     fn lean(&mut self, scene: &impl World<R>, grip: &Grip<R>, swing: &Swing<R>) {
         let begin = self.pivot;
         self.pivot = self.pivot.moved(R::ZERO, swing.lean());
@@ -317,7 +318,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// The same where a slip or a stick has come to it, but for what that is found to.
+    /// The same if a slip or a stick has come to it, to the accuracy with which that is found.
     pub(crate) fn lean_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
         let swing = self.swing(scene, grip, sign);
         if swing.bears() && swing.lean().abs() < R::ONE {
@@ -341,8 +342,8 @@ impl<R: Real> SingleVertex<R> {
         slide.is_some_and(|sign| self.is_leaning(scene, grip, sign))
     }
 
-    /// Where the vertex bears nothing: as (A·dp), which only grows, is positive or not, the foot goes to the side of the holding point or
-    /// away; it sticks where a slide is not stable.
+    /// If the vertex bears nothing: depending on whether (A·dp), which only grows, is positive, the foot moves to the side of the holding
+    /// point or away from it; it sticks if a slide is not stable.
     pub(super) fn begin_swinging(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
         self.regime = Regime::LOOSE;
         let hand = at.displacement_to(to).hand;
@@ -369,7 +370,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Downhill at a frozen hand, in a direction or, without one, as the moment is.
+    /// Downhill at a frozen hand, in a direction or, without one, in the direction of the moment.
     pub(super) fn swing_down(
         &self,
         scene: &impl World<R>,

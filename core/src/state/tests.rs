@@ -1,5 +1,5 @@
-//! A body whose contacts touch to within a tolerance is seated on them: by a turn where that is enough, so that the foot
-//! stays; else by as little as closes the gaps.
+//! A body whose contacts touch to within a tolerance is seated on them: by a turn if that is enough, so that the foot stays; otherwise by
+//! the least displacement that closes the gaps.
 
 use super::*;
 use crate::fixtures::{self, pivot};
@@ -15,8 +15,8 @@ mod unsure;
 
 pub(in crate::state) type Room = Scene<f64, 4, 4>;
 
-/// A block of 0.8 x 0.6, vertex 0 at the origin, among a floor and planes with normals at some angles (rad) from its, through
-/// given points.
+/// A block of 0.8 x 0.6, vertex 0 at the origin, among a floor and planes through given points, with normals at given angles (rad) from the
+/// floor's.
 pub(in crate::state) fn scene(planes: &[(f64, [f64; 2])]) -> Room {
     let surface = |angle: f64, [x, y]: [f64; 2]| {
         let (sin, cos) = libm::sincos(angle);
@@ -32,7 +32,7 @@ pub(in crate::state) fn scene(planes: &[(f64, [f64; 2])]) -> Room {
     for (place, &(angle, point)) in surfaces[1..].iter_mut().zip(planes) {
         *place = surface(angle, point);
     }
-    // The start is where it is inside of no surface.
+    // It starts where it is inside no surface.
     let description = Description {
         vertices: &[[0.0, 0.0], [0.8, 0.0], [0.8, 0.6], [0.0, 0.6]],
         start: [0.0; 3],
@@ -115,12 +115,12 @@ fn turn_alone_seats_an_edge_and_two_vertices() {
         closed(&wall, &seated, &[other]);
         assert_eq!(seated.foot, 0.0);
         assert!(turn(&seated).abs() < 1e-9, "{}", turn(&seated));
-        // What is seated is not moved by a bit.
+        // A body that is seated does not move by a bit.
         assert_eq!(seat(&wall, seated, &[other]), seated);
     }
 }
 
-/// A wall through the vertex itself, upright or leaning, which no turn brings nearer.
+/// A wall through the vertex itself, upright or leaning, which no turn brings closer.
 #[test]
 fn shift_seats_a_vertex_in_a_corner() {
     for angle in [0.02, 0.3, 1.0, 1.6, 2.5, 3.1] {
@@ -130,16 +130,16 @@ fn shift_seats_a_vertex_in_a_corner() {
         closed(&corner, &seated, &[pair(0, 1)]);
         assert!((seated.foot - off).abs() < 1e-9 && turn(&seated) == 0.2);
     }
-    // Of two surfaces that are parallel but for less than 1/64 none brings it to the other.
+    // If two surfaces are parallel to within 1/64, no shift along one brings it to the other.
     let wedge = scene(&[(0.01, [OFF / libm::sin(0.01), 0.0])]);
     assert_eq!(seat(&wedge, pivot(0.2), &[pair(0, 1)]), pivot(0.2));
-    // Nor does a turn about a vertex straight above which the other one meets a ceiling; a shift along that does not either.
+    // Nor does a turn about a vertex exactly above which the other one meets a ceiling; a shift along it does not either.
     let ceiling = scene(&[(core::f64::consts::PI, [0.0, 0.6 + OFF])]);
     let upright = pivot(0.0);
     assert_eq!(seat(&ceiling, upright, &[pair(3, 1)]), upright);
 }
 
-/// Flat on the floor and against a wall: with the least of slide and turn.
+/// Flat on the floor and against a wall: with the smallest slide and turn.
 #[test]
 fn slide_and_turn_seat_a_locked_body() {
     let wall = scene(&[(core::f64::consts::FRAC_PI_2, [0.8 + OFF, 0.0])]);

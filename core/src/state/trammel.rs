@@ -25,21 +25,21 @@ pub(crate) use certified::{CertifiedSlide, certified_slide};
 pub(crate) use course::{Course, SPOT, certified_slide_among, certified_slip};
 pub(crate) use slide::{LOOK as SPOT_LOOK, MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
-/// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.
+/// The cost of evaluating the motion of two slipping contacts, in evaluations of the motion of one; and of beginning a run of it.
 const LOOK: u32 = 7;
 pub(crate) const RUN: u32 = 32;
 
-/// So many looks at a motion of two contacts: from where they lead it goes on with others.
+/// The maximum number of evaluations of a motion of two contacts: it continues with new ones from where they lead.
 const MOST_LOOKS: u8 = 12;
 
-/// The looks for a touch on such a motion.
+/// The evaluations for a touch on such a motion.
 const MOST_FOR_TOUCH: u8 = 32;
 
-/// The most that a run takes but for the looks of its own, in units of work.
+/// The maximum cost of a run without its own evaluations, in units of work.
 pub(crate) const MOST_OF_RUN: u32 =
     RUN + LOOK * MOST_LOOKS as u32 + MOST_FOR_TOUCH as u32 + Looks::MOST_BESIDE as u32;
 
-/// One direction of the trammel motion, from a present place, all about contact 1.
+/// One direction of the trammel motion, from the present position, everything about contact 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trammel<R> {
     sense: Sense<R>,
@@ -48,7 +48,7 @@ pub(crate) struct Trammel<R> {
     /// r = c2 - c1
     arm: Vec2<R>,
     weight: Vec2<R>,
-    /// 1 over the size of the load: forces and moments are counted in it.
+    /// 1 over the magnitude of the load: the unit of forces and moments.
     per_load: R,
 }
 
@@ -58,7 +58,7 @@ struct Sense<R> {
     /// The sign of the unit twist.
     direction: R,
     curve: BalanceCurve<R>,
-    /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
+    /// Signs of the velocities of the two contacts along their tangents; 0 if a contact rests.
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
     reactions: [Vec2<R>; 2],
@@ -69,23 +69,23 @@ struct Sense<R> {
     resistance: R,
 }
 
-/// What is asked of the reactions of a trammel motion.
+/// What is demanded of the reactions of a trammel motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Demand {
     /// Both press; one that vanishes opens.
     Pressed,
-    /// Looked at in balance only, where no opening is consistent before.
+    /// Examined at balance only, where no opening is consistent before.
     AtTheEnd,
 }
 
-/// How far a run went.
+/// The extent of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run<R> {
-    /// Along t1.
+    /// The displacement along t1.
     pub(crate) slide: R,
     pub(crate) turn: R,
     pub(crate) unsure: bool,
-    /// What it took, in units of work.
+    /// Its cost, in units of work.
     pub(crate) work: u32,
 }
 
@@ -94,13 +94,13 @@ pub(crate) struct Run<R> {
 pub(crate) enum Ending<R> {
     /// (E6)
     Stopped,
-    /// (E6), with both contacts pressed for certain.
+    /// (E6), with both contacts certainly pressed.
     Rests,
     /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
     Opens { lasts: usize, sliding: R },
-    /// A further vertex reached a surface.
+    /// Another vertex reached a surface.
     Touches(Pair),
-    /// A contact comes to the turning point of its motion.
+    /// A contact reaches the turning point of its motion.
     Reverses,
     /// Contact number `contact`, which slides along sign·t, has left its side.
     Off { contact: usize, sign: R },
@@ -108,7 +108,7 @@ pub(crate) enum Ending<R> {
     Window,
 }
 
-/// The velocities of both contacts along their tangents, and how they change.
+/// The velocities of both contacts along their tangents, and their rates of change.
 type Turning<R> = [Sloped<R>; 2];
 
 impl<R: Real> Sense<R> {
@@ -127,7 +127,7 @@ impl<R: Real> Sense<R> {
 }
 
 impl<R: Real> Trammel<R> {
-    /// The direction that the hand drives, if any, of a body with a pivot and another contact.
+    /// The direction in which the hand drives a body with a pivot and another contact, if any.
     pub(crate) fn driven(
         scene: &impl World<R>,
         (pivot, other): (&Pivot<R>, Pair),
@@ -137,7 +137,7 @@ impl<R: Real> Trammel<R> {
         Self::driven_in(scene, (pivot, other), grip, (&[R::ONE, -R::ONE], demand))
     }
 
-    /// That of some directions that the hand drives most, if any.
+    /// The one of several directions in which the hand drives it most strongly, if any.
     pub(crate) fn driven_in<W: World<R>>(
         scene: &W,
         contacts: (&Pivot<R>, Pair),
@@ -157,7 +157,7 @@ impl<R: Real> Trammel<R> {
         best.map(|sense| Self { sense, ..trammel })
     }
 
-    /// In a direction, driven or not. Once in an image.
+    /// In a direction, driven or not. Compiled once per image.
     #[inline(never)]
     pub(crate) fn in_sense(
         scene: &impl World<R>,
@@ -171,7 +171,7 @@ impl<R: Real> Trammel<R> {
         trammel
     }
 
-    /// At a place, without a motion yet.
+    /// At a pose, without a motion yet.
     fn at(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), grip: &Grip<R>) -> Self {
         let placed = pivot.placed(scene);
         let load = Load::new(scene, placed, grip);
@@ -195,7 +195,7 @@ impl<R: Real> Trammel<R> {
         Sense::along(curve, direction)
     }
 
-    /// The sign of (E6) where the load drives the motion, and its rounding.
+    /// The sign of (E6) if the load drives the motion, and its rounding.
     pub(crate) fn falls(&self) -> (R, R) {
         (self.sense.resistance.sign(), self.sense.rounding)
     }
@@ -205,12 +205,12 @@ impl<R: Real> Trammel<R> {
         self.sense.direction
     }
 
-    /// The signs of the velocities of both contacts along their tangents; 0 where one rests.
+    /// The signs of the velocities of both contacts along their tangents; 0 if one rests.
     pub(crate) fn signs(&self) -> [R; 2] {
         self.sense.signs
     }
 
-    /// Neither reaction pulls, by more than their rounding.
+    /// Returns whether neither reaction pulls by more than its rounding.
     pub(crate) fn presses_both(&self) -> bool {
         let found: Quantities<R> = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
         let sign = self.sense.resistance.sign();
@@ -218,7 +218,7 @@ impl<R: Real> Trammel<R> {
         pressing.all(|n| n >= -R::of_searches(self.sense.rounding))
     }
 
-    /// The moment about contact 1 presses contact 2, whose reaction is on the edge of its dynamic cone.
+    /// Returns whether the moment about contact 1 presses contact 2, whose reaction is on the edge of its dynamic cone.
     pub(crate) fn moment_presses(&self) -> bool {
         let [_, second] = self.sense.reactions;
         let moment = self.load.moment();
@@ -226,13 +226,13 @@ impl<R: Real> Trammel<R> {
         moment > R::ZERO && lever < R::ZERO || moment < R::ZERO && lever > R::ZERO
     }
 
-    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone: from the force alone where that says more
-    /// than force and moment together.
+    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone: from the force alone if that determines them
+    /// better than force and moment together.
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
         let [f1, f2] = self.sense.reactions;
         let spread = f1.cross(f2);
         if spread.abs() > R::spread().min((self.sense.resistance * self.per_load).abs()) {
-            // What balances the force does so to the last digit.
+            // Reactions that balance the force do so to the last digit.
             let force = self.load.force;
             let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
             return on_edges((&self.surfaces, self.sense.signs), sizes);
@@ -243,24 +243,24 @@ impl<R: Real> Trammel<R> {
         on_edges((&self.surfaces, self.sense.signs), sizes)
     }
 
-    /// Slide along t1 and turn, per unit of the motion.
+    /// The slide along t1 and the turn, per unit of the motion.
     pub(super) fn twist(&self) -> (R, R) {
         let start = self.sense.curve.at(R::ZERO);
         let curve = &self.sense.curve;
         (curve.part_velocity_as(&start), curve.rate_as())
     }
 
-    /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
+    /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both divided by the length of the twist.
     fn curve(surfaces: &[Surface<R>; 2], arm: Vec2<R>, sense: R) -> BalanceCurve<R> {
         let [first, second] = surfaces;
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);
         if size <= R::standstill() {
-            // Wedged straight across parallel surfaces: slides without a turn. A turn would open the gap.
+            // Wedged straight across parallel surfaces: it slides without a turn. A turn would open the gap.
             return BalanceCurve::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
-        // Across surfaces almost in line the path bends sharply: in longer units, by what the number type represents.
+        // Across almost collinear surfaces the path bends sharply: longer units keep it within what the number type represents.
         let across = second.normal.dot(arm);
         let size = if by_slide == R::ZERO {
             size
@@ -273,7 +273,7 @@ impl<R: Real> Trammel<R> {
         )
     }
 
-    /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
+    /// Computes the directions of friction; returns true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
     /// a solution with delta > 0 and N_i >= 0.
     fn meets_friction<W: World<R>>(
         &mut self,
@@ -285,7 +285,7 @@ impl<R: Real> Trammel<R> {
         let velocities: [R; 2] = self.velocities(&start);
         let mut ahead = velocities;
         if velocities.iter().any(|v| v.abs() <= standstill) {
-            // A contact at the turning point of its motion is about to go on the other way.
+            // A contact at the turning point of its motion is about to continue in the opposite direction.
             let turning: Turning<R> = if W::CORNERS {
                 Course::of(scene, contacts, grip, self).turning()
             } else {
@@ -313,7 +313,7 @@ impl<R: Real> Trammel<R> {
         let found: Quantities<R> = self.quantities(&start, R::ONE);
         self.sense.resistance = found.resistance;
         let [first, second] = self.sense.reactions;
-        // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
+        // In this unit, the size of the facet's normal, the excess is the quantity that the test of the contacts uses.
         let facet = first.cross(second).hypot(self.arm.cross(second));
         let resolved = R::of_sums(facet);
         let rounding = (self.load.rounding() * self.per_load * facet).max(resolved);
@@ -326,7 +326,7 @@ impl<R: Real> Trammel<R> {
             && (pressed || demand == Demand::AtTheEnd)
     }
 
-    /// At a fold of (E6), where it and its slope are zero: up to here it grows with the curvature ahead.
+    /// At a fold of (E6), where it and its slope are zero: it grows with the curvature ahead up to here.
     pub(crate) fn clear_of_fold(&self) -> R {
         let p = self.sense.curve.at(R::ZERO);
         let curved: Bounded<R> = self.imbalance_slope(&p, R::ONE);
@@ -339,7 +339,7 @@ impl<R: Real> Trammel<R> {
         }
     }
 
-    /// Runs to the first ending, of which the balance is not before `clear`; `lasting`: the two contacts.
+    /// Runs to the first ending, where a balance before `clear` does not count; `lasting`: the two contacts.
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
@@ -352,9 +352,9 @@ impl<R: Real> Trammel<R> {
         let [of_n1, of_n2] = begin.normals.map(|normal| normal.bounds);
         let [of_v1, of_v2] = begin.velocities.map(|velocity| velocity.bounds);
         let mut of_balance = begin.imbalance.bounds;
-        // What drives it is not nothing to the search, whatever its bound.
+        // Its drive is not zero to the search, whatever its bound.
         of_balance.error = of_balance.error.min(self.sense.rounding);
-        // Who has just turned does not turn again within a window.
+        // A contact that has just turned back does not turn again within a window.
         let ([v1, v2], [s1, s2]) = (begin.velocities, self.sense.signs);
         let [turns1, turns2] = [(v1, s1), (v2, s2)]
             .map(|(v, sign)| sign != R::ZERO && v.value.abs() > R::standstill());
@@ -380,7 +380,7 @@ impl<R: Real> Trammel<R> {
         let (x, mut ending, is_unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),
             Found::Zero { x, which } => (x, self.ending(which), false),
-            // So far nothing ended it: it goes on from there.
+            // Nothing has ended it so far: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
         let mut extent = Extent {
@@ -400,7 +400,7 @@ impl<R: Real> Trammel<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            // What goes as far as its bounds hold goes on from there.
+            // A run that reaches the end of its bounds goes on from there.
             unsure: extent.unsure && (ending != Ending::Window || extent.end.x == R::ZERO),
             work: RUN
                 .saturating_add(looks.taken().saturating_mul(LOOK))
@@ -409,6 +409,7 @@ impl<R: Real> Trammel<R> {
         (run, ending)
     }
 
+    /// The ending of a run for the function that became zero: (E6), N_1, N_2, or a velocity.
     fn ending(&self, which: usize) -> Ending<R> {
         match which {
             0 => Ending::Stopped,
@@ -425,7 +426,7 @@ impl<R: Real> Trammel<R> {
     }
 }
 
-/// What two contacts bear that slide in balance in a sense of the unit twist, (N, T) of each, and the signs of their velocities.
+/// The reactions (N, T) of two contacts that slide in balance in a direction of the unit twist, and the signs of their velocities.
 pub(crate) fn sliding_reactions<R: Real>(
     scene: &impl World<R>,
     contacts: (&Pivot<R>, Pair),
@@ -439,7 +440,7 @@ pub(crate) fn sliding_reactions<R: Real>(
     (trammel.reactions(), trammel.signs())
 }
 
-/// (N, T) of contacts that slide from the parts of their reactions along the edges of the dynamic cones.
+/// (N, T) of sliding contacts from the components of their reactions along the edges of the dynamic cones.
 fn on_edges<R: Real>((surfaces, signs): (&[Surface<R>; 2], [R; 2]), sizes: [R; 2]) -> [[R; 2]; 2] {
     let ([first, second], [s1, s2], [size1, size2]) = (surfaces, signs, sizes);
     [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {

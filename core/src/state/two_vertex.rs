@@ -1,5 +1,5 @@
-//! Two vertices on two surfaces (STATICS 5): the pose is locked while an internal force between the contacts keeps both
-//! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
+//! Two vertices on two surfaces (STATICS 5): the pose is locked while an internal force between the contacts keeps both reactions within
+//! their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 mod slip;
 
@@ -30,7 +30,7 @@ pub(crate) struct TwoVertex<R> {
     pub(crate) regime: Regime<R>,
     /// Edges of the friction cones that bore the load last.
     pub(crate) bearers: [u8; 3],
-    /// By so much the body can move before a further vertex can touch a surface (L); 0: not known.
+    /// The distance that the body can move before another vertex can touch a surface (L); 0: not known.
     pub(super) room: R,
     pub(super) watch: Watch,
 }
@@ -56,7 +56,7 @@ impl<R: Real> TwoVertex<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), stiction))
     }
 
-    /// A certified frame: it stays, as the loads that are borne are convex and the end of the way decides; or it slides on.
+    /// A certified frame: it stays, as the set of loads that are borne is convex and the end of the path decides; or it slides on.
     pub(crate) fn follow<W: World<R>>(
         &mut self,
         scene: &W,
@@ -83,7 +83,7 @@ impl<R: Real> TwoVertex<R> {
         bears
     }
 
-    /// Both contacts are on their sides at a place of the pivot.
+    /// Returns whether both contacts are on their sides at a position of the pivot.
     fn are_on_sides(&self, scene: &impl World<R>, pivot: &Pivot<R>) -> bool {
         let placed = pivot.placed(scene);
         let contacts = self.contacts();
@@ -92,7 +92,7 @@ impl<R: Real> TwoVertex<R> {
             .all(|&pair| placed.beyond(scene, pair) <= R::ZERO)
     }
 
-    /// True if nothing else can be reached on a way that begins here.
+    /// True if nothing else can be reached on a displacement that begins here.
     #[inline(always)]
     fn has_room<W: World<R>>(
         &mut self,
@@ -112,7 +112,7 @@ impl<R: Real> TwoVertex<R> {
         has_room
     }
 
-    /// To half-planes, but by its contacts.
+    /// The room to half-planes, except by its contacts.
     fn room_beside(&self, scene: &impl World<R>) -> R {
         let contacts = self.contacts();
         let placed = self.pivot.placed(scene);
@@ -184,7 +184,7 @@ impl<R: Real> TwoVertex<R> {
         self.follows(scene, trammel, (from, to))
     }
 
-    /// That of a trammel whose load is that at the beginning.
+    /// The same for a trammel whose load is that at the beginning.
     fn follows<W: World<R>>(
         &self,
         scene: &W,
@@ -238,8 +238,8 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// Without stiction the contacts give way at the edges of their dynamic cones: they slide, or stick on with stiction. Nothing
-    /// where no slide has the signs of these edges, or none follows the hand in balance (rule 10e).
+    /// Without stiction the contacts give way at the edges of their dynamic cones: they slide, or stick on with stiction. `None` if no
+    /// slide has the signs of these edges, or none follows the hand in balance (rule 10e).
     pub(crate) fn begin_slide(
         &self,
         scene: &impl World<R>,
@@ -264,7 +264,7 @@ impl<R: Real> TwoVertex<R> {
         })
     }
 
-    /// The directions along t in which the contacts would begin to slide. A call of its own: the cone is off the stack when they are known.
+    /// The directions along t in which the contacts would begin to slide. A call of its own: the cone is off the stack when it returns.
     #[inline(never)]
     fn sliding_signs(
         &self,
@@ -278,8 +278,8 @@ impl<R: Real> TwoVertex<R> {
         signs
     }
 
-    /// The other contact has just closed while the first one slid along a sign: both slide if the motion that goes on with that
-    /// follows the hand and presses the new contact on, else both stick (rule 10g).
+    /// The other contact has just closed while the first one slid along a sign: both slide if the motion that continues this slide follows
+    /// the hand and presses the new contact on, otherwise both stick (rule 10g).
     pub(crate) fn slide_on(
         &mut self,
         scene: &impl World<R>,
@@ -304,7 +304,7 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
+    /// Tests the contacts in the present pose; a motion in progress goes on while it is driven.
     #[inline(never)]
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
         let driven =
@@ -338,7 +338,7 @@ impl<R: Real> TwoVertex<R> {
         release
     }
 
-    /// The reactions, and the directions along t in which the contacts slide: 0 where they stick.
+    /// The reactions, and the directions along t in which the contacts slide: 0 if they stick.
     pub(crate) fn reactions(
         &self,
         scene: &impl World<R>,
@@ -354,7 +354,7 @@ impl<R: Real> TwoVertex<R> {
     }
 }
 
-/// Where both contacts last, they slide.
+/// If both contacts last, they slide.
 fn slides<R: Real>(trigger: Trigger<R>) -> Trigger<R> {
     match trigger {
         Trigger::Keep {
@@ -369,7 +369,7 @@ fn slides<R: Real>(trigger: Trigger<R>) -> Trigger<R> {
 mod tests {
     use super::*;
 
-    /// Of a single contact that slides on, the other one opens.
+    /// If a single contact slides on, the other one opens.
     #[test]
     fn both_contacts_slide_where_both_last() {
         let keep = |contacts, sliding: Option<f64>| Trigger::Keep { contacts, sliding };

@@ -63,7 +63,7 @@ fn arm_of_what_lasts_leads_from_state_to_state() {
     }
 }
 
-/// Of what is done in a state: it rests, slips, lifts off or turns over.
+/// The arms of verbs within a state: it rests, slips, lifts off or turns over.
 #[test]
 fn arm_of_a_verb_leads_from_the_state() {
     let orientation = Orientation::new(Angle::<f64>::default());

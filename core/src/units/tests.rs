@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// 1 over a unit is less than [`Real::HUGE`], which stands for what is beyond all numbers; so is the unit itself.
+/// 1 over a unit is less than [`Real::HUGE`], which represents everything beyond all numbers; so is the unit itself.
 fn check<F: Real>() {
     let usable = |unit: F| Units::new(F::ONE, unit).are_usable();
     let least = F::ONE / F::HUGE;

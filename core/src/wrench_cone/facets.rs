@@ -1,5 +1,5 @@
-//! The facets of the cone: where a load leaves it, and which motion then begins. A contact none of whose edges lie in the
-//! facet opens, one with both edges in it sticks, one with a single edge in it slides.
+//! The facets of the cone: where a load leaves it, and which motion then begins. A contact without an edge in the facet opens, one with
+//! both edges in it sticks, one with a single edge in it slides.
 
 use super::{Edge, WrenchCone};
 use crate::real::Real;
@@ -20,7 +20,7 @@ pub(crate) enum Yield<R> {
 }
 
 impl<R: Real> WrenchCone<R> {
-    /// The part of the path from one load to another after which the contacts cannot bear it any more, if that comes.
+    /// The fraction of the path from one load to another after which the contacts cannot bear it any more, if there is one.
     pub(crate) fn first_yield(&self, from: Wrench2<R>, to: Wrench2<R>, rounding: R) -> Option<R> {
         let [first] = self.first_yields(from, to, [rounding]);
         first
@@ -57,8 +57,8 @@ impl<R: Real> WrenchCone<R> {
         firsts
     }
 
-    /// Without facets all edges lie in one line, as of contacts without friction on opposite sides of a slot: they bear what
-    /// lies in that line against one of them, and nothing else.
+    /// Without facets all edges are collinear, as for contacts without friction on opposite sides of a slot: they bear loads in that line
+    /// that press against one of them, and nothing else.
     fn is_on_line(&self, load: Wrench2<R>, rounding: R) -> bool {
         let mut edges = self.edges.iter().map(|edge| edge.wrench);
         edges.any(|edge| {
@@ -85,7 +85,7 @@ impl<R: Real> WrenchCone<R> {
         most.map(|(_, mode)| mode)
     }
 
-    /// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
+    /// The motion if two edges alone bear the load, and it crosses their facet with an inner normal.
     fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Wrench2<R>) -> Yield<R> {
         if a.contact == b.contact {
             Yield::Pivot { contact: a.contact }
@@ -97,21 +97,21 @@ impl<R: Real> WrenchCone<R> {
         }
     }
 
-    /// The direction along t in which the contact of an edge slides when the load crosses the facet of an inner normal:
-    /// against the friction; without friction the normal is the motion itself.
+    /// The direction along t in which the contact of an edge slides when the load crosses the facet with an inner normal: against the
+    /// friction; without friction the normal is the motion itself.
     fn slides(&self, edge: &Edge<R>, normal: Wrench2<R>) -> R {
         if edge.friction != R::ZERO {
             return -edge.friction.sign();
         }
-        // Of a force along t, which is a quarter turn from n.
+        // For a force along t, which is a quarter turn from n.
         let force = -edge.wrench.force.turned();
         let lever = self.levers.get(edge.contact).copied().unwrap_or_default();
         let moment = lever.cross(force);
         normal.dot(Wrench2 { force, moment }).sign()
     }
 
-    /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
-    /// incipient motion when the load crosses it.
+    /// Visits the facets: inner normal of unit size, its accuracy, from 0 (its edges are parallel) to 1, and the incipient motion when the
+    /// load crosses it.
     fn each_facet(&self, visit: &mut dyn FnMut(Wrench2<R>, R, Yield<R>)) {
         self.spend(work::facets(self.count()));
         for (i, a) in self.edges.iter().enumerate() {
@@ -143,7 +143,7 @@ impl<R: Real> WrenchCone<R> {
         }
     }
 
-    /// A cone that lies in a plane, of two contacts without friction, ends at single edges, too: beyond one the other opens.
+    /// A cone that lies in a plane, of two contacts without friction, also ends at single edges: beyond one of them the other opens.
     fn each_end(
         &self,
         (plane, sharpness): (Wrench2<R>, R),

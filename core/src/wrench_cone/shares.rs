@@ -1,4 +1,4 @@
-//! How a load is shared out among the contacts: three edges of the cone bear any load in it, two or one come near to others.
+//! The distribution of a load among the contacts: three edges of the cone bear any load in it, two or one come close to others.
 
 use heapless::Vec;
 
@@ -10,24 +10,24 @@ use crate::thresholds::Thresholds;
 use crate::work::{THREE, TRIAL};
 use crate::wrench2::Wrench2;
 
-/// The parts of edges that lie almost in a plane are looked at so many times at most, and refined in between.
+/// The components along edges that are almost coplanar are computed at most this many times, and refined in between.
 const REFINEMENTS: usize = 4;
 
 impl<R: Real> WrenchCone<R> {
-    /// True if three edges alone bear a load but for a little, with no reaction beyond the limit.
+    /// True if three given edges bear a load up to a small residual, with no reaction beyond the limit.
     pub(crate) fn bears_on(&self, edges: [u8; 3], load: Wrench2<R>, little: R) -> bool {
         let parts = self.bearing(edges.map(usize::from), load, little);
         parts.is_some_and(|parts| self.is_within_limit(&parts))
     }
 
-    /// Three edges that do.
+    /// Finds three such edges.
     pub(crate) fn bearers(&self, load: Wrench2<R>, little: R) -> Option<[u8; 3]> {
         let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
         let mut triples = self.triples().map(small);
         triples.find(|&edges| self.bears_on(edges, load, little))
     }
 
-    /// True if three edges bear a load but for a little, however large the reactions.
+    /// True if three edges bear a load up to a small residual, however large the reactions.
     pub(crate) fn jams(&self, load: Wrench2<R>, little: R) -> bool {
         let (mut part, step) = (load, R::digits());
         while part.size() > little * step {
@@ -47,13 +47,13 @@ impl<R: Real> WrenchCone<R> {
             if !is_beyond {
                 return false;
             }
-            // Reactions beyond the numbers: those that bear a fraction of the load are not.
+            // Reactions beyond the range of the numbers: those that bear a fraction of the load are within it.
             part = part.over(step);
         }
         false
     }
 
-    /// True if no contact has to press harder than what is borne as it is.
+    /// True if no contact has to press harder than the limit up to which reactions are reported as they are.
     #[inline(never)]
     fn is_within_limit(&self, solution: &[(usize, R)]) -> bool {
         (0..self.levers.len()).all(|contact| {
@@ -65,28 +65,29 @@ impl<R: Real> WrenchCone<R> {
         })
     }
 
-    /// True if some contact of those that come nearest to bearing a load presses harder than what is borne as it is.
+    /// True if some contact of those that come closest to bearing a load presses harder than the limit up to which reactions are reported
+    /// as they are.
     pub(crate) fn exceeds_limit(&self, load: Wrench2<R>, little: R) -> bool {
         let (parts, _) = self.parts(load, little);
         let all: Vec<(usize, R), MAX_EDGES> = gather(parts.iter().copied().enumerate());
         !self.is_within_limit(&all)
     }
 
-    /// What the reactions that come nearest to bearing a load leave of it.
+    /// The residual of a load after the reactions that come closest to bearing it.
     pub(crate) fn left(&self, load: Wrench2<R>, little: R) -> R {
         self.parts(load, little).1
     }
 
-    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all sets of parts that bear it, but
-    /// for a little, on three edges. For two contacts that is the middle of the interval of (E5).
+    /// Distributes a load among the contacts, as components along the +t and the -t edge of each: the mean of all sets of components that
+    /// bear it, up to a small residual, on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Wrench2<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
         let (parts, _) = self.parts(load, little);
         let pairs = parts.chunks_exact(2);
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
-    /// As [`Self::share`], edge by edge, and what that leaves of the load. Reactions beyond all numbers are reported as the largest
-    /// number where they bear a fraction of the load.
+    /// Like [`Self::share`], edge by edge, and the residual of the load. If the reactions are beyond all numbers but bear a fraction of the
+    /// load, they are reported as the largest number.
     fn parts(&self, load: Wrench2<R>, little: R) -> (Parts<R>, R) {
         let nearest = self.nearest(load, little);
         if nearest.beyond && nearest.left > little {
@@ -109,7 +110,7 @@ impl<R: Real> WrenchCone<R> {
         (nearest.parts, nearest.left)
     }
 
-    /// The mean of all that bear it within the limit, or what comes nearest, as far as numbers go. Once in an image.
+    /// The mean of all that bear it within the limit, or the closest to that, as far as the numbers permit. Compiled once per image.
     #[inline(never)]
     fn nearest(&self, load: Wrench2<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
@@ -130,7 +131,7 @@ impl<R: Real> WrenchCone<R> {
         for part in &mut parts {
             *part = *part * share;
         }
-        // Takes out the rounding; where no three edges bear the load, this is the nearest that up to three come to it.
+        // Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
         let mut beyond = false;
         let mut remainder = self.remainder(load, &parts);
         let mut left = remainder.size();
@@ -175,8 +176,8 @@ impl<R: Real> WrenchCone<R> {
         gather(self.edges.iter().map(|_| R::ZERO))
     }
 
-    /// What parts of the edges leave of a load.
-    // Once in an image.
+    /// The residual of a load after components along the edges.
+    // Compiled once per image.
     #[inline(never)]
     fn remainder(&self, load: Wrench2<R>, parts: &Parts<R>) -> Wrench2<R> {
         let edges = self.edges.iter().zip(parts);
@@ -201,8 +202,8 @@ impl<R: Real> WrenchCone<R> {
         self.edges.get(edge).map(|edge| edge.wrench)
     }
 
-    /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: what they leave is
-    /// shared out once more, and little may be left then. Once in an image.
+    /// The components along three edges that bear a load. Those along edges that are almost coplanar are hardly known: their residual is
+    /// distributed once more, and it may be small then. Compiled once per image.
     #[inline(never)]
     pub(super) fn bearing(
         &self,
@@ -215,7 +216,7 @@ impl<R: Real> WrenchCone<R> {
         self.refined(edges, found, (load, little))
     }
 
-    /// The same of parts that are known, and the volume of the edges.
+    /// The same from known components, and the volume of the edges.
     fn refined(
         &self,
         edges: [usize; 3],
@@ -245,7 +246,8 @@ impl<R: Real> WrenchCone<R> {
             if presses(&refined) && remainder.size() <= little + rounding {
                 return Some(refined);
             }
-            // In steps so fine that what is left is a sixteenth: its parts are numbers then, and those of the faces show.
+            // Scaled so that the residual is a sixteenth: then its components are within the range of the numbers, and those of the faces
+            // show.
             let fine = remainder.size().unit() * R::digits();
             let (more, _) = self.on_three(edges, remainder.over(fine))?;
             for (part, (_, more)) in refined.iter_mut().zip(more) {
@@ -255,13 +257,14 @@ impl<R: Real> WrenchCone<R> {
         None
     }
 
-    /// What the rounding of parts of edges leaves of a load: of as much of it as shows in which direction it is.
+    /// The residual that the rounding of the components along edges leaves of a load, at most the fraction of the load below which its
+    /// direction is known.
     fn rounding<'a>(parts: impl IntoIterator<Item = &'a R>, load: Wrench2<R>) -> R {
         let sum = parts.into_iter().fold(R::ZERO, |sum, &part| sum + part);
         R::of_sums(sum).min(load.size() * R::divisor())
     }
 
-    /// What the rounding of the reactions that bear a load leaves of it.
+    /// The residual that the rounding of the reactions that bear a load leaves of it.
     pub(crate) fn rounding_of_reactions(&self, load: Wrench2<R>, little: R) -> R {
         let bearing = (self.triples()).find_map(|edges| self.bearing(edges, load, little));
         match bearing {
@@ -270,13 +273,13 @@ impl<R: Real> WrenchCone<R> {
         }
     }
 
-    /// The parts of three edges that balance a load, and the volume of the edges.
+    /// The components along three edges that balance a load, and the volume of the edges.
     fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench2<R>) -> Option<([(usize, R); 3], R)> {
         let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
         let part = |face: Wrench2<R>| -face.dot(load) / volume;
-        // What is hardly known shows by what it leaves.
+        // A component that is hardly known shows in its residual.
         let usable = volume.abs() > R::EPSILON;
         usable.then(|| {
             let solution = [(i, part(bc)), (j, part(ca)), (k, part(ab))];
@@ -284,7 +287,7 @@ impl<R: Real> WrenchCone<R> {
         })
     }
 
-    /// The parts of two edges that come nearest to bearing a load.
+    /// The components along two edges that come closest to bearing a load.
     fn on_two(&self, [i, k]: [usize; 2], load: Wrench2<R>) -> Option<[(usize, R); 2]> {
         let (a, b) = (self.wrench(i)?, self.wrench(k)?);
         let normal = a.cross(b);
@@ -295,7 +298,7 @@ impl<R: Real> WrenchCone<R> {
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
     }
 
-    /// The part of one edge that comes nearest to bearing a load.
+    /// The component along one edge that comes closest to bearing a load.
     fn on_one(&self, i: usize, load: Wrench2<R>) -> Option<[(usize, R); 1]> {
         let edge = self.wrench(i)?;
         Some([(i, -edge.dot(load) / edge.dot(edge))])
@@ -304,16 +307,16 @@ impl<R: Real> WrenchCone<R> {
 
 type Parts<R> = Vec<R, MAX_EDGES>;
 
-/// The parts of the edges that come nearest to bearing a load.
+/// The components along the edges that come closest to bearing a load.
 struct Nearest<R: Real> {
     parts: Parts<R>,
-    /// The size of what they leave.
+    /// The size of their residual.
     left: R,
-    /// Others would need parts beyond all numbers.
+    /// Others would need components beyond all numbers.
     beyond: bool,
 }
 
-/// Adds to the parts of some edges; no part falls below zero.
+/// Adds to the components along some edges; no component falls below zero.
 fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
     for &(edge, part) in more {
         if let Some(sum) = parts.get_mut(edge) {

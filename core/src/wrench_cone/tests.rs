@@ -1,5 +1,5 @@
-//! What contacts bear together, against the definition: a load is borne if reactions within the friction cones balance it,
-//! which is decided here by a slow descent.
+//! The loads that contacts bear together, against the definition: a load is borne if reactions within the friction cones balance it, which
+//! is decided here by a slow descent.
 
 use super::*;
 use crate::fixtures::{Random, sampled};
@@ -8,7 +8,7 @@ use crate::thresholds::Thresholds;
 mod bounds;
 mod flat;
 
-/// What reactions may leave of a load of the size of one.
+/// The permitted residual of a load of size one.
 const LITTLE: f64 = 1e-12;
 
 impl Random {
@@ -43,8 +43,8 @@ fn cone(contacts: &[(Vec2<f64>, f64, f64)]) -> (WrenchCone<f64>, Vec<Wrench2<f64
     (cone, edges)
 }
 
-/// How far a load is from what the edges bear: the least that parts of theirs leave of it, by descent over one part after the
-/// other. Nothing where that is too slow.
+/// The distance of a load from the loads that the edges bear: the least residual of components along them, by descent over one component
+/// after the other. `None` if that is too slow.
 fn outside(edges: &[Wrench2<f64>], load: Wrench2<f64>) -> Option<f64> {
     let mut parts = [0.0_f64; MAX_EDGES];
     let mut remainder = load.scaled(-1.0);
@@ -63,7 +63,7 @@ fn outside(edges: &[Wrench2<f64>], load: Wrench2<f64>) -> Option<f64> {
     None
 }
 
-/// The sum of two loads, each so many times.
+/// A linear combination of two loads.
 fn sum(a: Wrench2<f64>, b: Wrench2<f64>, [n, m]: [f64; 2]) -> Wrench2<f64> {
     Wrench2 {
         force: a.force * n + b.force * m,
@@ -86,7 +86,7 @@ fn contacts(random: &mut Random, smooth: bool) -> Vec<(Vec2<f64>, f64, f64), 4> 
     list
 }
 
-/// The path of a load from one that is borne: it yields where it leaves the cone.
+/// The path of a load that begins at one that is borne: it yields where it leaves the cone.
 #[test]
 fn load_yields_where_no_reactions_balance_it() {
     let mut found = [0; 2];
@@ -94,7 +94,7 @@ fn load_yields_where_no_reactions_balance_it() {
         let mut random = Random(seed);
         let smooth = seed % 4 == 0;
         let (cone, edges) = cone(&contacts(&mut random, smooth));
-        // Borne by some part of every edge, or, for contacts without friction, of each contact.
+        // Borne by a component along every edge, or, for contacts without friction, along each normal.
         let mut from = Wrench2 {
             force: Vec2::ZERO,
             moment: 0.0,
@@ -110,7 +110,7 @@ fn load_yields_where_no_reactions_balance_it() {
             });
         let mut both = axes.iter().flat_map(|axis| [*axis, axis.scaled(-1.0)]);
         if both.all(|load| cone.jams(load, LITTLE)) {
-            // Whatever comes is borne.
+            // Every load is borne.
             assert!(cone.jams(to, LITTLE));
             continue;
         }
@@ -145,7 +145,7 @@ fn load_yields_where_no_reactions_balance_it() {
     );
 }
 
-/// Whatever is borne is shared out with no part below zero, and nothing is left of it.
+/// Every load that is borne is distributed without negative components and without a residual.
 #[test]
 fn shares_of_what_is_borne_add_up_to_it() {
     for seed in sampled(0..400, 97) {
@@ -177,7 +177,7 @@ fn shares_of_what_is_borne_add_up_to_it() {
     }
 }
 
-/// (E5): two contacts share a load by the middle of the interval of the internal force along the line between them.
+/// (E5): two contacts share a load according to the middle of the interval of the internal force along the line between them.
 #[test]
 fn two_contacts_share_by_the_middle_of_the_interval() {
     let mut count = 0;
@@ -194,7 +194,7 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
             .map(|(part, edge)| edge[0].force * part[0] + edge[1].force * part[1])
             .collect();
         let solution = contacts[1].0 * (1.0 / contacts[1].0.length());
-        // The parts of the two edges fall to zero at the ends of the interval.
+        // The components along the two edges fall to zero at the ends of the interval.
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for ((force, pair), sign) in forces.iter().zip(edges.chunks(2)).zip([1.0, -1.0]) {
             let (plus, minus) = (pair[0].force, pair[1].force);
@@ -234,8 +234,8 @@ fn wrench(x: f64, y: f64, moment: f64) -> Wrench2<f64> {
     }
 }
 
-/// Two contacts without friction on one floor bear what presses between them, and yield at one end or the other, where the
-/// body begins to turn about the contact there.
+/// Two contacts without friction on one floor bear loads that press between them, and yield at one end or the other, where the body begins
+/// to turn about the contact there.
 #[test]
 fn without_friction_an_edge_bears_what_presses_between_its_ends() {
     let (cone, _) = cone(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(2.0, 0.0), 0.0, 0.0)]);
@@ -261,7 +261,7 @@ fn without_friction_an_edge_bears_what_presses_between_its_ends() {
     );
 }
 
-/// On opposite sides of a slot all reactions lie in one line; on one side of it in half of that.
+/// On opposite sides of a slot all reactions are collinear; on one side of it they span half of that line.
 #[test]
 fn without_friction_a_slot_bears_what_lies_across_it() {
     const ROUNDING: f64 = 1e-3;

@@ -1,4 +1,4 @@
-//! Which scene is compiled in, where the linker finds flash and RAM, and what it must know of the log.
+//! Selects the scene that is compiled in, and provides the linker with the locations of flash and RAM and the settings of the log.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
-    // The linker asks for the names of the chip's interrupts, which the crate of a chip has: src/board.rs has all that are needed.
+    // The linker requires the names of the chip's interrupts, which the crate of a chip defines: src/board.rs has all that are needed.
     if let Some(folder) = std::env::var_os("OUT_DIR")
         && let Err(error) = std::fs::write(Path::new(&folder).join("device.x"), "")
     {

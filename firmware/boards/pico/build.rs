@@ -1,4 +1,5 @@
-//! Which scene is compiled in, where the linker finds flash and RAM, and what it must know of the log.
+//! Selects the scene that is compiled in, and provides the linker with the locations of flash and RAM and the settings
+//! of the log.
 
 use std::process::ExitCode;
 

@@ -6,12 +6,12 @@
 
 #define RADIUS 0.010f /* m: turns of the knob are displacements along the floor */
 #define DEPTH 0.005f  /* m: how far the hand is pressed below the floor */
-/* Units of work of a tick; at 1 kHz a Cortex-M0+ of 125 MHz has time for 34. The next two ticks do what is left of a click. */
+/* Units of work of a tick; at 1 kHz a Cortex-M0+ at 125 MHz has time for 34. The next two ticks do the rest of a click. */
 #define BUDGET 32
 
 static stiction solver;
 
-/* 0, or what is wrong. */
+/* Returns 0, or the error. */
 int knob_begin(void)
 {
     static const float tool[1][2] = {{0.0f, 0.0f}};

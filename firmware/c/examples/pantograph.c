@@ -5,12 +5,12 @@
 
 #include "stiction.h"
 
-/* Below this sine of the angle between the distal links a force across them is no longer under control. */
+/* Below this sine of the angle between the distal links a force across them cannot be controlled. */
 #define LEAST_SINE 0.2f
 
 static stiction solver;
 
-/* Where the proximal links end. */
+/* The ends of the proximal links. */
 static void elbows(const float angles[2], float at[2][2])
 {
     int i;
@@ -50,7 +50,7 @@ void pantograph_torques(const float angles[2], const float force[2], float torqu
     sine = link[0][0] * link[1][1] - link[0][1] * link[1][0];
     if (fabsf(sine) < LEAST_SINE)
         return;
-    /* Each distal link pushes along itself; the motor feels what of it is across the proximal one. */
+    /* Each distal link pushes along itself; the motor feels the component across the proximal one. */
     for (i = 0; i < 2; i++) {
         const float *other = link[1 - i];
         const float push = (i == 0 ? 1.0f : -1.0f) * (force[0] * other[1] - force[1] * other[0]) / sine;

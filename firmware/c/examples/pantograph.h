@@ -14,10 +14,10 @@ extern "C" {
 /* From the angles of the proximal links (rad, from +x counter-clockwise; left, right) to the handle (m). 0: the links do not meet. */
 int pantograph_handle(const float angles[2], float handle[2]);
 
-/* Torques (N m) of the motors that give a force (N) at the handle; zero near the poses where the distal links are in line. */
+/* Torques (N m) of the motors that produce a force (N) at the handle; zero near the poses where the distal links are collinear. */
 void pantograph_torques(const float angles[2], const float force[2], float torques[2]);
 
-/* A box with a floor and a wall. 0, or what is wrong. */
+/* A box with a floor and a wall. Returns 0, or the error. */
 int pantograph_begin(const float angles[2]);
 
 /* A tick of the control loop: from the angles of the motors to their torques. */

@@ -15,20 +15,20 @@
  *
  * SI units. The world frame is right-handed with y upwards; angles are in radians, counter-clockwise; forces are those on the body.
  * Define STICTION_FIXED for the library in fixed point (libstiction_fixed.a), STICTION_OBSTACLES for one with obstacles.
- * All functions answer with a stiction_result; they allocate nothing, wait for nothing and never abort. One memory belongs to one
- * thread at a time.
+ * All functions return a stiction_result; they allocate nothing, wait for nothing and never abort. Only one thread at a time may use a
+ * memory.
  */
 
-// At most so many vertices of a body.
+// The maximum number of vertices of a body.
 #define STICTION_VERTICES 8
 
-// At most so many surfaces of a scene.
+// The maximum number of surfaces of a scene.
 #define STICTION_SURFACES 4
 
-// At most so many obstacles of a scene.
+// The maximum number of obstacles of a scene.
 #define STICTION_OBSTACLE_COUNT 8
 
-// At most so many corners of all obstacles together.
+// The maximum number of corners of all obstacles together.
 #define STICTION_CORNERS 32
 
 #if defined(STICTION_OBSTACLES)
@@ -45,44 +45,44 @@
 #define STICTION_SNAPSHOT_WORDS 33
 
 #if (!defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES))
-// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #define STICTION_ABI 256
 #endif
 
 #if (defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES))
-// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #define STICTION_ABI 257
 #endif
 
 #if (!defined(STICTION_FIXED) && defined(STICTION_OBSTACLES))
-// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #define STICTION_ABI 258
 #endif
 
 #if (defined(STICTION_FIXED) && defined(STICTION_OBSTACLES))
-// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #define STICTION_ABI 259
 #endif
 
-// At most so many events of a frame are reported.
+// At most this many events of a frame are reported.
 #define STICTION_EVENTS 16
 
-// At most so many contacts at once.
+// At most this many contacts at a time.
 #define STICTION_CONTACTS 8
 
-// What a function answers. Where it is not `STICTION_RESULT_OK`, nothing was done and nothing written, but for the error of a scene.
+// The result of a function. Unless it is `STICTION_RESULT_OK`, nothing was done and nothing written, except the error of a scene.
 enum stiction_result
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    // It was done.
+    // Success.
     STICTION_RESULT_OK = 0,
     // A pointer that must not be is null.
     STICTION_RESULT_NULL = -1,
     // A pointer is not aligned for what it points to.
     STICTION_RESULT_UNALIGNED = -2,
-    // The library is another one than that of the header: another version, number type, or with obstacles or without.
+    // The library does not match the header: another version, number type, or with obstacles or without.
     STICTION_RESULT_ABI = -3,
     // The memory is smaller than `sizeof(stiction)`, or a snapshot smaller than `sizeof(stiction_snapshot)`.
     STICTION_RESULT_SIZE = -4,
@@ -92,7 +92,7 @@ enum stiction_result
     STICTION_RESULT_NOT_STARTED = -6,
     // The scene cannot be used; `stiction_error` says why.
     STICTION_RESULT_SCENE = -7,
-    // A choice is none of those that there are.
+    // The choice does not exist.
     STICTION_RESULT_CHOICE = -8,
     // The snapshot holds no run of this library.
     STICTION_RESULT_NO_SNAPSHOT = -9,
@@ -115,7 +115,7 @@ enum stiction_state
     STICTION_STATE_NON_CONTACT,
     // One vertex on one surface.
     STICTION_STATE_SINGLE_VERTEX,
-    // Two contacts in one line.
+    // Two collinear contacts.
     STICTION_STATE_EDGE,
     // Two contacts on two surfaces.
     STICTION_STATE_TWO_VERTEX,
@@ -132,7 +132,7 @@ typedef uint8_t stiction_state;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What limited an answer; the larger, the graver.
+// What limited an answer; a larger value is more severe.
 enum stiction_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint8_t
@@ -148,7 +148,7 @@ enum stiction_status
     STICTION_STATUS_ITERATION_LIMIT,
     // Only reactions beyond 64 k_h L hold the body: it stays.
     STICTION_STATUS_JAMMED,
-    // The budget was used up: the body is behind the hand, and goes on with the next step.
+    // The budget was used up: the body is behind the hand, and goes on in the next step.
     STICTION_STATUS_BEHIND,
     // No motion is consistent with the friction: the body stays out of balance.
     STICTION_STATUS_AMBIGUOUS,
@@ -171,7 +171,7 @@ enum stiction_event
   : uint8_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    // A vertex came to a surface.
+    // A vertex reached a surface.
     STICTION_EVENT_TOUCH,
     // A contact opened.
     STICTION_EVENT_LIFT,
@@ -288,9 +288,9 @@ typedef uint8_t stiction_parameter;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// A solver with its run. Nothing in it is for the caller; to move it, copy the whole.
+// A solver with its run. Its contents are private; to move it, copy the whole.
 typedef struct stiction {
-    // Not for the caller.
+    // Private.
     uint64_t words[STICTION_WORDS];
 } stiction;
 
@@ -298,16 +298,17 @@ typedef struct stiction {
 typedef struct stiction_surface {
     // Its normal, which points to the free side; of any length but 0.
     float normal[2];
-    // Its place b (m): the free side is n.p >= b, with n of length 1.
+    // Its position b (m): the free side is n.p >= b, with n of length 1.
     float offset;
     // Coefficient of static friction, not less than that of dynamic friction.
     float friction_static;
-    // Coefficient of dynamic friction, 0 or more. Equal to the static one it makes a steady slide, smaller stick-slip.
+    // Coefficient of dynamic friction, 0 or more. If it equals the static one contacts slide steadily, if it is smaller they stick and
+    // slip.
     float friction_dynamic;
-    // Memory length D_c (m), 0 or more: where the normal force is at least k_h D_c / (mu_s - mu_d) a contact sticks and slips, where it is
-    // less it slides. Only with `has_memory`; without, D_c is 1/4096 of the size of the body.
+    // Memory length D_c (m), 0 or more: if the normal force is at least k_h D_c / (mu_s - mu_d) a contact sticks and slips, if it is less
+    // it slides. Only with `has_memory`; without, D_c is 1/4096 of the size of the body.
     float memory;
-    // Not 0: `memory` counts.
+    // Not 0: `memory` applies.
     uint8_t has_memory;
 } stiction_surface;
 
@@ -315,32 +316,32 @@ typedef struct stiction_surface {
 typedef struct stiction_obstacle {
     // Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall, one for a pin.
     const float (*vertices)[2];
-    // How many.
+    // The number of corners.
     uint32_t vertex_count;
-    // As of a surface.
+    // As for a surface.
     float friction_static;
-    // As of a surface.
+    // As for a surface.
     float friction_dynamic;
-    // As of a surface.
+    // As for a surface.
     float memory;
-    // Not 0: `memory` counts.
+    // Not 0: `memory` applies.
     uint8_t has_memory;
 } stiction_obstacle;
 
-// A scene. It is copied: nothing of it is needed once `stiction_init` has returned. What is not named in an initialiser is 0, which is
-// a choice that can be used for all but vertices and stiffness.
+// A scene. It is copied: nothing of it is needed after `stiction_init` has returned. Members that are not named in an initialiser are 0,
+// which is a usable choice for all except vertices and stiffness.
 typedef struct stiction_scene {
     // The body's vertices (m), in its own frame: a point, a rod of two, or a strictly convex polygon, counter-clockwise.
     const float (*vertices)[2];
-    // How many: 1 to `STICTION_VERTICES`.
+    // The number of vertices: 1 to `STICTION_VERTICES`.
     uint32_t vertex_count;
     // Start pose: x, y (m), theta (rad) of the body's frame in the world. No vertex is deeper in a surface than 1e-5 of the body's size.
     float start[3];
     // Weight (N), 0 or more, at the centroid, along -y.
     float weight;
-    // Where the hand holds the body first (m), in the body's frame. Only with `has_holding_point`.
+    // The point at which the hand holds the body first (m), in the body's frame. Only with `has_holding_point`.
     float holding_point[2];
-    // Not 0: `holding_point` counts. 0: the hand takes hold where it is.
+    // Not 0: `holding_point` applies. 0: the hand takes hold where it is.
     uint8_t has_holding_point;
     // How far outside the body a hand may be and still take hold (m), 0 or more.
     float reach;
@@ -348,27 +349,28 @@ typedef struct stiction_scene {
     float stiffness_translation;
     // Rotational stiffness k_theta (N m/rad), 0 or more: the hand turns the body with k_theta times the difference of angles.
     float stiffness_rotation;
-    // The surfaces; may be null where there are none.
+    // The surfaces; may be null if there are none.
     const struct stiction_surface *surfaces;
-    // How many: at most `STICTION_SURFACES`.
+    // The number of surfaces: at most `STICTION_SURFACES`.
     uint32_t surface_count;
-    // The obstacles; null where there are none, and in a library without obstacles.
+    // The obstacles; null if there are none, and in a library without obstacles.
     const struct stiction_obstacle *obstacles;
-    // How many: at most `STICTION_OBSTACLES`, with at most `STICTION_CORNERS` corners together; 0 in a library without obstacles.
+    // The number of obstacles: at most `STICTION_OBSTACLES`, with at most `STICTION_CORNERS` corners together; 0 in a library without
+    // obstacles.
     uint32_t obstacle_count;
 } stiction_scene;
 
-// Why a scene cannot be used. `stiction_error_text` makes a sentence of it.
+// Why a scene cannot be used. `stiction_error_text` turns it into a sentence.
 typedef struct stiction_error {
     // Which parameter: a `stiction_parameter`.
     uint8_t parameter;
-    // Index of the vertex, surface or obstacle that it is of, from 0; 0 where there is none.
+    // Index of the vertex, surface or obstacle that it belongs to, from 0; 0 if there is none.
     uint8_t index;
-    // Index of the vertex, corner or side in it, from 0; 0 where there is none.
+    // Index of the vertex, corner or side in it, from 0; 0 if there is none.
     uint8_t second;
-    // Its value, in the unit of the parameter; of a count the count, of what is inside of something the depth (m).
+    // Its value, in the unit of the parameter; for a count the count, for a penetration or an overlap the depth (m).
     float value;
-    // What is allowed, in words, and how many bytes they are: no 0 ends them.
+    // What is allowed, in words, and its number of bytes: it is not terminated by 0.
     const uint8_t *allowed;
     // See `allowed`.
     size_t allowed_length;
@@ -382,9 +384,9 @@ typedef struct stiction_hand {
     float y;
     // Angle (rad), unwrapped: it goes on beyond a turn.
     float phi;
-    // Whole turns that are added to it: many turns in `phi` alone would leave it few digits.
+    // Whole turns that are added to it: with many turns in `phi` alone few digits would be left.
     int32_t turns;
-    // Depth across the plane (m); it passes through.
+    // Depth across the plane (m); it is passed through.
     float depth;
     // Not 0: the hand holds the body, or takes hold as soon as it is within reach.
     uint8_t held;
@@ -404,7 +406,7 @@ typedef struct stiction_output {
     float depth;
     // The longest slip of the frame (m); 0 without one.
     float longest_slip;
-    // The part of the hand's displacement that is left to follow, 0 to 1; more than 0 where the budget was used up.
+    // The fraction of the hand's displacement that is left to follow, 0 to 1; more than 0 if the budget was used up.
     float behind;
     // Slips that ended in this frame.
     uint32_t slips;
@@ -416,13 +418,13 @@ typedef struct stiction_output {
     stiction_state state;
     // What limited the answer.
     stiction_status status;
-    // How many events there are.
+    // The number of events.
     uint8_t event_count;
     // What happened, in order; a run of equal events is reported once.
     stiction_event events[STICTION_EVENTS];
 } stiction_output;
 
-// Force and moment of the hand on the body. What a haptic device gives to the hand is the opposite.
+// Force and moment of the hand on the body. A haptic device outputs the opposite to the hand.
 typedef struct stiction_wrench_on_body {
     // Force at the holding point (N).
     float fx;
@@ -434,9 +436,9 @@ typedef struct stiction_wrench_on_body {
 
 // A contact.
 typedef struct stiction_contact {
-    // Where it is (m).
+    // Its position (m).
     float x;
-    // Where it is (m).
+    // Its position (m).
     float y;
     // Normal force (N), 0 or more.
     float normal;
@@ -454,9 +456,9 @@ typedef struct stiction_contact {
     uint8_t part;
 } stiction_contact;
 
-// A run at a time.
+// A saved state of a run.
 typedef struct stiction_snapshot {
-    // Not for the caller.
+    // Private.
     uint64_t words[STICTION_SNAPSHOT_WORDS];
 } stiction_snapshot;
 
@@ -464,10 +466,10 @@ typedef struct stiction_snapshot {
 extern "C" {
 #endif // __cplusplus
 
-// Makes a solver of a scene, in memory of the caller.
+// Builds a solver for a scene, in memory of the caller.
 //
-// size: `sizeof(stiction)`, abi: `STICTION_ABI`. error: receives what is wrong with the scene where the answer is `STICTION_RESULT_SCENE`; may
-// be null. The evolution is `path`, and there is no budget.
+// size: `sizeof(stiction)`, abi: `STICTION_ABI`. error: receives what is wrong with the scene if the result is `STICTION_RESULT_SCENE`;
+// may be null. The evolution is `path`, and there is no budget.
 stiction_result stiction_init(struct stiction *memory,
                               size_t size,
                               uint32_t abi,
@@ -479,40 +481,40 @@ stiction_result stiction_init(struct stiction *memory,
 stiction_result stiction_set_evolution(struct stiction *memory,
                                        uint8_t evolution);
 
-// Bounds the work of a step, in units (the README says what one takes); `UINT32_MAX`: no bound. A step that would take more leaves the body
-// behind the hand, and the next one goes on from there.
+// Bounds the work of a step, in units (the README says what one costs); `UINT32_MAX`: no bound. A step that would take more leaves the
+// body behind the hand, and the next one goes on from there.
 stiction_result stiction_set_budget(struct stiction *memory,
                                     uint32_t units);
 
-// A new run: the body from its start pose, with the hand at its first pose. output: may be null.
+// Starts a new run: the body at its start pose, with the hand at its first pose. output: may be null.
 stiction_result stiction_start(struct stiction *memory,
                                const struct stiction_hand *hand,
                                struct stiction_output *output);
 
-// One frame: the hand goes to its new pose, and the body follows. A sample that is not finite leaves the body as it is, and the status of the
-// output says so. output: may be null.
+// One frame: the hand moves to its new pose, and the body follows. A sample that is not finite leaves the body as it is, and the status of
+// the output reports it. output: may be null.
 stiction_result stiction_step(struct stiction *memory,
                               const struct stiction_hand *hand,
                               struct stiction_output *output);
 
-// Force and moment of the hand on the body; zero while it is not held. A device gives the opposite to the hand.
+// Force and moment of the hand on the body; zero while it is not held. A device outputs the opposite to the hand.
 stiction_result stiction_wrench(const struct stiction *memory,
                                 struct stiction_wrench_on_body *wrench);
 
-// The contacts with their forces: into `contacts`, which has room for `STICTION_CONTACTS`; into `count` how many there are.
+// The contacts with their forces: written to `contacts`, which has room for `STICTION_CONTACTS`; their number is written to `count`.
 stiction_result stiction_contacts(const struct stiction *memory,
                                   struct stiction_contact *contacts,
                                   uint32_t *count);
 
-// Keeps the run as it is.
+// Saves the present state of a run.
 stiction_result stiction_take_snapshot(const struct stiction *memory, struct stiction_snapshot *snapshot);
 
-// Goes back to a run as it was: the same hands lead to the same bits again. The snapshot has to be of the same scene.
+// Restores a saved state of a run: the same hands lead to the same bits again. The snapshot must be of the same scene.
 stiction_result stiction_restore(struct stiction *memory,
                                  const struct stiction_snapshot *snapshot);
 
-// What a result means, and of `STICTION_RESULT_SCENE` what is wrong: `<parameter>, allowed: <what>`. The text is ended by 0, and cut where `size`
-// bytes are too few. error: as `stiction_init` has written it, or null.
+// The meaning of a result, and for `STICTION_RESULT_SCENE` what is wrong: `<parameter>, allowed: <what>`. The text ends with 0, and is cut
+// if `size` bytes are too few. error: as `stiction_init` has written it, or null.
 stiction_result stiction_error_text(int32_t result,
                                     const struct stiction_error *error,
                                     char *text,

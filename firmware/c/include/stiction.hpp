@@ -1,4 +1,4 @@
-// stiction for C++: a solver that owns its memory. No exceptions, no heap; every function answers with a stiction_result.
+// stiction for C++: a solver that owns its memory. No exceptions, no heap; every function returns a stiction_result.
 #ifndef STICTION_HPP
 #define STICTION_HPP
 
@@ -9,7 +9,7 @@ namespace stiction_cpp {
 /// A solver of one scene with its run; a copy of it is a run of its own.
 class Solver {
 public:
-    /// error: receives what is wrong with the scene; may be null. The answer is `result()`.
+    /// error: receives what is wrong with the scene; may be null. `result()` returns the result.
     explicit Solver(const stiction_scene &scene, stiction_error *error = nullptr) noexcept
         : result_(stiction_init(&memory_, sizeof memory_, STICTION_ABI, &scene, error)) {}
 

@@ -1,6 +1,6 @@
 //! The functions of the header.
 //!
-//! None may be called for the same memory from two places at once.
+//! None may be called for the same memory from two threads at the same time.
 
 use core::ffi::c_char;
 use core::fmt::Write;
@@ -26,10 +26,10 @@ fn answer(done: Checked<()>) -> Result {
     }
 }
 
-/// Makes a solver of a scene, in memory of the caller.
+/// Builds a solver for a scene, in memory of the caller.
 ///
-/// size: `sizeof(stiction)`, abi: `STICTION_ABI`. error: receives what is wrong with the scene where the answer is `STICTION_RESULT_SCENE`; may
-/// be null. The evolution is `path`, and there is no budget.
+/// size: `sizeof(stiction)`, abi: `STICTION_ABI`. error: receives what is wrong with the scene if the result is `STICTION_RESULT_SCENE`;
+/// may be null. The evolution is `path`, and there is no budget.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_init(
@@ -85,8 +85,8 @@ pub extern "C" fn stiction_set_evolution(memory: *mut Memory, evolution: u8) -> 
     }))
 }
 
-/// Bounds the work of a step, in units (the README says what one takes); `UINT32_MAX`: no bound. A step that would take more leaves the body
-/// behind the hand, and the next one goes on from there.
+/// Bounds the work of a step, in units (the README says what one costs); `UINT32_MAX`: no bound. A step that would take more leaves the
+/// body behind the hand, and the next one goes on from there.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_set_budget(memory: *mut Memory, units: u32) -> Result {
@@ -95,7 +95,7 @@ pub extern "C" fn stiction_set_budget(memory: *mut Memory, units: u32) -> Result
     }))
 }
 
-/// A new run: the body from its start pose, with the hand at its first pose. output: may be null.
+/// Starts a new run: the body at its start pose, with the hand at its first pose. output: may be null.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_start(
@@ -110,8 +110,8 @@ pub extern "C" fn stiction_start(
     }))
 }
 
-/// One frame: the hand goes to its new pose, and the body follows. A sample that is not finite leaves the body as it is, and the status of the
-/// output says so. output: may be null.
+/// One frame: the hand moves to its new pose, and the body follows. A sample that is not finite leaves the body as it is, and the status of
+/// the output reports it. output: may be null.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_step(
@@ -142,7 +142,7 @@ fn moved(
     Ok(())
 }
 
-/// Force and moment of the hand on the body; zero while it is not held. A device gives the opposite to the hand.
+/// Force and moment of the hand on the body; zero while it is not held. A device outputs the opposite to the hand.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_wrench(memory: *const Memory, wrench: *mut Wrench) -> Result {
@@ -163,7 +163,7 @@ pub extern "C" fn stiction_wrench(memory: *const Memory, wrench: *mut Wrench) ->
     }))
 }
 
-/// The contacts with their forces: into `contacts`, which has room for `STICTION_CONTACTS`; into `count` how many there are.
+/// The contacts with their forces: written to `contacts`, which has room for `STICTION_CONTACTS`; their number is written to `count`.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_contacts(
@@ -229,7 +229,7 @@ fn listed(inner: &Inner) -> Checked<[Option<Contact>; CONTACTS]> {
     Ok(all)
 }
 
-/// Keeps the run as it is.
+/// Saves the present state of a run.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_take_snapshot(memory: *const Memory, snapshot: *mut Snapshot) -> Result {
@@ -239,7 +239,7 @@ pub extern "C" fn stiction_take_snapshot(memory: *const Memory, snapshot: *mut S
     }))
 }
 
-/// Goes back to a run as it was: the same hands lead to the same bits again. The snapshot has to be of the same scene.
+/// Restores a saved state of a run: the same hands lead to the same bits again. The snapshot must be of the same scene.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_restore(memory: *mut Memory, snapshot: *const Snapshot) -> Result {
@@ -249,8 +249,8 @@ pub extern "C" fn stiction_restore(memory: *mut Memory, snapshot: *const Snapsho
     }))
 }
 
-/// What a result means, and of `STICTION_RESULT_SCENE` what is wrong: `<parameter>, allowed: <what>`. The text is ended by 0, and cut where `size`
-/// bytes are too few. error: as `stiction_init` has written it, or null.
+/// The meaning of a result, and for `STICTION_RESULT_SCENE` what is wrong: `<parameter>, allowed: <what>`. The text ends with 0, and is cut
+/// if `size` bytes are too few. error: as `stiction_init` has written it, or null.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_error_text(
@@ -267,7 +267,7 @@ fn write_error(result: i32, error: *const Error, (text, size): (*mut u8, usize))
     checked(text)?;
     // No text is longer.
     let size = size.min(512);
-    // SAFETY: the header asks for room for `size` bytes that nobody else has.
+    // SAFETY: the header requires room for `size` bytes that nothing else uses.
     let mut text = Text::new(unsafe { slice::from_raw_parts_mut(text, size) });
     let written = if result == Result::Scene as i32 && !error.is_null() {
         let error = given(error)?;
@@ -289,18 +289,18 @@ fn write_error(result: i32, error: *const Error, (text, size): (*mut u8, usize))
 
 fn meaning(result: i32) -> &'static str {
     match result {
-        0 => "it was done",
+        0 => "success",
         -1 => "a pointer is null",
         -2 => "a pointer is not aligned for what it points to",
         -3 => {
-            "the library is another one than that of the header: another version, number type, or with obstacles or without"
+            "the library does not match the header: another version, number type, or with obstacles or without"
         }
         -4 => "the memory is smaller than the header says",
         -5 => "the memory holds no solver: stiction_init has not been called, or has failed",
         -6 => "the solver has no run: stiction_start has not been called",
         -7 => "the scene cannot be used",
-        -8 => "the choice is none of those that there are",
+        -8 => "the choice does not exist",
         -9 => "the snapshot holds no run of this library",
-        _ => "no result of this library",
+        _ => "not a result of this library",
     }
 }

@@ -1,4 +1,5 @@
-//! What C gives: a scene and samples of the hand. SI units; the world frame is right-handed with y upwards, angles are counter-clockwise.
+//! The input from C: a scene and samples of the hand. SI units; the world frame is right-handed with y upwards, angles are
+//! counter-clockwise.
 
 use core::{ptr, slice};
 
@@ -14,16 +15,17 @@ use crate::memory::{CORNERS, Checked, OBSTACLES, SURFACES, VERTICES, checked};
 pub struct Surface {
     /// Its normal, which points to the free side; of any length but 0.
     pub normal: [f32; 2],
-    /// Its place b (m): the free side is n.p >= b, with n of length 1.
+    /// Its position b (m): the free side is n.p >= b, with n of length 1.
     pub offset: f32,
     /// Coefficient of static friction, not less than that of dynamic friction.
     pub friction_static: f32,
-    /// Coefficient of dynamic friction, 0 or more. Equal to the static one it makes a steady slide, smaller stick-slip.
+    /// Coefficient of dynamic friction, 0 or more. If it equals the static one contacts slide steadily, if it is smaller they stick and
+    /// slip.
     pub friction_dynamic: f32,
-    /// Memory length D_c (m), 0 or more: where the normal force is at least k_h D_c / (mu_s - mu_d) a contact sticks and slips, where it is
-    /// less it slides. Only with `has_memory`; without, D_c is 1/4096 of the size of the body.
+    /// Memory length D_c (m), 0 or more: if the normal force is at least k_h D_c / (mu_s - mu_d) a contact sticks and slips, if it is less
+    /// it slides. Only with `has_memory`; without, D_c is 1/4096 of the size of the body.
     pub memory: f32,
-    /// Not 0: `memory` counts.
+    /// Not 0: `memory` applies.
     pub has_memory: u8,
 }
 
@@ -33,34 +35,34 @@ pub struct Surface {
 pub struct Obstacle {
     /// Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall, one for a pin.
     pub vertices: *const [f32; 2],
-    /// How many.
+    /// The number of corners.
     pub vertex_count: u32,
-    /// As of a surface.
+    /// As for a surface.
     pub friction_static: f32,
-    /// As of a surface.
+    /// As for a surface.
     pub friction_dynamic: f32,
-    /// As of a surface.
+    /// As for a surface.
     pub memory: f32,
-    /// Not 0: `memory` counts.
+    /// Not 0: `memory` applies.
     pub has_memory: u8,
 }
 
-/// A scene. It is copied: nothing of it is needed once `stiction_init` has returned. What is not named in an initialiser is 0, which is
-/// a choice that can be used for all but vertices and stiffness.
+/// A scene. It is copied: nothing of it is needed after `stiction_init` has returned. Members that are not named in an initialiser are 0,
+/// which is a usable choice for all except vertices and stiffness.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Scene {
     /// The body's vertices (m), in its own frame: a point, a rod of two, or a strictly convex polygon, counter-clockwise.
     pub vertices: *const [f32; 2],
-    /// How many: 1 to `STICTION_VERTICES`.
+    /// The number of vertices: 1 to `STICTION_VERTICES`.
     pub vertex_count: u32,
     /// Start pose: x, y (m), theta (rad) of the body's frame in the world. No vertex is deeper in a surface than 1e-5 of the body's size.
     pub start: [f32; 3],
     /// Weight (N), 0 or more, at the centroid, along -y.
     pub weight: f32,
-    /// Where the hand holds the body first (m), in the body's frame. Only with `has_holding_point`.
+    /// The point at which the hand holds the body first (m), in the body's frame. Only with `has_holding_point`.
     pub holding_point: [f32; 2],
-    /// Not 0: `holding_point` counts. 0: the hand takes hold where it is.
+    /// Not 0: `holding_point` applies. 0: the hand takes hold where it is.
     pub has_holding_point: u8,
     /// How far outside the body a hand may be and still take hold (m), 0 or more.
     pub reach: f32,
@@ -68,13 +70,14 @@ pub struct Scene {
     pub stiffness_translation: f32,
     /// Rotational stiffness k_theta (N m/rad), 0 or more: the hand turns the body with k_theta times the difference of angles.
     pub stiffness_rotation: f32,
-    /// The surfaces; may be null where there are none.
+    /// The surfaces; may be null if there are none.
     pub surfaces: *const Surface,
-    /// How many: at most `STICTION_SURFACES`.
+    /// The number of surfaces: at most `STICTION_SURFACES`.
     pub surface_count: u32,
-    /// The obstacles; null where there are none, and in a library without obstacles.
+    /// The obstacles; null if there are none, and in a library without obstacles.
     pub obstacles: *const Obstacle,
-    /// How many: at most `STICTION_OBSTACLES`, with at most `STICTION_CORNERS` corners together; 0 in a library without obstacles.
+    /// The number of obstacles: at most `STICTION_OBSTACLES`, with at most `STICTION_CORNERS` corners together; 0 in a library without
+    /// obstacles.
     pub obstacle_count: u32,
 }
 
@@ -88,9 +91,9 @@ pub struct Hand {
     pub y: f32,
     /// Angle (rad), unwrapped: it goes on beyond a turn.
     pub phi: f32,
-    /// Whole turns that are added to it: many turns in `phi` alone would leave it few digits.
+    /// Whole turns that are added to it: with many turns in `phi` alone few digits would be left.
     pub turns: i32,
-    /// Depth across the plane (m); it passes through.
+    /// Depth across the plane (m); it is passed through.
     pub depth: f32,
     /// Not 0: the hand holds the body, or takes hold as soon as it is within reach.
     pub held: u8,
@@ -112,7 +115,7 @@ impl Hand {
     }
 }
 
-/// A description in the core's words, with the lists of surfaces and obstacles that it borrows.
+/// A description in the core's types, with the lists of surfaces and obstacles that it borrows.
 pub(crate) struct Described<'a> {
     scene: &'a Scene,
     vertices: &'a [[f32; 2]],
@@ -121,7 +124,7 @@ pub(crate) struct Described<'a> {
 }
 
 impl<'a> Described<'a> {
-    /// Reads what the pointers of a scene lead to.
+    /// Reads the data that the pointers of a scene point to.
     pub(crate) fn read(scene: &'a Scene) -> Checked<Self> {
         let vertices = list(
             scene.vertices,
@@ -218,14 +221,14 @@ impl From<&Surface> for SurfaceDescription<f32> {
     }
 }
 
-/// So many elements, or all.
+/// The first `count` elements, or all.
 fn first<T>(list: &[T], count: u32) -> &[T] {
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     list.get(..count).unwrap_or(list)
 }
 
-/// A list of C; an empty one may have no place. Of one that is longer than there is room for, nothing is read: `too_many`, one more than
-/// that, stands for it, so that the core says so.
+/// A list from C; an empty one may be a null pointer. If a list is longer than there is room for, it is not read: `too_many`, one more than
+/// fits, stands for it, so that the core reports it.
 #[allow(unsafe_code)]
 fn list<T>(place: *const T, count: u32, too_many: &[T]) -> Checked<&[T]> {
     if count == 0 {
@@ -236,7 +239,7 @@ fn list<T>(place: *const T, count: u32, too_many: &[T]) -> Checked<&[T]> {
     if count >= too_many.len() {
         return Ok(too_many);
     }
-    // SAFETY: the header asks for a pointer to `count` elements, which are there while the function runs; it is aligned and not null, and
-    // every value of the bytes is a value of T, which has nothing but numbers and pointers.
+    // SAFETY: the header requires a pointer to `count` elements that exist while the function runs; it is aligned and not null, and every
+    // value of the bytes is a value of T, which contains only numbers and pointers.
     Ok(unsafe { slice::from_raw_parts(place, count) })
 }

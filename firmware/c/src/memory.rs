@@ -1,4 +1,4 @@
-//! The memory that the caller owns: solver, state and last answer, with a mark that says what they are; and snapshots of a state.
+//! The memory that the caller owns: solver, state and last answer, with a mark that identifies them; and snapshots of a state.
 
 use core::mem::{align_of, size_of};
 use core::ptr;
@@ -12,13 +12,13 @@ pub(crate) type Number = stiction_core::Fixed;
 #[cfg(not(feature = "fixed"))]
 pub(crate) type Number = f32;
 
-/// At most so many vertices of a body.
+/// The maximum number of vertices of a body.
 pub const VERTICES: usize = 8;
-/// At most so many surfaces of a scene.
+/// The maximum number of surfaces of a scene.
 pub const SURFACES: usize = 4;
-/// At most so many obstacles of a scene.
+/// The maximum number of obstacles of a scene.
 pub const OBSTACLES: usize = 8;
-/// At most so many corners of all obstacles together.
+/// The maximum number of corners of all obstacles together.
 pub const CORNERS: usize = 32;
 
 /// cbindgen:ignore
@@ -44,43 +44,43 @@ pub const WORDS: usize = 96;
 /// The size of a snapshot in words of 8 bytes.
 pub const SNAPSHOT_WORDS: usize = 33;
 
-/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #[cfg(all(not(feature = "fixed"), not(feature = "obstacles")))]
 pub const ABI: u32 = 0x0100;
-/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #[cfg(all(feature = "fixed", not(feature = "obstacles")))]
 pub const ABI: u32 = 0x0101;
-/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #[cfg(all(not(feature = "fixed"), feature = "obstacles"))]
 pub const ABI: u32 = 0x0102;
-/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #[cfg(all(feature = "fixed", feature = "obstacles"))]
 pub const ABI: u32 = 0x0103;
 
-/// A solver with its run. Nothing in it is for the caller; to move it, copy the whole.
+/// A solver with its run. Its contents are private; to move it, copy the whole.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Memory {
-    /// Not for the caller.
+    /// Private.
     pub words: [u64; WORDS],
 }
 
-/// A run at a time.
+/// A saved state of a run.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshot {
-    /// Not for the caller.
+    /// Private.
     pub words: [u64; SNAPSHOT_WORDS],
 }
 
-/// What is in [`Memory`].
+/// The contents of a [`Memory`].
 pub(crate) struct Inner {
     mark: u32,
     pub(crate) solver: Engine,
     pub(crate) run: Option<Run>,
 }
 
-/// What is in a [`Snapshot`].
+/// The contents of a [`Snapshot`].
 struct Kept {
     mark: u32,
     run: Run,
@@ -93,16 +93,16 @@ const _: () = assert!(
     size_of::<Kept>() <= size_of::<Snapshot>() && align_of::<Kept>() <= align_of::<Snapshot>()
 );
 
-/// What memory begins with that holds a solver, and a snapshot with a run.
+/// The first word of memory that holds a solver, and of a snapshot that holds a run.
 const SOLVER: u32 = ABI ^ 0x534f_0000;
 const RUN: u32 = ABI ^ 0x5255_0000;
 
-/// Something, or why a function cannot be carried out.
+/// A value, or the reason why a function cannot be carried out.
 ///
 /// cbindgen:ignore
 pub(crate) type Checked<T> = core::result::Result<T, Result>;
 
-/// A pointer that leads somewhere.
+/// A pointer that is neither null nor misaligned.
 pub(crate) fn checked<T>(place: *const T) -> Checked<*const T> {
     if place.is_null() {
         Err(Result::Null)
@@ -113,21 +113,21 @@ pub(crate) fn checked<T>(place: *const T) -> Checked<*const T> {
     }
 }
 
-/// A value that C gives.
+/// A value from C.
 #[allow(unsafe_code)]
 pub(crate) fn given<'a, T>(place: *const T) -> Checked<&'a T> {
-    // SAFETY: the header asks for a pointer to a T that nobody changes while the function runs; it is aligned and not null.
+    // SAFETY: the header requires a pointer to a T that nothing changes while the function runs; it is aligned and not null.
     checked(place).map(|place| unsafe { &*place })
 }
 
-/// Writes a value where C wants it.
+/// Writes a value to a location of C.
 #[allow(unsafe_code)]
 pub(crate) fn give<T>(place: *mut T, value: T) {
-    // SAFETY: as in `given`; nobody else has the place while the function runs. What was there needs no end.
+    // SAFETY: as in `given`; nothing else uses the location while the function runs. The old value needs no drop.
     unsafe { ptr::write(place, value) }
 }
 
-/// Memory that is large enough, of a caller with the same header.
+/// Checks that the memory is large enough, and its caller uses the same header.
 fn fits(memory: *mut Memory, size: usize, abi: u32) -> Checked<*mut Inner> {
     checked(memory)?;
     if abi != ABI {
@@ -158,20 +158,20 @@ pub(crate) fn begin(
 #[allow(unsafe_code)]
 pub(crate) fn solver<'a>(memory: *const Memory) -> Checked<&'a Inner> {
     let place = checked(memory)?.cast::<Inner>();
-    // SAFETY: aligned, not null, and as large as the header says; the mark is a number, whatever is there.
+    // SAFETY: aligned, not null, and as large as the header says; the mark is a number, whatever its bytes are.
     let mark = unsafe { ptr::read(&raw const (*place).mark) };
     if mark != SOLVER {
         return Err(Result::NotInitialised);
     }
-    // SAFETY: where the mark is, `begin` has put a whole value.
+    // SAFETY: if the mark is there, `begin` has written a whole value.
     Ok(unsafe { &*place })
 }
 
-/// The same, to be changed.
+/// The same, mutable.
 #[allow(unsafe_code)]
 pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
     solver(memory)?;
-    // SAFETY: as in `solver`, and nobody else has it while the function runs, which the header asks for.
+    // SAFETY: as in `solver`, and nothing else uses it while the function runs, which the header requires.
     Ok(unsafe { &mut *memory.cast::<Inner>() })
 }
 
@@ -184,11 +184,11 @@ pub(crate) fn kept(snapshot: *const Snapshot) -> Checked<Run> {
     if mark != RUN {
         return Err(Result::NoSnapshot);
     }
-    // SAFETY: where the mark is, `keep` has put a whole value.
+    // SAFETY: if the mark is there, `keep` has written a whole value.
     Ok(unsafe { (*place).run.clone() })
 }
 
-/// Puts a run into a snapshot.
+/// Saves a run in a snapshot.
 pub(crate) fn keep(run: &Run, snapshot: *mut Snapshot) -> Checked<()> {
     checked(snapshot)?;
     let kept = Kept {

@@ -1,10 +1,10 @@
-//! What the library gives: the answer of a step, forces and contacts. SI units, world frame; forces are those on the body.
+//! The output to C: the answer of a step, forces and contacts. SI units, world frame; forces are those on the body.
 
 use stiction_core::{Event as CoreEvent, Output as CoreOutput, StateKind, Status as CoreStatus};
 
-/// At most so many events of a frame are reported.
+/// At most this many events of a frame are reported.
 pub const EVENTS: usize = 16;
-/// At most so many contacts at once.
+/// At most this many contacts at a time.
 pub const CONTACTS: usize = 8;
 
 const _: () =
@@ -18,7 +18,7 @@ pub enum State {
     NonContact,
     /// One vertex on one surface.
     SingleVertex,
-    /// Two contacts in one line.
+    /// Two collinear contacts.
     Edge,
     /// Two contacts on two surfaces.
     TwoVertex,
@@ -32,7 +32,7 @@ pub enum State {
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// A vertex came to a surface.
+    /// A vertex reached a surface.
     Touch,
     /// A contact opened.
     Lift,
@@ -56,7 +56,7 @@ pub enum Event {
     Release,
 }
 
-/// What limited an answer; the larger, the graver.
+/// What limited an answer; a larger value is more severe.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -70,7 +70,7 @@ pub enum Status {
     IterationLimit,
     /// Only reactions beyond 64 k_h L hold the body: it stays.
     Jammed,
-    /// The budget was used up: the body is behind the hand, and goes on with the next step.
+    /// The budget was used up: the body is behind the hand, and goes on in the next step.
     Behind,
     /// No motion is consistent with the friction: the body stays out of balance.
     Ambiguous,
@@ -96,7 +96,7 @@ pub struct Output {
     pub depth: f32,
     /// The longest slip of the frame (m); 0 without one.
     pub longest_slip: f32,
-    /// The part of the hand's displacement that is left to follow, 0 to 1; more than 0 where the budget was used up.
+    /// The fraction of the hand's displacement that is left to follow, 0 to 1; more than 0 if the budget was used up.
     pub behind: f32,
     /// Slips that ended in this frame.
     pub slips: u32,
@@ -108,7 +108,7 @@ pub struct Output {
     pub state: State,
     /// What limited the answer.
     pub status: Status,
-    /// How many events there are.
+    /// The number of events.
     pub event_count: u8,
     /// What happened, in order; a run of equal events is reported once.
     pub events: [Event; EVENTS],
@@ -140,7 +140,7 @@ impl Output {
     }
 }
 
-/// Force and moment of the hand on the body. What a haptic device gives to the hand is the opposite.
+/// Force and moment of the hand on the body. A haptic device outputs the opposite to the hand.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench {
@@ -168,9 +168,9 @@ pub enum Kind {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Where it is (m).
+    /// Its position (m).
     pub x: f32,
-    /// Where it is (m).
+    /// Its position (m).
     pub y: f32,
     /// Normal force (N), 0 or more.
     pub normal: f32,
@@ -188,7 +188,7 @@ pub struct Contact {
     pub part: u8,
 }
 
-/// Each name as the core has it.
+/// Each name as in the core.
 macro_rules! same {
     ($core:ty => $name:ident: $($item:ident)*) => {
         impl From<$core> for $name {

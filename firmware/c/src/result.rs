@@ -1,18 +1,18 @@
-//! What a function answers, and what is wrong with a scene.
+//! The result of a function, and the error of a scene.
 
 use stiction_core::{Parameter as Of, SceneError};
 
-/// What a function answers. Where it is not `STICTION_RESULT_OK`, nothing was done and nothing written, but for the error of a scene.
+/// The result of a function. Unless it is `STICTION_RESULT_OK`, nothing was done and nothing written, except the error of a scene.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Result {
-    /// It was done.
+    /// Success.
     Ok = 0,
     /// A pointer that must not be is null.
     Null = -1,
     /// A pointer is not aligned for what it points to.
     Unaligned = -2,
-    /// The library is another one than that of the header: another version, number type, or with obstacles or without.
+    /// The library does not match the header: another version, number type, or with obstacles or without.
     Abi = -3,
     /// The memory is smaller than `sizeof(stiction)`, or a snapshot smaller than `sizeof(stiction_snapshot)`.
     Size = -4,
@@ -22,7 +22,7 @@ pub enum Result {
     NotStarted = -6,
     /// The scene cannot be used; `stiction_error` says why.
     Scene = -7,
-    /// A choice is none of those that there are.
+    /// The choice does not exist.
     Choice = -8,
     /// The snapshot holds no run of this library.
     NoSnapshot = -9,
@@ -85,19 +85,19 @@ pub enum Parameter {
     Overlap,
 }
 
-/// Why a scene cannot be used. `stiction_error_text` makes a sentence of it.
+/// Why a scene cannot be used. `stiction_error_text` turns it into a sentence.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Error {
     /// Which parameter: a `stiction_parameter`.
     pub parameter: u8,
-    /// Index of the vertex, surface or obstacle that it is of, from 0; 0 where there is none.
+    /// Index of the vertex, surface or obstacle that it belongs to, from 0; 0 if there is none.
     pub index: u8,
-    /// Index of the vertex, corner or side in it, from 0; 0 where there is none.
+    /// Index of the vertex, corner or side in it, from 0; 0 if there is none.
     pub second: u8,
-    /// Its value, in the unit of the parameter; of a count the count, of what is inside of something the depth (m).
+    /// Its value, in the unit of the parameter; for a count the count, for a penetration or an overlap the depth (m).
     pub value: f32,
-    /// What is allowed, in words, and how many bytes they are: no 0 ends them.
+    /// What is allowed, in words, and its number of bytes: it is not terminated by 0.
     pub allowed: *const u8,
     /// See `allowed`.
     pub allowed_length: usize,
@@ -118,7 +118,7 @@ impl Error {
     }
 }
 
-/// Each parameter with its indices, as the core has it.
+/// Each parameter with its indices, as in the core.
 macro_rules! parameters {
     ($($name:ident [$($index:ident),*] = $of:tt)*) => {
         impl Parameter {
@@ -128,7 +128,7 @@ macro_rules! parameters {
                 }
             }
 
-            /// The parameter of a code, with these indices; none of `None`, and of what is no code.
+            /// The parameter of a code, with these indices; `None` for no error, and for an invalid code.
             pub(crate) fn named(code: u8, indices: [usize; 2]) -> Option<Of> {
                 $(if code == Self::$name as u8 {
                     let [$($index,)* ..] = indices;

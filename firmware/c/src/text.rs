@@ -1,8 +1,8 @@
-//! Errors as text, ended by 0, cut where there is no room.
+//! Errors as text, terminated by 0, cut if there is no room.
 
 use core::fmt::{self, Write};
 
-/// A text of C that is written from its begin; one byte of it is kept for the end.
+/// A text of C that is written from its beginning; one byte of it is reserved for the terminator.
 pub(crate) struct Text<'a> {
     bytes: &'a mut [u8],
     length: usize,

@@ -80,7 +80,7 @@ fn step(memory: &mut Memory, hand: &Hand) -> Output {
     unsafe { output.assume_init() }
 }
 
-/// What a run gives, as bits.
+/// The outputs of a run, as bits.
 fn told(memory: &mut Memory, hand: &Hand) -> Vec<u32> {
     let output = step(memory, hand);
     let mut wrench = Wrench {
@@ -139,7 +139,7 @@ fn a_snapshot_leads_to_the_same_bits_again() {
     assert_eq!(first, again);
 }
 
-/// Memory that is copied is a run of its own.
+/// A copy of the memory is a run of its own.
 #[test]
 fn memory_can_be_moved() {
     let mut memory = begun();
@@ -155,7 +155,7 @@ fn contacts_bear_what_the_hand_gives() {
     let mut count = 0;
     let result = stiction_contacts(&*memory, contacts.as_mut_ptr().cast(), &mut count);
     assert_eq!((result, count), (Result::Ok, 2));
-    // SAFETY: so many were written.
+    // SAFETY: this many were written.
     let normal: f32 = contacts[..2]
         .iter()
         .map(|c| unsafe { c.assume_init_ref() }.normal)

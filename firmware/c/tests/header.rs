@@ -1,11 +1,11 @@
-//! `include/stiction.h` is what cbindgen makes of the crate.
+//! `include/stiction.h` is what cbindgen generates from the crate.
 
 use std::fs;
 use std::path::Path;
 
 use cbindgen::{Builder, Config};
 
-/// With STICTION_HEADER=write the header is made anew.
+/// With STICTION_HEADER=write the header is generated again.
 #[test]
 fn the_header_is_that_of_the_crate() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -20,7 +20,7 @@ fn the_header_is_that_of_the_crate() {
     let there = fs::read(&file).expect("the header");
     assert!(
         there == made,
-        "{} is of another version of the crate; STICTION_HEADER=write cargo test -p stiction-c --test header makes it anew",
+        "{} is of another version of the crate; STICTION_HEADER=write cargo test -p stiction-c --test header generates it again",
         file.display()
     );
 }

@@ -1,4 +1,4 @@
-//! Prints what the walk of the hand among obstacles comes to with `Fixed`.
+//! Prints the result of the walk of the hand among obstacles with `Fixed`.
 #![no_std]
 #![no_main]
 

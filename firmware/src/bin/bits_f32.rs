@@ -1,4 +1,4 @@
-//! Prints what the walk of the hand comes to with `f32`.
+//! Prints the result of the walk of the hand with `f32`.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,4 @@
-//! The instruction bench in the number type, the capacities, the model and the evolution of a compiled-in scene, for the scenes of
-//! jobs.
+//! The instruction bench in the number type, the capacities, the model and the evolution of a compiled-in scene, for the scenes of jobs.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! An image with the solver of a compiled-in scene: the pose and the hand's wrench for every sample of the hand. What it
-//! is larger than `footprint_baseline` by is the solver's share of the flash.
+//! An image with the solver of a compiled-in scene: the pose and the hand's wrench for every sample of the hand. The difference in size
+//! from `footprint_baseline` is the solver's share of the flash.
 #![no_std]
 #![no_main]
 
@@ -14,7 +14,7 @@ use scene::{CompiledScene, EVOLUTION, SCENE};
 
 #[entry]
 fn main() -> ! {
-    // What comes from a `black_box` is unknown to the compiler, what goes into one is needed.
+    // The compiler does not know what comes from a `black_box`, and must compute what goes into one.
     if let Ok(scene) = CompiledScene::new(&SCENE) {
         let solver = Solver::new(scene, EVOLUTION);
         let (mut state, output) = solver.start(black_box(Hand::default()));

@@ -1,4 +1,4 @@
-//! Where the hand walks: the box of the benchmarks, with a weight by a floor and a wall, without one among obstacles.
+//! The surroundings of the walk: the box of the benchmarks, with weight by a floor and a wall, without weight among obstacles.
 
 use stiction_core::{
     Description, Full, Model, ObstacleDescription, Real, Scene, SiFloat, Solver, State,
@@ -7,13 +7,13 @@ use stiction_core::{
 
 /// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
 const WALL: ([f64; 2], f64) = ([-0.8, 0.6], -0.096);
-/// A table from x = -0.06 m on, a block on its right end that leans back, so that a vertex of the box fits between them, and a pin on
-/// the left (m).
+/// A table that begins at x = -0.06 m, a block on its right end that leans back, so that a vertex of the box fits between them, and a pin
+/// on the left (m).
 const TABLE: [[f64; 2]; 4] = [[-0.06, -0.1], [0.12, -0.1], [0.12, 0.0], [-0.06, 0.0]];
 const BLOCK: [[f64; 2]; 4] = [[0.08, -0.1], [0.4, -0.1], [0.4, 0.05], [0.14, 0.05]];
 const PIN: [[f64; 2]; 1] = [[-0.12, 0.03]];
 
-/// A model with a place to walk.
+/// A model with surroundings for the walk.
 pub trait Place: Model {
     /// The scene, which is sound.
     fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2, Self>>
@@ -25,7 +25,7 @@ pub trait Place: Model {
         Self: Sized;
 }
 
-/// The model of the walk among obstacles, without a weight: with it, it does not fit into the flash of the smallest chip.
+/// The model of the walk among obstacles, without weight: with weight, it does not fit into the flash of the smallest chip.
 pub type Among = WithObstacles<3, 9, Weightless>;
 
 impl Place for Full {

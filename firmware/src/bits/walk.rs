@@ -1,14 +1,14 @@
-//! A random walk of the hand, made of whole numbers, so that every machine has the same one: straight legs between random
-//! poses around a corner of floor and wall, or among obstacles, pushing the body of the benchmarks into all contact states.
+//! A random walk of the hand in whole numbers, so that it is the same on every machine: straight legs between random poses around a corner
+//! of floor and wall, or among obstacles, which push the body of the benchmarks into all contact states.
 
 use super::place::Place;
 use stiction_core::{
     Angle, Contacts, Evolution, Hand, Output, Real, SiFloat, Solver, State, Touches, Wrench,
 };
 
-/// A whole number of the walk is so much of a metre or radian.
+/// Whole numbers of the walk per metre or radian.
 const UNITS_PER_ONE: i32 = 1 << 14;
-/// Where the hand goes (m, m, rad): the middle and how far from it.
+/// The range of the hand (m, m, rad): the middle and the largest distance from it.
 const REACH: [[f64; 2]; 3] = [[0.0, 0.17], [0.05, 0.06], [0.0, 2.0]];
 /// The hand's samples; they never end.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub struct Walk {
     random: u32,
     from: [i32; 3],
     to: [i32; 3],
-    /// Frames of this leg, and how many of them are gone.
+    /// Frames of this leg, and how many of them are done.
     length: i32,
     gone: i32,
     held: bool,
@@ -51,7 +51,7 @@ impl Walk {
         (self.random() % (2 * size + 1)).cast_signed() - size.cast_signed()
     }
 
-    /// The next leg: every other one ends with a side of the body nearly level, one in 32 is gone with an open hand.
+    /// The next leg: every other one ends with a side of the body nearly level, one in 32 has the hold switch off.
     fn turn(&mut self) {
         let target = REACH.map(|[middle, size]| in_units(middle) + self.within(in_units(size)));
         let [x, y, mut phi] = target;
@@ -97,7 +97,7 @@ fn in_units(value: f64) -> i32 {
     (value * f64::from(UNITS_PER_ONE)) as i32
 }
 
-/// All that the solver says of a frame.
+/// All results of the solver for a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer<F> {
     /// The answer of the step.
@@ -110,7 +110,7 @@ pub struct Answer<F> {
     pub touches: Option<Touches<F>>,
 }
 
-/// Takes the body along the walk, for so many frames and at least one, and shows every answer.
+/// Moves the body along the walk, for at least one frame, and passes every answer to a function.
 pub fn follow<R: Real<Si: SiFloat>, M: Place>(
     evolution: Evolution,
     frames: u32,

@@ -1,4 +1,4 @@
-//! What all emulated chips of Arm have in common.
+//! Common to all emulated Arm chips.
 #![allow(unsafe_code)]
 
 use core::arch::asm;
@@ -7,7 +7,7 @@ use cortex_m_rt::{ExceptionFrame, exception};
 /// [`PROBE`](super::PROBE) instructions.
 #[inline(always)]
 pub(super) fn probe() {
-    // SAFETY: changes nothing but a scratch register and the flags.
+    // SAFETY: changes only a scratch register and the flags.
     unsafe {
         asm!(
             "movs {n}, #250",

@@ -1,5 +1,5 @@
-//! Instructions on an emulated Cortex-M: SysTick, whose clock QEMU ties to the instructions with `-icount shift=N`, where
-//! each takes 2^N ns.
+//! Instructions on an emulated Cortex-M: SysTick, whose clock QEMU derives from the instructions with `-icount shift=N`, where each takes
+//! 2^N ns.
 #![allow(unsafe_code)]
 
 use core::hint::black_box;
@@ -12,7 +12,7 @@ use cortex_m_rt::exception;
 use super::arm::probe;
 use super::{PROBE, TOLERANCE};
 
-/// Clock of SysTick (Hz) and N of `-icount shift=N`, which make more than 4 ticks of an instruction.
+/// Clock of SysTick (Hz) and N of `-icount shift=N`, which give more than 4 ticks per instruction.
 #[cfg(chip = "stm32f405")]
 const CLOCK_AND_SHIFT: (u64, u32) = (168_000_000, 5);
 #[cfg(chip = "nrf51822")]
@@ -23,13 +23,13 @@ const CLOCK_AND_SHIFT: (u64, u32) = (20_000_000, 8);
 /// SysTick counts down from here.
 const RELOAD: u32 = 0x00FF_FFFF;
 
-/// How often SysTick reached 0.
+/// The number of times that SysTick reached 0.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
 /// Counts instructions.
 pub(super) struct Counter {
     systick: SYST,
-    /// Ticks of no work at all.
+    /// Ticks of an empty measurement.
     idle: u64,
 }
 
@@ -57,11 +57,11 @@ impl Counter {
         let rounds = u64::from(ROUNDS.load(Ordering::SeqCst));
         let ticks =
             (rounds * u64::from(RELOAD + 1) + u64::from(begun)).saturating_sub(u64::from(ended));
-        // Nothing of this is put off into the next work.
+        // None of this is deferred into the next measurement.
         (black_box(ticks), done)
     }
 
-    /// Does some work and counts it.
+    /// Does some work and counts its instructions.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let (ticks, done) = self.ticks(work);

@@ -9,7 +9,7 @@ use super::{PROBE, TOLERANCE};
 
 /// Counts instructions.
 pub(super) struct Counter {
-    /// Instructions of no work at all.
+    /// Instructions of an empty measurement.
     idle: u64,
 }
 
@@ -23,14 +23,14 @@ impl Counter {
         (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
     }
 
-    /// Does some work and counts it.
+    /// Does some work and counts its instructions.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let begun = minstret::read64();
         let done = work();
         let ended = minstret::read64();
         let instructions = (ended - begun).saturating_sub(self.idle);
-        // Nothing of this is put off into the next work.
+        // None of this is deferred into the next measurement.
         (
             black_box(u32::try_from(instructions).unwrap_or(u32::MAX)),
             done,
@@ -41,7 +41,7 @@ impl Counter {
 /// [`PROBE`] instructions.
 #[inline(always)]
 fn probe() {
-    // SAFETY: changes nothing but a scratch register.
+    // SAFETY: changes only a scratch register.
     unsafe {
         asm!(
             "li {n}, 250",

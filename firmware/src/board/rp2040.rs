@@ -7,7 +7,7 @@ use core::hint::black_box;
 use super::arm::probe;
 use super::{PROBE, TOLERANCE};
 
-/// Cycles of [`probe`]: each of its 249 branches that are taken takes one more than an instruction.
+/// Cycles of [`probe`]: each of its 249 taken branches takes one more than an instruction.
 const CYCLES: u32 = PROBE + 249;
 
 /// Counts cycles.
@@ -21,16 +21,16 @@ impl Counter {
         (counted.abs_diff(CYCLES) <= TOLERANCE).then_some(counter)
     }
 
-    /// Does some work and counts it.
+    /// Does some work and counts its cycles.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let cycles;
-        // SAFETY: the emulator goes on behind it.
+        // SAFETY: the emulator continues after it.
         unsafe { asm!("bkpt #1", out("r0") _) };
         let done = work();
-        // SAFETY: likewise; the answer is in r0.
+        // SAFETY: as above; the answer is in r0.
         unsafe { asm!("bkpt #2", out("r0") cycles) };
-        // Nothing of this is put off into the next work.
+        // None of this is deferred into the next measurement.
         (black_box(cycles), done)
     }
 }

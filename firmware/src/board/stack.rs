@@ -1,14 +1,15 @@
-//! How deep the stack grows: what is free below the caller is painted, and later the deepest spot is found.
+//! How deep the stack grows: the free memory below the caller is painted, and later the deepest overwritten word is
+//! found.
 #![allow(unsafe_code)]
 
 use core::arch::asm;
 use core::ptr;
 
-/// What no stack holds by chance.
+/// A value that no stack contains by chance.
 const PAINT: u32 = 0x5AC0_DE5A;
-/// Painted is at most this much (bytes).
+/// At most this much is painted (bytes).
 const LIMIT: usize = 0x1_0000;
-/// Left as it is right below the caller, for the painter's own needs (bytes). A step needs more.
+/// Left unpainted directly below the caller, for the painter's own needs (bytes). A step needs more.
 const MARGIN: usize = 128;
 
 unsafe extern "C" {
@@ -16,14 +17,14 @@ unsafe extern "C" {
     static mut __sheap: u32;
 }
 
-/// The stack below a place in the program.
+/// The stack below a point of the program.
 pub(super) struct Watch {
     top: usize,
     bottom: usize,
 }
 
 impl Watch {
-    /// Paints what is free below the caller.
+    /// Paints the free memory below the caller.
     #[inline(always)]
     pub(super) fn begin() -> Self {
         let top = pointer();
@@ -44,7 +45,7 @@ impl Watch {
 
     /// How far below its top the stack has been (bytes).
     pub(super) fn depth(&self) -> u32 {
-        // SAFETY: the words are RAM, aligned, and read as what they are.
+        // SAFETY: the words are RAM, aligned, and read with their own type.
         let read = |word| unsafe { ptr::with_exposed_provenance::<u32>(word).read_volatile() };
         let mut words = (self.bottom..self.top).step_by(4);
         let deepest = words.find(|&word| read(word) != PAINT).unwrap_or(self.top);

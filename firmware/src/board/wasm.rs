@@ -1,28 +1,28 @@
-//! For a WebAssembly runtime: the hash of the walk of the hand, by number type. Without a main program of its own.
+//! For a WebAssembly runtime: the hash of the walk of the hand, by number type. It has no main program of its own.
 #![allow(unsafe_code)]
 
 use stiction_core::{Fixed, Full};
 use stiction_firmware::bits::{Among, of_walk};
 
-/// The hash of a walk of so many frames with `f32`.
+/// The hash of a walk of this many frames with `f32`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_f32(frames: u32) -> u64 {
     of_walk::<f32, Full>(frames)
 }
 
-/// The hash of a walk of so many frames with `Fixed`.
+/// The hash of a walk of this many frames with `Fixed`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_fixed(frames: u32) -> u64 {
     of_walk::<Fixed, Full>(frames)
 }
 
-/// The hash of a walk of so many frames among obstacles with `f32`.
+/// The hash of a walk of this many frames among obstacles with `f32`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_among_f32(frames: u32) -> u64 {
     of_walk::<f32, Among>(frames)
 }
 
-/// The hash of a walk of so many frames among obstacles with `Fixed`.
+/// The hash of a walk of this many frames among obstacles with `Fixed`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_among_fixed(frames: u32) -> u64 {
     of_walk::<Fixed, Among>(frames)

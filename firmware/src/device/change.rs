@@ -1,6 +1,6 @@
-//! A new scene, new parameters or another mode while the device runs. What is refused changes nothing. Otherwise the body
-//! stays where it is, contacts stick at first, and it settles anew under the hand that holds it at the same point; the
-//! force goes to the new one within its rate limit.
+//! A new scene, new parameters or another mode while the device runs. A refused change changes nothing. Otherwise the body stays where it
+//! is, its contacts stick at first, and it settles again under the hand that holds it at the same point; the force moves to the new value
+//! within its rate limit.
 
 use super::controller::{Controller, Hold, Run, is_held_last, solver, turned};
 use super::refusal::Refusal;
@@ -10,10 +10,10 @@ use crate::model::BoardModel;
 use stiction_core::frame::Parameters;
 use stiction_core::{Description, Evolution, Hand, Output, Real, Solver, State, Wrench};
 
-/// How far the place of a hold is off by rounding, in parts of the body size.
+/// The rounding of the position of a hold, as a fraction of the body size.
 const ROUNDING: f32 = 1e-4;
 
-/// A solver and a state of its own: the length unit of a point depends on its holding point, so that no other solver will do.
+/// A solver with a state of its own: the length unit of a point depends on its holding point, so that no other solver fits.
 struct Settled<R: Real, const V: usize, const S: usize, M: BoardModel> {
     solver: Solver<R, V, S, M>,
     state: State<R>,
@@ -21,18 +21,19 @@ struct Settled<R: Real, const V: usize, const S: usize, M: BoardModel> {
     output: Output<f32>,
 }
 
-/// Where the body of a new scene is.
+/// Where the body of a new scene is placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Placement {
-    /// At the scene's start, from the next sample on; zero force at once.
+    /// At the scene's start, from the next sample on; the force becomes zero immediately.
     #[default]
     Start,
-    /// Where the body is now. Refused where it would be inside a surface.
+    /// Where the body is now. Refused if it would be inside a surface.
     Present,
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controller<R, V, S, M> {
-    /// New stiffnesses, and the friction and memory length of every surface and obstacle. The answer is that of the settling, if there was a body to settle.
+    /// New stiffnesses, and the friction and memory length of every surface and obstacle. Returns the answer of the settling, if there was
+    /// a body to settle.
     ///
     /// # Errors
     /// [`Refusal`]; then nothing has changed.
@@ -61,10 +62,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.set_scene_among(description, M::NO_OBSTACLES, placement)
     }
 
-    /// As [`Self::set_scene`], with the obstacles that the model may have.
+    /// Like [`Self::set_scene`], with the obstacles that the model may have.
     ///
     /// # Errors
-    /// As [`Self::set_scene`].
+    /// Like [`Self::set_scene`].
     pub fn set_scene_among(
         &mut self,
         description: &Description<'_, f32>,
@@ -96,7 +97,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         let settled = self.run.settled(state, given, &self.settings)?;
         next.state = Some(settled.state);
         next.hold = self.run.hold;
-        // The solver counts turns from those that the body has now.
+        // The solver counts turns from the present ones of the body.
         next.turns = self.run.pose.angle.turns;
         next.solver = settled.solver;
         let output = next.accept(settled.output);
@@ -105,12 +106,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         Ok(Some(output))
     }
 
-    /// How the device runs from now on: evolution, budget, limits, the period of ticks. The body stays as it is; the force
-    /// goes on from where it is, the counts as well.
+    /// How the device runs from now on: evolution, budget, limits, the period of ticks. The body stays as it is; the force continues from
+    /// its present value, and so do the counts.
     ///
     /// # Errors
-    /// [`Refusal`] where a limit cannot be used, or the stiffnesses of the scene would not be passive; then nothing has
-    /// changed.
+    /// [`Refusal`] if a limit cannot be used, or the stiffnesses of the scene would not be passive; then nothing has changed.
     pub fn set_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
         settings.check()?;
         settings.admit(&self.run.store.description())?;
@@ -122,7 +122,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
-    /// The body where it is, without whole turns, in another scene, and settled there. A holding point is for the first hold only.
+    /// The body at its present pose, without whole turns, in another scene, and settled there. A holding point applies to the first hold
+    /// only.
     fn settled(
         &self,
         state: &State<R>,
@@ -166,7 +167,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         }
     }
 
-    /// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
+    /// Continues a hold that was taken earlier: a hand that pulls with zero force takes it again, and jumps to its present position.
     fn taken_on(
         &self,
         state: &State<R>,
@@ -180,7 +181,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
             self.store.stiffness_translation,
             self.store.stiffness_rotation,
         );
-        // Without a spring that turns, the angle at which it would rest is the present one.
+        // Without a rotational spring, the angle at which it would rest is the present one.
         let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
         let idle = Hand {
             position: [x - fx / k_h, y - fy / k_h],
@@ -191,7 +192,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         let reach = there.reach;
         let coordinates = there.vertices.iter().flatten();
         let size = coordinates.fold(0.0, |size, &x| Real::max(size, Real::abs(x)));
-        // The point was within reach; its rounding must not put it outside.
+        // The point was within reach; rounding must not move it outside.
         there.reach = reach + ROUNDING * size;
         let given = Described {
             description: &there,

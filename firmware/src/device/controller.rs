@@ -1,4 +1,4 @@
-//! One turn of the solver: is the sample new, what does the solver make of it, what force does it demand of the servo loop.
+//! One turn of the solver: whether the sample is new, what the solver computes from it, and which force it demands of the servo loop.
 
 use super::ports::{Actuators, Sample, Source};
 use super::refusal::Refusal;
@@ -11,7 +11,7 @@ use stiction_core::{
     Angle, Description, Event, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
 };
 
-/// Where the body is.
+/// The pose of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Position of the body's origin, world frame (m).
@@ -38,16 +38,16 @@ impl Pose {
     }
 }
 
-/// What a turn gives.
+/// The result of a turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
-    /// The solver's answer, where a sample came that is new, or the body was behind the hand and went on.
+    /// The solver's answer, if a new sample arrived, or the body was behind the hand and went on.
     pub output: Option<Output<f32>>,
-    /// The last good pose.
+    /// The last valid pose.
     pub pose: Pose,
     /// Force (N) and moment (N·m) to the hand, world frame, within the limits.
     pub force: Wrench<f32>,
-    /// Why the force is what it is.
+    /// Why the force has this value.
     pub flags: Flags,
     /// A fault of the device lasts: no force until everything is reset, by a new controller.
     pub latched: bool,
@@ -64,21 +64,21 @@ pub(super) enum Hold {
     Taken,
 }
 
-/// A run: the solver, its state once there is one, and what has become of the body.
+/// A run: the solver, its state after the first sample, and the last pose of the body.
 #[derive(Clone, Debug)]
 pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
     pub(super) store: Store<V, S, M>,
     pub(super) solver: Solver<R, V, S, M>,
     pub(super) state: Option<State<R>>,
     pub(super) hold: Hold,
-    /// Whole turns that the solver's angles are less than those outside.
+    /// Whole turns by which the solver's angles are less than those outside.
     pub(super) turns: i32,
     pub(super) pose: Pose,
-    /// The last step left something to do.
+    /// The last step left work to do.
     behind: bool,
 }
 
-/// The solver of a device, and what it demands of the servo loop: plain data, no hardware. V, S and M are those of the scene.
+/// The solver of a device, and its demands on the servo loop: plain data, no hardware. V, S and M are those of the scene.
 #[derive(Clone, Debug)]
 pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = Full> {
     pub(super) settings: Settings,
@@ -107,7 +107,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         })
     }
 
-    /// The hand goes to where a sample says.
+    /// Moves the hand to the position of a sample.
     fn step(&mut self, hand: &Hand<f32>) -> Output<f32> {
         let hand = turned(hand, self.turns.saturating_neg());
         let output = match &mut self.state {
@@ -121,7 +121,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         self.accept(output)
     }
 
-    /// Once more to where the last usable sample was, if the body is behind it.
+    /// Continues towards the last usable sample, if the body is behind it.
     fn go_on(&mut self) -> Option<Output<f32>> {
         let state = self.state.as_mut().filter(|_| self.behind)?;
         let hand = *state.hand();
@@ -129,7 +129,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         Some(self.accept(output))
     }
 
-    /// Keeps what a step says of the body; gives it with its turns as seen from outside.
+    /// Stores the pose of the body after a step; returns the answer with the turns as seen from outside.
     pub(super) fn accept(&mut self, mut output: Output<f32>) -> Output<f32> {
         output.angle.turns = output.angle.turns.saturating_add(self.turns);
         if output.events().contains(&Event::Grasp) {
@@ -143,7 +143,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
     }
 }
 
-/// No hand, and a sample without usable numbers: the body stays where it is.
+/// No hand, a sample without usable numbers: the body stays where it is.
 pub(crate) const NO_HAND: Hand<f32> = Hand {
     position: [f32::NAN; 2],
     angle: Angle {
@@ -165,14 +165,14 @@ pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Board
     Ok(settings.apply(Solver::new(scene, settings.evolution)))
 }
 
-/// A hand turned on by whole turns.
+/// A hand rotated by whole turns.
 pub(super) fn turned(hand: &Hand<f32>, turns: i32) -> Hand<f32> {
     let mut hand = *hand;
     hand.angle.turns = hand.angle.turns.saturating_add(turns);
     hand
 }
 
-/// Where the solver held the last pose instead of an answer.
+/// Returns whether the solver held the last pose instead of computing an answer.
 pub(super) fn is_held_last(status: Status) -> bool {
     matches!(status, Status::Saturated | Status::HeldLast)
 }
@@ -181,15 +181,15 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     /// A device with a scene. The body starts with the first sample, at its start pose.
     ///
     /// # Errors
-    /// [`Refusal`] says what cannot be used, and what is allowed.
+    /// [`Refusal`] contains what cannot be used, and what is allowed.
     pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
         Self::among(description, M::NO_OBSTACLES, settings)
     }
 
-    /// As [`Self::new`], with the obstacles that the model may have: a slice of their descriptions.
+    /// Like [`Self::new`], with the obstacles that the model may have: a slice of their descriptions.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Like [`Self::new`].
     pub fn among(
         description: &Description<'_, f32>,
         obstacles: M::Surroundings<'_>,
@@ -210,7 +210,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         })
     }
 
-    /// One turn, with a sample if one came, after a tick of the servo loop or some: in the time of one of these, or longer.
+    /// One turn, with a sample if one arrived, after one or several ticks of the servo loop: it takes the time of a tick, or longer.
     pub fn turn<D: Source + Actuators>(
         &mut self,
         sample: Option<&Sample>,
@@ -245,7 +245,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         }
     }
 
-    /// A sample that is new goes to the solver.
+    /// Passes a new sample to the solver.
     fn take(&mut self, sample: &Sample) -> Option<Output<f32>> {
         if self.arrivals.arrive(sample.number, self.silent) == Arrival::Late {
             return None;
@@ -262,7 +262,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         Some(output)
     }
 
-    /// Without a new sample the body goes on after the last one, unless that one could not be used: then its pose is held.
+    /// Without a new sample the body continues to follow the last one, unless that one could not be used: then its pose is held.
     fn go_on(&mut self) -> Option<Output<f32>> {
         if !self.settings.goes_on || self.demand.held_last {
             return None;
@@ -278,12 +278,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.demand.wrench = wrench.unwrap_or_default().feedback();
     }
 
-    /// A step took so long, in any unit: the longest one is kept.
+    /// Records the duration of a step, in any unit: the longest one is kept.
     pub fn measured(&mut self, step: u32) {
         self.health.worst_step = self.health.worst_step.max(step);
     }
 
-    /// What has been counted until the end of the last turn.
+    /// The counts up to the end of the last turn.
     pub fn health(&self) -> Health {
         Health {
             late_samples: self.arrivals.late,
@@ -298,12 +298,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         &self.settings
     }
 
-    /// The scene as it was given, with the parameters of now.
+    /// The scene as it was given, with the present parameters.
     pub fn scene(&self) -> Description<'_, f32> {
         self.run.store.description()
     }
 
-    /// Its obstacles, as they are kept.
+    /// Its obstacles, in stored form.
     pub(crate) fn obstacles(&self) -> &M::Kept {
         &self.run.store.obstacles
     }
@@ -313,15 +313,15 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         &self.run.solver
     }
 
-    /// The state of the run; none before the first sample.
+    /// The state of the run; `None` before the first sample.
     pub fn state(&self) -> Option<&State<R>> {
         self.run.state.as_ref()
     }
 
-    /// Everything from the start again: the body at the start pose of its scene, zero force at once. Counters go on.
+    /// Restarts everything: the body at the start pose of its scene, the force zero immediately. Counters continue.
     pub fn reset(&mut self) {
         let store = &self.run.store;
-        // Checked when it was taken.
+        // It was checked when it was accepted.
         if let Ok(run) = store.with_given(|given| Run::new(given, &self.settings)) {
             self.run = run;
         }

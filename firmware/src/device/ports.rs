@@ -1,30 +1,30 @@
-//! What a board gives to the loop: samples of the hand, and something that takes forces.
+//! The interfaces of a board to the loop: samples of the hand, and an output for forces.
 
 use core::convert::Infallible;
 use stiction_core::{Hand, Wrench};
 
-/// A sample of the hand as it came to the device.
+/// A sample of the hand as it arrived at the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// The hand, world frame, SI units.
     pub hand: Hand<f32>,
     /// The sender's count of its samples, or the lower 16 bits of it.
     pub number: u16,
-    /// When its last byte came (µs, the device's clock, wrapping).
+    /// When its last byte arrived (µs, the device's clock, wrapping).
     pub received_us: u32,
 }
 
-/// Where samples come from.
+/// A source of samples.
 pub trait Source {
-    /// The board measures the hand itself. Where it does not, samples come over its line.
+    /// The board measures the hand itself. If it does not, samples come over its line.
     const MEASURES: bool;
 
-    /// The hand as it is now; none where that cannot be told: silence, when it lasts. Called once in every tick; must not
+    /// The present sample of the hand; `None` if it cannot be determined: if that lasts, it is silence. Called once in every tick; must not
     /// wait.
     fn sample(&mut self, now_us: u32) -> Option<Sample>;
 }
 
-/// For how long a force cannot be given.
+/// For how long no force can be output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outage {
     /// In this tick; the next one may try again, from zero force.
@@ -33,17 +33,17 @@ pub enum Outage {
     Lasting,
 }
 
-/// Where forces go.
+/// An output for forces.
 pub trait Actuators {
-    /// Why a force cannot be given, and for how long.
+    /// Why a force cannot be output, and for how long.
     type Fault: Into<Outage>;
 
-    /// Gives force (N) and moment (N·m), world frame, to the hand.
+    /// Outputs force (N) and moment (N·m), world frame, to the hand.
     ///
     /// # Errors
-    /// Its fault; then no force is given at all.
+    /// Its fault; then no force is output at all.
     fn give(&mut self, wrench: &Wrench<f32>) -> Result<(), Self::Fault>;
-    /// No force, at once. Also of use to a panic handler.
+    /// No force, immediately. Also for use in a panic handler.
     fn off(&mut self);
 }
 
@@ -59,7 +59,7 @@ impl Source for FromLine {
     }
 }
 
-/// A board without motors: the force is reported only.
+/// A board without motors: the force is only reported.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoActuators;
 
@@ -78,7 +78,7 @@ impl Actuators for NoActuators {
     fn off(&mut self) {}
 }
 
-/// Source and actuators that are not one thing.
+/// Source and actuators as separate objects.
 impl<S: Source, A: Actuators> Source for (S, A) {
     const MEASURES: bool = S::MEASURES;
 

@@ -1,4 +1,4 @@
-//! Why something cannot be used: from the errors of the scene and of the limits to one reason for a client.
+//! Why something cannot be used: converts the errors of the scene and of the limits to one reason for a client.
 
 use crate::safety::LimitError;
 use core::fmt;
@@ -9,9 +9,9 @@ use stiction_core::{SceneError, Status};
 pub enum Refusal {
     /// The scene, or the body's present pose in it.
     Scene(SceneError<f32>),
-    /// A limit of the device, or a stiffness that it cannot show passively.
+    /// A limit of the device, or a stiffness that it cannot display passively.
     Limit(LimitError),
-    /// The body cannot be held on to where it is.
+    /// The body cannot be held at its present pose.
     Unsettled(Status),
     /// The point at which the hand holds the body would be out of reach.
     OutOfReach,

@@ -1,16 +1,16 @@
-//! The servo loop: at every tick the hand is measured and a safe force is given, wherever the solver is. A tick takes the same short
-//! time whatever happens; the solver takes its turns when it can.
+//! The servo loop: at every tick the hand is measured and a safe force is output, wherever the solver is. A tick takes the same short time
+//! whatever happens; the solver takes its turns when it can.
 //!
 //! ```text
-//! tick    measures the hand; gives on what the solver demanded last, or nothing where that is too old
-//! settle  takes the solver's demand at the end of a turn, and gives it at once
+//! tick    measures the hand; outputs the last demand of the solver, or zero if that is too old
+//! settle  takes the solver's demand at the end of a turn, and outputs it immediately
 //! ```
 //!
-//! Both give a force: that of the end of a turn replaces that of the tick in which it ends. The limits of rate count from the
-//! force at the end of the tick before, so that no tick changes it by more than one step.
+//! Both output a force: that of the end of a turn replaces that of the tick in which it ends. The limits of rate count from the force at
+//! the end of the previous tick, so that no tick changes it by more than one step.
 //!
-//! Where a turn takes longer than a tick, its force is held for longer than the bound of stiffness ([`Passivity::hold_us`]) counts on: for
-//! that time the device may do work on the hand, at most as long as silence allows.
+//! If a turn takes longer than a tick, its force is held for longer than the bound of stiffness ([`Passivity::hold_us`]) assumes: for that
+//! time the device may do work on the hand, at most as long as silence permits.
 //!
 //! [`Passivity::hold_us`]: crate::safety::Passivity::hold_us
 
@@ -18,20 +18,20 @@ use super::ports::{Actuators, Outage, Sample, Source};
 use crate::safety::{Flags, Given, Governor, Health, Limits, Silence, Ticks, lateness, latest};
 use stiction_core::Wrench;
 
-/// What the solver demands at the end of a turn.
+/// The demand of the solver at the end of a turn.
 #[derive(Clone, Debug)]
 pub(super) struct Demand {
-    /// The force that the statics wants on the hand.
+    /// The force on the hand according to statics.
     pub(super) wrench: Wrench<f32>,
     /// The solver could not use the last sample.
     pub(super) held_last: bool,
-    /// When a sample came (µs) that it could use.
+    /// When a sample that it could use arrived (µs).
     pub(super) heard_us: Option<u32>,
-    /// Zero force first.
+    /// First sets the force to zero.
     pub(super) cut: bool,
-    /// Other limits.
+    /// New limits.
     pub(super) limits: Option<Limits>,
-    /// All as after power-up.
+    /// Everything as after power-up.
     pub(super) anew: bool,
 }
 
@@ -48,7 +48,7 @@ impl Demand {
         }
     }
 
-    /// It was taken: the force is wanted on.
+    /// The demand was taken: only its force remains wanted.
     pub(super) fn taken(&mut self) {
         self.heard_us = None;
         self.cut = false;
@@ -57,17 +57,17 @@ impl Demand {
     }
 }
 
-/// What became of a demand.
+/// The result of a demand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settled {
     pub(super) force: Wrench<f32>,
     pub(super) flags: Flags,
     pub(super) latched: bool,
-    /// What the servo loop counts.
+    /// The counts of the servo loop.
     pub(super) health: Health,
 }
 
-/// What a turn begins with.
+/// The inputs of a turn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Begun {
     /// When the last tick came (µs, wrapping).
@@ -79,27 +79,27 @@ pub(crate) struct Begun {
 /// The servo loop of a device D.
 #[derive(Clone, Debug)]
 pub struct Servo<D> {
-    /// Where the hand is measured, and where forces go.
+    /// The device that measures the hand and outputs forces.
     pub device: D,
     now_us: u32,
     sample: Option<Sample>,
     rule: Rule,
 }
 
-/// What a force is given by.
+/// The rules by which a force is output.
 #[derive(Clone, Debug)]
 struct Rule {
     limits: Limits,
     wanted: Wrench<f32>,
     held_last: bool,
-    /// At the end of the tick before.
+    /// Its state at the end of the previous tick.
     before: Governor,
     governor: Governor,
     silence: Silence,
     ticks: Ticks,
     /// Too many ticks are missing before the present one.
     overrun: bool,
-    /// The device could not give a force of this tick.
+    /// The device could not output a force of this tick.
     failed: bool,
     /// No force until everything is reset.
     latched: bool,
@@ -127,7 +127,7 @@ impl Rule {
         }
     }
 
-    /// The force goes on from where it is, the counts as well.
+    /// The force continues from its present value, and so do the counts.
     fn set_limits(&mut self, limits: &Limits) {
         self.limits = *limits;
         self.before.set_limits(limits);
@@ -148,8 +148,8 @@ impl Rule {
         self.governor.cut()
     }
 
-    /// The force of now goes to a device, which is off in the safe state, and after a fault that lasts.
-    // Once in an image: flash is short.
+    /// The present force is output to a device, which is off in the safe state, and after a fault that lasts.
+    // Compiled once per image: flash is limited.
     #[inline(never)]
     fn give(&mut self, silent: bool, device: &mut impl Actuators) {
         let mut flags = Flags {
@@ -192,7 +192,7 @@ impl Rule {
 }
 
 impl<D: Source + Actuators> Servo<D> {
-    /// No force until a turn of the solver has ended, which brings its limits.
+    /// No force until a turn of the solver has ended, which sets its limits.
     pub fn new(device: D) -> Self {
         Self {
             device,
@@ -210,13 +210,13 @@ impl<D: Source + Actuators> Servo<D> {
         }
         let rule = &mut self.rule;
         rule.tick(now_us);
-        // A sample of this tick may still come: silence is what the next tick, if late, would find too late.
+        // A sample of this tick may still arrive: silence is what the next tick, if late, would detect too late.
         let ahead = lateness(rule.limits.period_us);
         let silent = rule.silence.is_silent(now_us, ahead);
         rule.give(silent, &mut self.device);
     }
 
-    /// A turn of the solver begins.
+    /// Begins a turn of the solver.
     pub(crate) fn begin(&mut self) -> Begun {
         Begun {
             now_us: self.now_us,
@@ -224,7 +224,7 @@ impl<D: Source + Actuators> Servo<D> {
         }
     }
 
-    /// A turn of the solver ends with a demand.
+    /// Ends a turn of the solver with a demand.
     pub(super) fn settle(&mut self, demand: &Demand) -> Settled {
         let rule = &mut self.rule;
         if let Some(limits) = &demand.limits {
@@ -243,7 +243,7 @@ impl<D: Source + Actuators> Servo<D> {
         }
         rule.wanted = demand.wrench;
         rule.held_last = demand.held_last;
-        // The sample of the next tick may come at the end of its turn.
+        // The sample of the next tick may arrive at the end of its turn.
         let ahead = latest(rule.limits.period_us);
         let silent = rule.silence.is_silent(self.now_us, ahead);
         rule.give(silent, &mut self.device);
@@ -255,12 +255,12 @@ impl<D: Source + Actuators> Servo<D> {
         }
     }
 
-    /// Force (N) and moment (N·m) to the hand, world frame, as given last.
+    /// Force (N) and moment (N·m) on the hand, world frame, as last output.
     pub fn force(&self) -> Wrench<f32> {
         self.rule.force
     }
 
-    /// What the servo loop counts; all else is 0.
+    /// The counts of the servo loop; all others are 0.
     fn health(&self) -> Health {
         let rule = &self.rule;
         Health {
@@ -273,9 +273,9 @@ impl<D: Source + Actuators> Servo<D> {
     }
 }
 
-/// How a turn of the solver reaches the servo loop, which may be in another context.
+/// How a turn of the solver accesses the servo loop, which may be in another context.
 pub trait LockServo<D> {
-    /// Uses it for a moment, in which no tick comes.
+    /// Uses it for a short time in which no tick comes.
     fn lock<T>(&mut self, used: impl FnOnce(&mut Servo<D>) -> T) -> T;
 }
 

@@ -1,4 +1,4 @@
-//! How a device runs: its solver's dials, its limits, and which stiffnesses they admit.
+//! How a device runs: the settings of its solver, its limits, and the stiffnesses that they permit.
 
 use crate::safety::{LimitError, Limits, Passivity};
 use stiction_core::{Description, Evolution, Model, Real, Solver};
@@ -10,12 +10,12 @@ pub struct Settings {
     pub evolution: Evolution,
     /// The units of work of a step, see [`Solver::with_budget`]; `u32::MAX`: as many as it needs.
     pub budget: u32,
-    /// A body that is behind the hand goes on in ticks without a new sample. Where not, it goes on with the next sample only: a step
-    /// for every sample, as in a file.
+    /// A body that is behind the hand goes on in ticks without a new sample. If false, it goes on with the next sample only: a step for
+    /// every sample, as in a file.
     pub goes_on: bool,
-    /// What may go to the hand.
+    /// The limits of the force on the hand.
     pub limits: Limits,
-    /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
+    /// The damping of the device. `None`: it drives no motors, forces are only reported, and every stiffness is permitted.
     pub passivity: Option<Passivity>,
 }
 
@@ -40,7 +40,7 @@ impl Settings {
         }
     }
 
-    /// The stiffnesses of a scene leave the device passive.
+    /// Checks that the stiffnesses of a scene leave the device passive.
     pub(super) fn admit(&self, scene: &Description<'_, f32>) -> Result<(), LimitError> {
         match &self.passivity {
             Some(passivity) => {
@@ -50,7 +50,7 @@ impl Settings {
         }
     }
 
-    /// A solver that runs so.
+    /// Applies these settings to a solver.
     pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
         &self,
         solver: Solver<R, V, S, M>,

@@ -1,4 +1,4 @@
-//! The scene as it is given, and kept so that it can be changed: what [`stiction_core::Scene`] is made of.
+//! The scene as it is given, stored so that it can be changed: the input of [`stiction_core::Scene`].
 
 use heapless::Vec;
 use stiction_core::{Description, SurfaceDescription};
@@ -35,7 +35,7 @@ pub(super) struct Store<const V: usize, const S: usize, M: BoardModel> {
 }
 
 impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
-    /// Keeps a scene; `None` where it has more than there is room for.
+    /// Stores a scene; `None` if it has more than there is room for.
     pub(super) fn new(given: Described<'_, '_, M>) -> Option<Self> {
         let d = given.description;
         Some(Self {
@@ -51,7 +51,7 @@ impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
         })
     }
 
-    /// Shows what is kept as it was given.
+    /// Passes the stored scene, in its original form, to a function.
     pub(super) fn with_given<T>(&self, look: impl FnOnce(Described<'_, '_, M>) -> T) -> T {
         let description = &self.description();
         M::with_kept(&self.obstacles, |obstacles| {

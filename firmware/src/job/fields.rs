@@ -1,6 +1,6 @@
 //! The fields of a record of fixed size, one after the other, little-endian.
 
-/// Puts fields into a record of N bytes; what goes beyond them is dropped, what is left is 0.
+/// Writes fields to a record of N bytes; fields beyond the end are dropped, the remainder is 0.
 pub(super) struct Record<const N: usize> {
     bytes: [u8; N],
     filled: usize,
@@ -38,7 +38,7 @@ impl<const N: usize> Record<N> {
     }
 }
 
-/// Takes fields from bytes; beyond their end they are 0.
+/// Reads fields from bytes; beyond their end they are 0.
 pub(super) struct Fields<'a> {
     rest: &'a [u8],
 }

@@ -15,7 +15,7 @@ const END: [u8; 4] = *b"done";
 /// One frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Instructions of the step, its call included; `u32::MAX` where there were more than can be counted.
+    /// Instructions of the step, including its call; `u32::MAX` if there were more than can be counted.
     pub instructions: u32,
     /// Position of the body's origin (m).
     pub position: [f64; 2],
@@ -32,7 +32,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame of an answer that took so many instructions.
+    /// The frame of an answer that took this many instructions.
     pub fn new<F: SiFloat>(instructions: u32, output: &Output<F>) -> Self {
         Self {
             instructions,
@@ -48,7 +48,7 @@ impl Frame {
         }
     }
 
-    /// As bytes.
+    /// The frame as bytes.
     pub fn encode(&self) -> [u8; FRAME_BYTES] {
         let [x, y] = self.position;
         let mut record = Record::new();
@@ -95,12 +95,12 @@ fn at_index<T: Copy>(all: &[T], index: u8) -> Result<T, FormatError> {
     one.copied().ok_or(FormatError::Value)
 }
 
-/// What holds for a whole job.
+/// The totals of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Totals {
     /// Frames.
     pub frames: u32,
-    /// The deepest that a step went below its caller (bytes).
+    /// The largest stack of a step below its caller (bytes).
     pub stack: u32,
     /// Size of the solver with its scene (bytes).
     pub solver: u32,
@@ -111,7 +111,7 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// As bytes: the end of the results.
+    /// The totals as bytes: the end of the results.
     pub fn encode(&self) -> [u8; TOTALS_BYTES] {
         let mut record = Record::new();
         record.put(END).u32(self.frames).u32(self.stack);
@@ -138,7 +138,7 @@ impl Totals {
 #[derive(Clone, Copy, Debug)]
 pub struct Results<'a> {
     frames: &'a [[u8; FRAME_BYTES]],
-    /// What holds for the whole job.
+    /// The totals of the job.
     pub totals: Totals,
 }
 
@@ -148,10 +148,10 @@ impl<'a> Results<'a> {
         Record::new().put(MARK).u8(VERSION).bytes()
     }
 
-    /// From all bytes.
+    /// Reads the results from all bytes.
     ///
     /// # Errors
-    /// They are not results of this version, or the job did not come to its end.
+    /// They are not results of this version, or the job did not reach its end.
     pub fn read(bytes: &'a [u8]) -> Result<Self, FormatError> {
         let body = bytes.strip_prefix(&Self::head()).ok_or(FormatError::Mark)?;
         let (frames, end) = body.split_last_chunk().ok_or(FormatError::Short)?;

@@ -16,8 +16,8 @@ const SURFACE_BYTES: usize = 48;
 const OBSTACLE_BYTES: usize = 32;
 const MARK: [u8; 4] = *b"stjb";
 
-/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many, for steps of a budget. The scene has at most 255 vertices,
-/// 255 surfaces and 255 obstacles.
+/// Passes the bytes of a job to `sink`, up to its samples, whose number is given, for steps of a budget. The scene has at most 255
+/// vertices, 255 surfaces and 255 obstacles.
 ///
 /// # Errors
 /// The first error of `sink`.
@@ -80,7 +80,7 @@ pub fn write_scene<E>(
 pub(crate) struct Head {
     /// The evolution within a frame.
     pub(crate) evolution: Evolution,
-    /// How many hand samples follow.
+    /// The number of hand samples that follow.
     pub(crate) samples: u32,
     /// The budget of a step.
     pub(crate) budget: u32,
@@ -190,7 +190,7 @@ impl Head {
         })
     }
 
-    /// What `take` makes of the description, whose vertices and surfaces are taken from `source`.
+    /// The result of `take` for the description, whose vertices and surfaces are taken from `source`.
     fn described<R: Real<Si: SiFloat>, const V: usize, const S: usize, T, E: From<FormatError>>(
         &self,
         source: &mut impl FnMut(&mut [u8]) -> Result<(), E>,
@@ -236,7 +236,7 @@ fn point<F: SiFloat, E>(
     Ok([fields.f64(), fields.f64()].map(F::narrow))
 }
 
-/// An obstacle but for its corners.
+/// An obstacle without its corners.
 struct Obstacle<F> {
     friction_static: F,
     friction_dynamic: F,
@@ -257,7 +257,7 @@ impl<F: SiFloat> Obstacle<F> {
     }
 }
 
-/// The length of a memory; NaN where none is given.
+/// A memory length; NaN if none is given.
 fn memory<F: SiFloat>(length: f64) -> Option<F> {
     (!length.is_nan()).then(|| F::narrow(length))
 }

@@ -1,4 +1,5 @@
-//! From the 16-bit counts of quadrature encoders to joint angles, unwrapped. The counts are kept whole: nothing adds up.
+//! From the 16-bit counts of quadrature encoders to joint angles, unwrapped. The counts are whole numbers, so that errors do not
+//! accumulate.
 
 use super::geometry::{Encoder, Geometry};
 use core::f32::consts::TAU;
@@ -15,7 +16,7 @@ pub(crate) struct Joint {
 }
 
 impl Joint {
-    /// At its encoder's offset, with what the counter shows there.
+    /// At its encoder's offset, with the present value of the counter.
     pub(crate) const fn new(encoder: Encoder, count: u16) -> Self {
         Self {
             encoder,
@@ -25,9 +26,9 @@ impl Joint {
         }
     }
 
-    /// The counter moved by less than half of its range since it was last read.
+    /// Takes a new count; the counter has moved by less than half of its range since it was last read.
     pub(crate) fn update(&mut self, count: u16) {
-        // As a 16-bit number with a sign: -32 768 to 32 767.
+        // As a signed 16-bit number: -32 768 to 32 767.
         let moved = count.wrapping_sub(self.last).cast_signed();
         self.last = count;
         let moved = i32::from(moved);
@@ -61,7 +62,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// In the home position, with what the counters show there. For a geometry that was checked.
+    /// In the home position, with the present values of the counters. For a geometry that was checked.
     pub fn new(geometry: &Geometry, counts: [u16; 3]) -> Self {
         let [left, right, handle] = geometry.encoders;
         let [a, b, c] = counts;
@@ -74,7 +75,7 @@ impl Joints {
         }
     }
 
-    /// What the counters show now. To be called before any of them has moved by 32 768 counts.
+    /// Takes the present values of the counters. To be called before any of them has moved by 32 768 counts.
     pub fn update(&mut self, counts: [u16; 3]) {
         for (joint, count) in self.joints.iter_mut().zip(counts) {
             joint.update(count);

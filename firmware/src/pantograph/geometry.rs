@@ -1,4 +1,5 @@
-//! The device as it is built, a pantograph or a knob: lengths, encoders, mounting of the handle, motors. Checked once.
+//! The construction of the device, a pantograph or a knob: lengths, encoders, mounting of the handle, motors. Checked
+//! once.
 
 use core::fmt;
 
@@ -6,21 +7,21 @@ use core::fmt;
 const LONGEST: f32 = 10.0;
 /// The shortest link (m): a millimetre.
 const SHORTEST: f32 = 1e-3;
-/// The most counts of a turn: what one count is can then still be told in f32.
+/// The most counts of a turn: at this number f32 still resolves one count.
 const MOST_COUNTS: u32 = 1 << 22;
 
-/// An encoder with its joint.
+/// An encoder and its joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoder {
-    /// Counts of one turn of the joint, four for each line of the disc, with the ratio of the drive; 4 to 2^22.
+    /// Counts of one turn of the joint, four per line of the disc, including the transmission ratio; 4 to 2^22.
     pub counts_per_turn: u32,
-    /// It counts up where the joint turns clockwise.
+    /// It counts up when the joint turns clockwise.
     pub reversed: bool,
     /// The joint's angle in the home position (rad), -2 pi to 2 pi.
     pub offset: f32,
 }
 
-/// What the handle's encoder measures its angle from.
+/// The reference of the handle's encoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HandleMount {
     /// The world: the handle is driven through belts from the base.
@@ -31,34 +32,34 @@ pub enum HandleMount {
     RightLink,
 }
 
-/// The device as it is built.
+/// The construction of the device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
     /// The middle between the base joints, in the scene's world (m).
     pub origin: [f32; 2],
-    /// The distance of the base joints, A1 at -x, A2 at +x (m); 0 where they share an axis.
+    /// The distance of the base joints, A1 at -x, A2 at +x (m); 0 if they share an axis.
     pub base: f32,
     /// l1, l2: from A1 to B1 and from A2 to B2 (m).
     pub proximal: [f32; 2],
     /// r1, r2: from B1 to P and from B2 to P (m).
     pub distal: [f32; 2],
-    /// Of q1, q2 and the handle. An offset is the joint's angle from +x, of the handle from what it is mounted on.
+    /// Encoders of q1, q2 and the handle. An offset is the joint's angle from +x, for the handle from its mount.
     pub encoders: [Encoder; 3],
     /// How the handle is mounted.
     pub handle: HandleMount,
-    /// The least sine of the angle between the distal links at which the device gives force, 0.01 to 0.99. At 0 they
-    /// are in line and it gives none across.
+    /// The least sine of the angle between the distal links at which the device outputs force, 0.01 to 0.99. At 0 they
+    /// are collinear and it has no force across them.
     pub least_sine: f32,
 }
 
-/// A motor with its driver, which gives a current in proportion to the duty.
+/// A motor with its driver, which outputs a current in proportion to the duty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorConstants {
-    /// Torque at the joint for a current in the motor (N·m/A), with the ratio of the drive; more than 0.
+    /// Torque at the joint per current in the motor (N·m/A), including the transmission ratio; more than 0.
     pub torque_constant: f32,
     /// The current at full duty (A), more than 0.
     pub full_current: f32,
-    /// The largest torque at the joint (N·m), more than 0; at most that of full duty.
+    /// The largest torque at the joint (N·m), more than 0; at most that at full duty.
     pub torque_limit: f32,
     /// A high level at the direction pin turns the joint clockwise.
     pub reversed: bool,
@@ -100,14 +101,14 @@ impl Encoder {
     }
 }
 
-/// A knob as it is built: it moves the hand along x.
+/// The construction of a knob: it moves the hand along x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KnobGeometry {
-    /// The hand where the knob's angle is zero, in the scene's world (m).
+    /// The position of the hand at the knob's angle zero, in the scene's world (m).
     pub origin: [f32; 2],
-    /// How far a radian moves the hand along +x (m): of a tip on the knob's rim, its radius; 1e-3 to 10.
+    /// The displacement of the hand along +x per radian (m): for a tip on the knob's rim, its radius; 1e-3 to 10.
     pub radius: f32,
-    /// Of the knob. Its offset is the angle at power-up, whatever the knob's position then.
+    /// The encoder of the knob. Its offset is the angle at power-up, whatever the knob's position then.
     pub encoder: Encoder,
 }
 
@@ -146,7 +147,7 @@ impl MotorConstants {
 pub enum GeometryParameter {
     /// The middle of the base, or the hand of a knob at angle zero (m).
     Origin,
-    /// Of a knob (m).
+    /// The radius of a knob (m).
     Radius,
     /// The distance of the base joints (m).
     Base,
@@ -160,7 +161,7 @@ pub enum GeometryParameter {
     EncoderOffset(usize),
     /// The least sine between the distal links.
     LeastSine,
-    /// Torque for a current (N·m/A).
+    /// Torque per current (N·m/A).
     TorqueConstant,
     /// The current at full duty (A).
     FullCurrent,
@@ -216,7 +217,7 @@ fn within(
     least: f32,
     most: f32,
 ) -> Result<(), GeometryError> {
-    // False for what is not a number, too.
+    // Also false for NaN.
     if value >= least && value <= most {
         Ok(())
     } else {

@@ -10,9 +10,9 @@ use stiction_core::{Angle, Real, Wrench};
 pub enum Fault {
     /// The encoders have not been read, or cannot be.
     NotRead,
-    /// The elbows are farther apart, or nearer, than the distal links reach: counts were lost.
+    /// The elbows are farther apart, or closer, than the distal links reach: counts were lost.
     Unreachable,
-    /// The distal links are, or nearly are, in line (or on each other): a force across them cannot be given.
+    /// The distal links are collinear, or nearly so (or on top of each other): no force across them can be output.
     Singular,
     /// A number is not finite.
     NotFinite,
@@ -32,7 +32,7 @@ impl Fault {
 
 type Vector = [f32; 2];
 
-/// Where the mechanism is, and how the hand moves with its joints.
+/// The position of the mechanism, and how the hand moves with its joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Configuration {
     /// P: position of the hand in the world (m).
@@ -46,10 +46,10 @@ pub struct Configuration {
 }
 
 impl Configuration {
-    /// The torques (N·m) of the three joints that give a wrench to the hand.
+    /// The torques (N·m) of the three joints that produce a wrench on the hand.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] where the wrench, or a torque for it, is not finite.
+    /// [`Fault::NotFinite`] if the wrench, or a torque for it, is not finite.
     pub fn torques(&self, wrench: &Wrench<f32>) -> Result<[f32; 3], Fault> {
         let [by_left, by_right] = self.position_by_joint;
         let [left, right, handle] = self.handle_by_joint.map(|turn| turn * wrench.moment);
@@ -77,7 +77,8 @@ pub struct Kinematics {
 struct Arm {
     /// Its far end, in the world (m).
     elbow: Vector,
-    /// The link as a vector turned by a quarter, counter-clockwise (m): how the elbow goes with the joint's angle.
+    /// The link as a vector rotated by a quarter turn, counter-clockwise (m): the displacement of the elbow per radian of the joint's
+    /// angle.
     turned: Vector,
 }
 
@@ -100,12 +101,12 @@ impl Kinematics {
         }
     }
 
-    /// P where the distal links meet, left of the way from B1 to B2.
+    /// P where the distal links meet, to the left of the line from B1 to B2.
     fn hand(&self, left: &Arm, right: &Arm) -> Result<Vector, Fault> {
         let [r1, r2] = self.geometry.distal;
         let [dx, dy] = minus(right.elbow, left.elbow);
         let apart = Real::hypot(dx, dy);
-        // Elbows upon each other: the hand may be anywhere around them.
+        // Elbows on top of each other: the hand may be anywhere around them.
         if apart <= 1e-6 * r1 {
             return Err(Fault::Singular);
         }
@@ -120,10 +121,10 @@ impl Kinematics {
         Ok([x + along * ux - across * uy, y + along * uy + across * ux])
     }
 
-    /// Where the hand is at joint angles: left, right, handle.
+    /// The configuration at joint angles: left, right, handle.
     ///
     /// # Errors
-    /// [`Fault`]: where the mechanism cannot be, or can give no force.
+    /// [`Fault`]: the mechanism cannot be there, or can output no force there.
     pub fn solve(&self, joints: &[Angle<f32>; 3]) -> Result<Configuration, Fault> {
         let [q1, q2, q3] = *joints;
         if ![q1, q2, q3].into_iter().all(Angle::is_finite) {
@@ -138,7 +139,7 @@ impl Kinematics {
         let u1 = minus(position, left.elbow);
         let u2 = minus(position, right.elbow);
         let area = cross(u1, u2);
-        // False for what is not a number, too.
+        // Also false for NaN.
         let is_stiff = Real::abs(area) >= geometry.least_sine * r1 * r2;
         if !is_stiff {
             return Err(Fault::Singular);
@@ -199,13 +200,13 @@ fn scaled([x, y]: Vector, k: f32) -> Vector {
     [x * k, y * k]
 }
 
-/// By a quarter, clockwise.
+/// Rotated by a quarter turn, clockwise.
 fn turned_back([x, y]: Vector) -> Vector {
     [y, -x]
 }
 
-/// From +x (rad), in [-pi/2, 3 pi/2]: a distal link points straight down with crossed elbows only, so the angle is whole
-/// over the workspace.
+/// From +x (rad), in [-pi/2, 3 pi/2]: a distal link points straight down only with crossed elbows, so the angle is continuous over the
+/// workspace.
 fn angle([x, y]: Vector) -> f32 {
     FRAC_PI_2 + Real::atan2(-x, y)
 }

@@ -5,7 +5,7 @@ use embedded_hal::digital::OutputPin;
 use embedded_hal::pwm::SetDutyCycle;
 use stiction_core::Real;
 
-/// Why a motor gives no torque.
+/// Why a motor outputs no torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotorFault {
     /// The torque is not finite.
@@ -54,15 +54,15 @@ impl<P: SetDutyCycle, D: OutputPin> Motor<P, D> {
         Ok(motor)
     }
 
-    /// How many times larger than its limit a torque is (N·m); 0 or more.
+    /// The ratio of a torque (N·m) to its limit; 0 or more.
     pub fn excess(&self, torque: f32) -> f32 {
         Real::abs(torque) / self.constants.torque_limit
     }
 
-    /// Gives a torque at the joint (N·m), counter-clockwise positive; a larger one than the limit is the limit.
+    /// Outputs a torque at the joint (N·m), counter-clockwise positive; it is limited to the motor's limit.
     ///
     /// # Errors
-    /// [`MotorFault`]; then the motor is off, as far as it obeys.
+    /// [`MotorFault`]; then the motor is off, as far as it responds.
     pub fn turn(&mut self, torque: f32) -> Result<(), MotorFault> {
         let turned = self.try_to_turn(torque);
         if turned.is_err() {

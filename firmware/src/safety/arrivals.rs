@@ -1,6 +1,6 @@
-//! Which samples of the hand are new, by the sender's count.
+//! Which samples of the hand are new, according to the sender's count.
 
-/// What a sample is.
+/// The classification of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arrival {
     /// Newer than all before it.
@@ -13,7 +13,7 @@ pub enum Arrival {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Arrivals {
     last: Option<u16>,
-    /// A sample that would be the first of a sender that counts anew.
+    /// A sample that would be the first of a sender that has restarted its count.
     candidate: Option<u16>,
     /// See [`super::Health`].
     pub late: u32,
@@ -24,10 +24,10 @@ pub struct Arrivals {
 }
 
 impl Arrivals {
-    /// A sample with the sender's number has come. Of longer numbers the lower 16 bits will do.
+    /// Classifies a sample by the sender's number. Of longer numbers the lower 16 bits suffice.
     ///
-    /// A sender that counts anew is believed in silence only, and with its second sample: one alone could be an old one
-    /// that was long under way.
+    /// A restarted count is accepted only in silence, and with its second sample: a single one could be an old one that
+    /// was delayed for a long time.
     pub fn arrive(&mut self, number: u16, silent: bool) -> Arrival {
         let ahead = match self.last {
             None => 1,
@@ -53,7 +53,7 @@ impl Arrivals {
     }
 }
 
-/// A difference of two numbers that is of the future: 1 to 32 767.
+/// Returns whether a difference of two numbers lies in the future: 1 to 32 767.
 fn is_ahead(difference: u16) -> bool {
     (1..0x8000).contains(&difference)
 }

@@ -1,10 +1,10 @@
-//! From the wrench that the statics wants to one that the device may give: force and moment limited in size, the direction
-//! of the force kept, and in their change from tick to tick.
+//! From the wrench that the statics demands to one that the device may output: force and moment limited in size, keeping the direction of
+//! the force, and in their change from tick to tick.
 
 use super::limits::Limits;
 use stiction_core::{Real, Wrench};
 
-/// A limit is kept to so much below it, for the rounding of what is computed with it.
+/// A limit is kept with this margin, for the rounding of what is computed with it.
 const MARGIN: f32 = 1.0 - 4.0 * f32::EPSILON;
 
 /// A limit of force or moment.
@@ -19,17 +19,17 @@ struct Limit {
 /// The wrench of a tick, and what limited it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Given {
-    /// What goes to the hand.
+    /// The wrench on the hand.
     pub wrench: Wrench<f32>,
-    /// What was wanted is larger than allowed.
+    /// The wanted wrench is larger than permitted.
     pub size_limited: bool,
-    /// What was wanted, within its size, is not yet reached.
+    /// The wanted wrench, within its size, is not reached yet.
     pub rate_limited: bool,
-    /// What was wanted is not finite: zero is given.
+    /// The wanted wrench is not finite: zero is output.
     pub not_finite: bool,
 }
 
-/// Keeps the force to the hand within its limits.
+/// Keeps the force on the hand within its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Governor {
     force: Limit,
@@ -54,7 +54,7 @@ impl Governor {
         }
     }
 
-    /// Other limits, checked as well. The force goes on from where it is.
+    /// New limits, which were checked as well. The force continues from its present value.
     pub fn set_limits(&mut self, limits: &Limits) {
         *self = Self {
             given: self.given,
@@ -62,7 +62,7 @@ impl Governor {
         };
     }
 
-    /// What goes to the hand in this tick, where `wanted` would be right.
+    /// The wrench on the hand in this tick if `wanted` would be right.
     pub fn toward(&mut self, wanted: &Wrench<f32>) -> Given {
         let [x, y] = wanted.force;
         if ![x, y, wanted.moment].into_iter().all(Real::is_finite) {
@@ -79,7 +79,7 @@ impl Governor {
             moment: old.moment + clamped(moment - old.moment, self.moment.step),
         };
         if Real::abs(moment - self.given.moment) <= f32::EPSILON * self.moment.size {
-            // There, but for the rounding of the last step.
+            // Reached, except for the rounding of the last step.
             self.given.moment = moment;
         }
         Given {
@@ -90,30 +90,30 @@ impl Governor {
         }
     }
 
-    /// Zero, at once.
+    /// Zero, immediately.
     pub fn cut(&mut self) -> Given {
         self.given = Wrench::default();
         Given::default()
     }
 }
 
-/// A number of a size of at most `most`.
+/// A number limited to a magnitude of at most `most`.
 fn clamped(x: f32, most: f32) -> f32 {
     Real::max(Real::min(x, most), -most)
 }
 
-/// A vector shortened to a length, its direction kept. No sum or product in it overflows.
+/// A vector shortened to a length, keeping its direction. No sum or product in it overflows.
 fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
     let length = length * MARGIN;
     let (wide, high) = (Real::abs(x), Real::abs(y));
-    // Mostly, and without a root or a division.
+    // The usual case, without a root or a division.
     if wide + high <= length {
         return [x, y];
     }
     let largest = Real::max(wide, high);
     let (u, v) = (x / largest, y / largest);
     let size = Real::sqrt(u * u + v * v);
-    // What is longer than the largest number compares as infinity, which is right.
+    // A length beyond the largest number compares as infinity, which is correct.
     if largest * size <= length {
         return [x, y];
     }

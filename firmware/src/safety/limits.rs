@@ -1,4 +1,4 @@
-//! What a haptic device carries and damps, and the largest stiffness that it can show without doing work on the hand.
+//! What a haptic device can output and its damping, and the largest stiffness that it can display without doing work on the hand.
 
 use core::fmt;
 use stiction_core::Real;
@@ -12,7 +12,7 @@ const LONGEST_SILENCE: u32 = 1_000_000;
 /// The longest time for which a force is held, and the longest delay (µs).
 const LONGEST_HOLD: u32 = 1_000_000;
 
-/// What may go to the hand.
+/// The limits of the force on the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// The largest force (N), 0 to 1e6.
@@ -26,9 +26,9 @@ pub struct Limits {
     pub moment_rate: f32,
     /// The period of ticks (µs), 1 to 100 000.
     pub period_us: u32,
-    /// The force is zero when the last usable sample is so old (µs): from 2 periods to one second.
+    /// The force is zero when the last usable sample is this old (µs): from 2 periods to one second.
     pub silence_us: u32,
-    /// So many missed ticks in a row leave the force as it is; more make it zero. 0: every overrun does.
+    /// This many missed ticks in a row leave the force as it is; more make it zero. 0: every overrun does.
     pub missed_ticks: u16,
 }
 
@@ -39,7 +39,7 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// 5 N, 0.1 N·m, both from nothing in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
+    /// 5 N, 0.1 N·m, both ramped up from zero in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
     pub const DEFAULT: Self = Self {
         force: 5.0,
         moment: 0.1,
@@ -75,19 +75,18 @@ impl Limits {
     }
 }
 
-/// What the device damps by itself, and how old the hand's pose is when its force is given: with them a virtual spring of
-/// stiffness K is passive if b > K (T/2 + delay), where T is the time for which a force is held (Colgate and Schenkel).
+/// The device's own damping, and the age of the hand's pose when its force is output: with them a virtual spring of stiffness K is passive
+/// if b > K (T/2 + delay), where T is the time for which a force is held (Colgate and Schenkel).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passivity {
-    /// b of the device along the plane (N·s/m), the least over its workspace: friction of bearings and motors.
+    /// b of the device along the plane (N·s/m), its minimum over the workspace: friction of bearings and motors.
     pub damping_translation: f32,
     /// b of the device's handle about its axis (N·m·s/rad).
     pub damping_rotation: f32,
-    /// T (µs), 1 to 1 000 000: the time between two forces that follow the hand; of ticks, or of samples where these come
-    /// less often.
+    /// T (µs), 1 to 1 000 000: the time between two forces that follow the hand; the period of ticks, or of samples if these come less
+    /// often.
     pub hold_us: u32,
-    /// The time from the hand's pose to the first force that answers it (µs), 0 to 1 000 000; 0 where the encoders are
-    /// read in the tick.
+    /// The time from the hand's pose to the first force that responds to it (µs), 0 to 1 000 000; 0 if the encoders are read in the tick.
     pub delay_us: u32,
 }
 
@@ -109,13 +108,13 @@ impl Passivity {
 
     /// The bounds of k_h (N/m) and of k_theta (N·m/rad): stiffnesses below them are passive.
     pub fn bounds(&self) -> [f32; 2] {
-        // Twice the time, whole: the bound of round numbers is round.
+        // Twice the time, a whole number: the bound for round numbers is round.
         let twice_us = self.hold_us.saturating_add(self.delay_us.saturating_mul(2));
         [self.damping_translation, self.damping_rotation].map(|b| b * 2e6 / twice_us as f32)
     }
 
-    /// Refuses the stiffnesses k_h (N/m) and k_theta (N·m/rad) of a hand that the device cannot show passively. No
-    /// stiffness is passive without damping; 0 always is.
+    /// Refuses stiffnesses k_h (N/m) and k_theta (N·m/rad) of a hand that the device cannot display passively. No stiffness is passive
+    /// without damping; 0 always is.
     ///
     /// # Errors
     /// [`LimitError`] names the stiffness and its bound.
@@ -178,9 +177,9 @@ impl LimitParameter {
 /// What is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
-    /// From the first to the second.
+    /// From the first to the second, inclusive.
     Within(f32, f32),
-    /// Finite, and less than this, at which the device ceases to be passive; 0 is allowed always.
+    /// Finite, and less than this value, at which the device ceases to be passive; 0 is always allowed.
     PassiveBelow(f32),
 }
 
@@ -216,7 +215,7 @@ impl core::error::Error for LimitError {}
 
 fn within(parameter: LimitParameter, value: f32, least: f32, most: f32) -> Result<(), LimitError> {
     let allowed = Allowed::Within(least, most);
-    // False for what is not a number, too.
+    // Also false for NaN.
     refuse_unless(value >= least && value <= most, parameter, value, allowed)
 }
 

@@ -1,14 +1,14 @@
-//! Ticks that did not come: counted by the device's clock.
+//! Ticks that did not come, counted by the device's clock.
 
-/// Differences beyond this are of a clock that went backwards.
+/// Differences beyond this mean that the clock went backwards.
 const HALF: u32 = 1 << 31;
 
-/// A tick may be late by so much (µs): half a period.
+/// The permitted lateness of a tick (µs): half a period.
 pub(crate) fn lateness(period_us: u32) -> u32 {
     period_us / 2
 }
 
-/// From one tick to the next (µs): where more passes, one is missing.
+/// The longest time from one tick to the next (µs): if more passes, one is missing.
 pub(crate) fn latest(period_us: u32) -> u32 {
     period_us.saturating_add(lateness(period_us))
 }
@@ -25,7 +25,7 @@ pub struct Ticks {
 }
 
 impl Ticks {
-    /// Of a period (µs).
+    /// With a period (µs).
     pub fn new(period_us: u32) -> Self {
         Self {
             period_us,
@@ -35,13 +35,13 @@ impl Ticks {
         }
     }
 
-    /// Another period (µs), from the last tick on. The counts go on.
+    /// Sets a new period (µs), from the last tick on. The counts continue.
     pub fn set_period(&mut self, period_us: u32) {
         self.period_us = period_us;
     }
 
-    /// A tick at a time (µs, wrapping) of the device: how many are missing between the one before and this one, to the
-    /// nearest.
+    /// A tick at a time (µs, wrapping) of the device: returns how many are missing between the previous one and this
+    /// one, to the nearest.
     pub fn tick(&mut self, now_us: u32) -> u32 {
         let elapsed = match self.last_us {
             None => 0,
@@ -49,7 +49,7 @@ impl Ticks {
         };
         self.last_us = Some(now_us);
         self.done = self.done.saturating_add(1);
-        // Without a division where nothing is missing.
+        // Without a division if nothing is missing.
         if elapsed >= HALF || elapsed < latest(self.period_us) {
             return 0;
         }

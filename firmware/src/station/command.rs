@@ -1,4 +1,4 @@
-//! Commands (FRAME 4.3 to 4.7): carried out, or refused with the reason; what is refused changes nothing.
+//! Commands (FRAME 4.3 to 4.7): carried out, or refused with the reason; a refused command changes nothing.
 
 use super::intake::Intake;
 use super::refusal::Trouble;
@@ -11,14 +11,14 @@ use stiction_core::frame::{
 };
 use stiction_core::{Output, Real, SurfaceDescription};
 
-/// What comes after a frame.
+/// How to continue after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// The next one.
     More,
     /// Nothing more in this turn.
     Enough,
-    /// Nothing more in this turn, and the faults of the line are forgotten.
+    /// Nothing more in this turn, and the faults of the line are cleared.
     Anew,
 }
 
@@ -30,14 +30,14 @@ const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
     memory: None,
 };
 
-/// After a lasting fault nothing is done.
+/// After a lasting fault nothing is carried out.
 const STOPPED: Trouble = Trouble::whole(
     Reason::NotNow,
     "hello, ping, and reset of everything: the board is stopped by a fault",
 );
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
-    /// A command came that is no sample.
+    /// Handles a command that is not a sample.
     #[inline(never)]
     pub(super) fn command(
         &mut self,
@@ -78,7 +78,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// A scene among obstacles came, to a board with room for some.
+    /// Handles a scene among obstacles, on a board with room for some.
     #[inline(never)]
     pub(super) fn scene_among(
         &mut self,
@@ -98,7 +98,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         Next::Enough
     }
 
-    /// A sample came to a board that measures the hand itself (FRAME 4.8): told once to a client that said hello.
+    /// Handles a sample on a board that measures the hand itself (FRAME 4.8): reported once to a client that sent
+    /// hello.
     pub(super) fn refuse_sample(
         &mut self,
         frame: &Frame<Command<'_>>,
@@ -114,7 +115,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         Next::Enough
     }
 
-    /// Carries a command out. What the body did with it, if there was one.
+    /// Carries a command out. Returns what the body did with it, if there was one.
     fn obey(&mut self, command: &Command<'_>) -> Result<Option<Output<f32>>, Trouble> {
         if self.latched && !matches!(command, Command::Reset(Reset::Everything)) {
             return Err(STOPPED);
@@ -181,7 +182,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         Ok(())
     }
 
-    /// As after power-up, but for the numbers of frames: they go on.
+    /// As after power-up, except the numbers of frames: they continue.
     fn power_up(&mut self) -> Result<(), Trouble> {
         let mode = self.setup.mode;
         let settings = self.setup.settings(&mode);

@@ -1,5 +1,5 @@
-//! Samples on their way in (FRAME 4.1, 4.2, 4.8): from the plane of the mode and the frames that came to the one sample that a
-//! step is made with, and the counts of those that were overtaken or lost.
+//! Incoming samples (FRAME 4.1, 4.2, 4.8): from the plane of the mode and the frames that arrived to the one sample for a step, and the
+//! counts of those that were overtaken or lost.
 
 use stiction_core::frame::{Mode, Sequence};
 use stiction_core::{Axis, Hand, Projection, TrackerSample};
@@ -13,20 +13,20 @@ pub(super) struct Arrived {
     pub(super) sequence: u8,
 }
 
-/// The samples' way in.
+/// The input of samples.
 #[derive(Clone, Debug)]
 pub(super) struct Intake {
     plane: [Axis; 2],
     projection: Option<Projection<f32>>,
     waiting: Option<Arrived>,
     sequence: Sequence,
-    /// A client that sends samples to a board that measures them itself was told so.
+    /// A client that sends samples to a board that measures them itself has been notified.
     pub(super) refused: bool,
-    /// Samples that came.
+    /// Samples that arrived.
     pub(super) samples: u32,
-    /// Samples that no step was made with.
+    /// Samples that no step used.
     pub(super) late: u32,
-    /// Frames that did not come.
+    /// Frames that did not arrive.
     pub(super) lost: u32,
 }
 
@@ -44,19 +44,19 @@ impl Intake {
         }
     }
 
-    /// A client comes: the gap before its first frame is none.
+    /// A client connects: the gap before its first frame does not count.
     pub(super) fn greet(&mut self) {
         self.sequence = Sequence::new();
         self.refused = false;
     }
 
-    /// A frame with this sequence number came.
+    /// A frame with this sequence number arrived.
     pub(super) fn follow(&mut self, sequence: u8) {
         let lost = self.sequence.lost_before(sequence);
         self.lost = self.lost.saturating_add(u32::from(lost));
     }
 
-    /// A sample of the hand came; one that still waits is overtaken.
+    /// A sample of the hand arrived; one that still waits is overtaken.
     pub(super) fn hand(&mut self, hand: Hand<f32>, sequence: u8) {
         self.samples = self.samples.saturating_add(1);
         self.drop_waiting();
@@ -68,7 +68,7 @@ impl Intake {
         self.samples = self.samples.saturating_add(1);
     }
 
-    /// A sample of a tracker came. Its turns are counted with every one, the overtaken ones too.
+    /// A sample of a tracker arrived. Its turns are counted with every one, including overtaken ones.
     pub(super) fn tracker(&mut self, sample: &TrackerSample<f32>, sequence: u8) {
         let planar = self.projection.as_mut().and_then(|p| p.planar(sample));
         self.hand(planar.unwrap_or(NO_HAND), sequence);
@@ -79,13 +79,13 @@ impl Intake {
         self.waiting.take()
     }
 
-    /// The body begins anew: what came before is of the past, and the tracker's turns are counted from none.
+    /// The body starts again: earlier samples are obsolete, and the count of the tracker's turns restarts at zero.
     pub(super) fn begin_anew(&mut self) {
         self.drop_waiting();
         self.projection = Projection::new(self.plane);
     }
 
-    /// The plane of a mode. The turns go on in the one that was there already.
+    /// The plane of a mode. The count of the turns continues if the plane is the same as before.
     pub(super) fn look_at(&mut self, plane: [Axis; 2]) {
         if plane != self.plane {
             self.plane = plane;

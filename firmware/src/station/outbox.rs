@@ -1,13 +1,13 @@
-//! Frames on their way out: numbered, encoded, and counted where the line has no room for them (FRAME 7).
+//! Outgoing frames: numbered, encoded, and counted if the line has no room for them (FRAME 7).
 
 use stiction_core::frame::{Frame, LONGEST_REPORT, Message, wire_bytes};
 
 /// The line of a board, and a clock to measure with.
 pub trait Link {
-    /// The next byte that came. Must not wait.
+    /// The next byte that arrived. Must not wait.
     fn take(&mut self) -> Option<u8>;
-    /// Sends all of a frame, or, where there is no room for it, nothing: false. Must not wait. A queue of less than
-    /// [`wire_bytes`] of [`LONGEST_REPORT`] never has room for the longest names and refusals.
+    /// Sends a whole frame, or, if there is no room for it, nothing: then it returns false. Must not wait. A queue of
+    /// less than [`wire_bytes`] of [`LONGEST_REPORT`] never has room for the longest names and refusals.
     fn send(&mut self, frame: &[u8]) -> bool;
     /// A clock (ns, wrapping) with which the work of a tick is measured.
     fn now_ns(&mut self) -> u32;
@@ -19,7 +19,7 @@ const LONGEST: usize = wire_bytes(LONGEST_REPORT);
 /// Numbers and encodes frames.
 #[derive(Clone, Debug)]
 pub(super) struct Outbox {
-    /// Of the next frame.
+    /// The number of the next frame.
     sequence: u8,
     /// Frames for which the line had no room.
     pub(super) unsent: u32,
@@ -35,7 +35,7 @@ impl Outbox {
         }
     }
 
-    /// Sends a report of a time (µs). One that is not sent takes no number.
+    /// Sends a report with a time (µs). A report that is not sent takes no number.
     pub(super) fn send<'a>(
         &mut self,
         time: u32,

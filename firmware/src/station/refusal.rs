@@ -1,4 +1,4 @@
-//! Why a command is refused (FRAME 5.4): from what the control loop says to reason, subject, value, limit and words.
+//! Why a command is refused (FRAME 5.4): converts the errors of the control loop to reason, subject, value, limit and words.
 
 use crate::device::Refusal;
 use crate::model::BoardModel;
@@ -6,20 +6,20 @@ use crate::safety::{Allowed, LimitError, LimitParameter};
 use stiction_core::frame::{Reason, Reference, Reply, Subject, Text};
 use stiction_core::{Parameter, SceneError};
 
-/// A reply that is not yet addressed.
+/// A reply that has no address yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trouble {
     pub(super) reason: Reason,
     pub(super) subject: Subject,
-    /// The value that is refused; 0 where there is none.
+    /// The value that is refused; 0 if there is none.
     pub(super) value: f32,
-    /// The nearest value that is allowed; NaN where it is not known.
+    /// The nearest value that is allowed; NaN if it is not known.
     pub(super) limit: f32,
     pub(super) allowed: &'static str,
 }
 
 impl Trouble {
-    /// Of the command as a whole.
+    /// About the command as a whole.
     pub(super) const fn whole(reason: Reason, allowed: &'static str) -> Self {
         Self {
             reason,
@@ -41,7 +41,7 @@ impl Trouble {
         }
     }
 
-    /// Of a board with room for V vertices and S surfaces and the model M.
+    /// For a board with room for V vertices and S surfaces and the model M.
     pub(super) fn of<const V: usize, const S: usize, M: BoardModel>(refusal: &Refusal) -> Self {
         match refusal {
             Refusal::Scene(error) => scene::<V, S, M>(error),
@@ -58,7 +58,7 @@ impl Trouble {
     }
 }
 
-/// A scene that is wrong, or right but too much for the board.
+/// A scene that is wrong, or right but too large for the board.
 fn scene<const V: usize, const S: usize, M: BoardModel>(error: &SceneError<f32>) -> Trouble {
     let value = error.value;
     let room = match error.parameter {
@@ -83,7 +83,7 @@ fn scene<const V: usize, const S: usize, M: BoardModel>(error: &SceneError<f32>)
     }
 }
 
-/// A stiffness that the device cannot show passively. The limits themselves are those of the setup and of checked modes.
+/// A stiffness that the device cannot display passively. The limits themselves are those of the setup and of checked modes.
 fn limit(error: &LimitError) -> Trouble {
     let subject = match error.parameter {
         LimitParameter::StiffnessTranslation => Subject::Scene(Parameter::StiffnessTranslation),
@@ -96,7 +96,7 @@ fn limit(error: &LimitError) -> Trouble {
             subject,
             value: error.value,
             limit: bound,
-            allowed: "0, or less than the limit, from which on the device would not be passive",
+            allowed: "0, or less than this limit, at and above which the device is not passive",
         },
         Allowed::Within(..) => Trouble::whole(Reason::Unsupported, "other limits of the device"),
     }

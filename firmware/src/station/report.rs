@@ -1,5 +1,5 @@
-//! What a board says by itself (FRAME 5.1 to 5.3, 5.6): pose, forces, events, health, each so often as the mode asks; and
-//! what it says of itself when asked (5.5).
+//! The reports that a board sends by itself (FRAME 5.1 to 5.3, 5.6): pose, forces, events, health, each as often as the mode requests; and
+//! its description on request (5.5).
 
 use super::{Desk, Link};
 use crate::device::Turn;
@@ -23,16 +23,16 @@ const fn number(text: &str) -> u8 {
     }
 }
 
-/// What was told and what is still to be told.
+/// What was reported and what is still to be reported.
 #[derive(Clone, Debug)]
 pub(super) struct Told {
     /// What happened since the last pose that was sent.
     events: EventSet,
-    /// Of the last answer of the solver.
+    /// The status of the last answer of the solver.
     status: Status,
     /// The sequence number of the newest sample in it.
     sample: u8,
-    /// No sample came for so long that the pose is held.
+    /// No sample arrived for so long that the pose is held.
     pub(super) silent: bool,
     /// Steps since a pose and since forces were due.
     since_pose: u16,
@@ -54,7 +54,7 @@ impl Told {
         }
     }
 
-    /// The body begins anew, and waits for a sample.
+    /// The body starts again, and waits for a sample.
     pub(super) fn begin_anew(&mut self) {
         self.events = EventSet::default();
         self.status = Status::HeldLast;
@@ -65,7 +65,7 @@ impl Told {
         self.sample = sample;
     }
 
-    /// Another mode: everything is due at its own pace from now on.
+    /// A new mode: everything is due at its own pace from now on.
     pub(super) fn count_anew(&mut self) {
         self.since_pose = 0;
         self.since_forces = 0;
@@ -73,7 +73,7 @@ impl Told {
     }
 }
 
-/// One more step: it is due.
+/// Counts one more step; returns whether the report is due.
 fn due(since: &mut u16, every: u16) -> bool {
     *since = since.saturating_add(1);
     let is_due = every != 0 && *since >= every;
@@ -84,12 +84,12 @@ fn due(since: &mut u16, every: u16) -> bool {
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
-    /// Sends what every board can say; see [`Outbox::send`](super::Outbox::send).
+    /// Sends a report that every board has; see [`Outbox::send`](super::Outbox::send).
     pub(super) fn say(&mut self, now_us: u32, report: Report<'_>, link: &mut impl Link) -> bool {
         self.outbox.send(now_us, M::Report::from(report), link)
     }
 
-    /// An answer of the solver: what happened in it is told at once, or with the next pose.
+    /// An answer of the solver: its events are reported immediately, or with the next pose.
     pub(super) fn happened(&mut self, output: &Output<f32>, now_us: u32, link: &mut impl Link) {
         self.told.status = output.status;
         let list = output.events();
@@ -107,7 +107,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// What is due after a step.
+    /// Sends what is due after a step.
     pub(super) fn tell_step(&mut self, turn: &Turn, now_us: u32, link: &mut impl Link) {
         if due(&mut self.told.since_pose, self.mode.pose_every) {
             let pose = Report::Pose(self.pose(turn));
@@ -160,7 +160,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         );
     }
 
-    /// Health, if it is due.
+    /// Sends health, if it is due.
     pub(super) fn tell_health(&mut self, faults: &Faults, now_us: u32, link: &mut impl Link) {
         let every_us = u32::from(self.mode.health_every).saturating_mul(1_000);
         let last = *self.told.health_us.get_or_insert(now_us);
@@ -198,7 +198,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// What the board is and how it works now.
+    /// Sends what the board is and its present settings.
     #[inline(never)]
     pub(super) fn tell_info(&mut self, longest_frame: usize, now_us: u32, link: &mut impl Link) {
         let scene = self.controller.scene();

@@ -1,4 +1,4 @@
-//! What a board is, and which modes it takes (FRAME 4.5): from ticks and bytes per second to yes, or no and why.
+//! The description of a board, and the modes that it accepts (FRAME 4.5): from ticks and bytes per second to yes, or to no with the reason.
 
 use super::refusal::Trouble;
 use crate::device::Settings;
@@ -9,24 +9,24 @@ use stiction_core::frame::{
 };
 use stiction_core::{Description, Fixed, Real, Scene};
 
-/// What a board is and how it works after power-up.
+/// The description of a board and its settings after power-up.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// Its name, printable ASCII.
     pub name: &'static str,
     /// The number type of its solver.
     pub number: NumberType,
-    /// What its line carries in each direction (bytes per second): a tenth of the baud.
+    /// The capacity of its line in each direction (bytes per second): a tenth of the baud rate.
     pub line_rate: u32,
-    /// The most ticks for which it has the time (Hz).
+    /// The highest tick rate for which it has the time (Hz).
     pub fastest_tick: u16,
-    /// Units of work that the chip does in a second, measured: see the board. The budget of a step follows from it and from the tick.
+    /// Units of work per second of the chip, as measured: see the board. The budget of a step follows from it and from the tick.
     pub work_rate: u32,
-    /// What may go to the hand; the period of ticks is that of the mode.
+    /// The limits of the force on the hand; the period of ticks is that of the mode.
     pub limits: Limits,
-    /// What its device damps, at the shortest hold of a force; `None` where it drives no motors.
+    /// The damping of its device, at the shortest hold of a force; `None` if it drives no motors.
     pub passivity: Option<Passivity>,
-    /// How it works after power-up.
+    /// The mode after power-up.
     pub mode: Mode,
     /// The scene after power-up.
     pub scene: Description<'static, f32>,
@@ -34,7 +34,7 @@ pub struct Setup {
 
 /// A number type of boards.
 pub trait BoardNumber: Real<Si = f32> {
-    /// How the wire calls it.
+    /// Its name on the wire.
     const NUMBER: NumberType;
 }
 
@@ -46,19 +46,19 @@ impl BoardNumber for Fixed {
     const NUMBER: NumberType = NumberType::Fixed;
 }
 
-/// What a compiled-in scene says by its type: how much of the solver is in the image.
+/// What the type of a compiled-in scene determines: how much of the solver is in the image.
 pub trait SceneType {
-    /// What its solver computes with.
+    /// The number type of its solver.
     type Number: BoardNumber;
     /// Its model.
     type Model: BoardModel;
-    /// Room for so many vertices.
+    /// The maximum number of vertices.
     const VERTICES: usize;
-    /// Room for so many surfaces.
+    /// The maximum number of surfaces.
     const SURFACES: usize;
-    /// How the wire calls its number type.
+    /// The name of its number type on the wire.
     const NUMBER: NumberType = Self::Number::NUMBER;
-    /// Bytes of the longest frame that brings a scene.
+    /// Bytes of the longest frame that contains a scene.
     const FRAME: usize =
         frame_bytes(scene_bytes(Self::VERTICES, Self::SURFACES) + Self::Model::OBSTACLE_BYTES);
 }
@@ -86,17 +86,17 @@ macro_rules! station_of {
     };
 }
 
-/// The fewest ticks with which silence is found in time (Hz).
+/// The lowest tick rate at which silence is detected in time (Hz).
 pub const SLOWEST_TICK: u16 = 100;
-/// Of the eighths of a tick a step may take so many: the rest is for the line, the forces and interrupts.
+/// A step may take this many eighths of a tick: the rest is for the line, the forces and interrupts.
 const EIGHTHS_OF_STEP: u32 = 7;
-/// On the wire: a sample of the hand, a pose, health.
+/// Bytes on the wire: a sample of the hand, a pose, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
 const POSE: u32 = wire_bytes(20) as u32;
 const HEALTH: u32 = wire_bytes(61) as u32;
 
 impl Setup {
-    /// The mode is one that the board has the time and the line for.
+    /// Checks that the board has the time and the line for a mode.
     pub(super) fn check<M: BoardModel>(&self, mode: &Mode) -> Result<(), Trouble> {
         let rate = mode.tick_rate;
         if rate < SLOWEST_TICK {
@@ -105,7 +105,7 @@ impl Setup {
                 subject: Subject::TickRate,
                 value: f32::from(rate),
                 limit: f32::from(SLOWEST_TICK),
-                allowed: "100 or more: silence must be found in time",
+                allowed: "100 or more: silence must be noted in time",
             });
         }
         if rate > self.fastest_tick {
@@ -117,7 +117,7 @@ impl Setup {
                 allowed: "what the board has the time for",
             });
         }
-        // Those of two contacts.
+        // Forces of two contacts.
         let forces = const { wire_bytes(29 + 2 * M::CONTACT_BYTES) as u32 };
         let bytes = self.bytes_per_second(mode, forces);
         if bytes > self.line_rate {
@@ -126,18 +126,18 @@ impl Setup {
                 subject: Subject::LineRate,
                 value: bytes as f32,
                 limit: self.line_rate as f32,
-                allowed: "what the line carries: fewer poses or forces, or a slower tick",
+                allowed: "what the line permits: fewer poses or forces, or a slower tick",
             });
         }
         Ok(())
     }
 
-    /// What a mode sends, but for events and replies (bytes per second).
+    /// The bytes that a mode sends, except for events and replies (bytes per second).
     fn bytes_per_second(&self, mode: &Mode, forces: u32) -> u32 {
         let ticks = u32::from(mode.tick_rate);
         let steps = match mode.stepping {
             Stepping::Timed => ticks,
-            // As many as samples come.
+            // As many as the samples that arrive.
             Stepping::PerSample => ticks.min(self.line_rate / SAMPLE),
         };
         let every = |much: u32, every: u16| much.checked_div(u32::from(every)).unwrap_or(0);
@@ -147,8 +147,8 @@ impl Setup {
         poses.saturating_add(forces).saturating_add(health)
     }
 
-    /// So many bytes are taken from the line in a turn, at most: what comes in a tick, twice, so that a queue becomes shorter,
-    /// and the longest sample.
+    /// The maximum number of bytes that are taken from the line in a turn: twice what arrives in a tick, so that a queue becomes shorter,
+    /// plus the longest sample.
     pub(super) fn bytes_per_turn(&self, mode: &Mode) -> u32 {
         let ticks = u32::from(mode.tick_rate).max(1);
         let arriving = self.line_rate.checked_div(ticks).unwrap_or(0);

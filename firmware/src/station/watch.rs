@@ -1,10 +1,10 @@
-//! Health on its way from the tick to a context that waits for nothing and logs it: each number whole, but not all of the
+//! Health on its way from the tick to a context that waits for nothing and logs it: each number is consistent, but not all are from the
 //! same tick.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use stiction_core::frame::{Drive, Health};
 
-/// What a log shows of [`Health`].
+/// The part of [`Health`] that a log shows.
 #[derive(Debug)]
 pub struct Watch {
     drive: AtomicU32,
@@ -17,7 +17,7 @@ pub struct Watch {
     worst_tick: AtomicU32,
 }
 
-/// What a log shows.
+/// The values that a log shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seen {
     /// See [`Health`].
@@ -73,7 +73,7 @@ impl Watch {
         }
     }
 
-    /// After a tick.
+    /// Stores the values after a tick.
     pub fn show(&self, health: &Health) {
         let drive = match health.drive {
             Drive::On => ON,
@@ -91,7 +91,7 @@ impl Watch {
         put(&self.ticks, health.ticks);
     }
 
-    /// What was shown last.
+    /// The values that were stored last.
     pub fn seen(&self) -> Seen {
         let get = |place: &AtomicU32| place.load(Ordering::Relaxed);
         Seen {
@@ -111,14 +111,14 @@ impl Watch {
     }
 }
 
-/// What a log has to say.
+/// The news of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum News {
-    /// What has become of the force to the hand, as a log says it.
+    /// The state of the force on the hand, in the words of a log.
     Force(&'static str),
     /// Everything was reset.
     Reset,
-    /// Of the last second or so.
+    /// The counts of about the last second.
     Counts(Seen),
 }
 
@@ -132,7 +132,7 @@ pub struct Log {
 }
 
 impl Log {
-    /// Counts are reported every so many ticks.
+    /// Counts are reported once in this many ticks.
     pub fn new(watch: &Watch, period: u16) -> Self {
         Self {
             last: watch.seen(),
@@ -141,7 +141,7 @@ impl Log {
         }
     }
 
-    /// Gives what is new.
+    /// Passes what is new to a function.
     pub fn look(&mut self, watch: &Watch, mut tell: impl FnMut(News)) {
         let seen = watch.seen();
         if self.drive != Some(seen.drive) {

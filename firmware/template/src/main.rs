@@ -1,4 +1,5 @@
-//! stiction on a board of one's own: its loop. What it is stands in `setup.rs`; its pins, clocks and line, in `board`.
+//! stiction on your own board: its loop. The description of the board is in `setup.rs`; its pins, clocks and line are
+//! in `board`.
 #![no_std]
 #![no_main]
 
@@ -26,7 +27,7 @@ fn main() -> ! {
     let Ok(mut program) = Program::among(&SETUP, OBSTACLES) else {
         loop {}
     };
-    // Where the hand is measured, and where forces go: the traits `Source` and `Actuators`.
+    // The device that measures the hand and outputs forces: the traits `Source` and `Actuators`.
     let mut servo = Servo::new((FromLine, NoActuators));
     let mut pace = Pace::new(SETUP.mode.tick_rate, now_us());
     let mut clock = Micros(now_us);

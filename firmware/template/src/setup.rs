@@ -1,4 +1,4 @@
-//! What the board is, the scene that it begins with, and the room for others.
+//! The description of the board, the scene that it begins with, and the room for others.
 
 use stiction_core::frame::Mode;
 use stiction_firmware::safety::Limits;
@@ -11,10 +11,10 @@ include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 /// The program, with room for that scene.
 pub(crate) type Program = station_of!(CompiledScene);
 
-/// Of the line, in each direction.
+/// Baud rate of the line, in each direction.
 pub(crate) const BAUD: u32 = 921_600;
 
-/// Units of work of a second: a quarter of the time is for the line and what else a tick does.
+/// Units of work per second: a quarter of the time is for the line and the other work of a tick.
 const WORK_RATE: u32 = if cfg!(target_abi = "eabihf") {
     Processor::CORTEX_M4F.work_rate(168_000_000, 6) // STM32F405
 } else if cfg!(target_arch = "riscv32") {

@@ -1,16 +1,16 @@
-//! A budget of work: the body falls behind the hand, and goes on after it in ticks without a new sample.
+//! A budget of work: the body falls behind the hand, and continues to follow it in ticks without a new sample.
 
 use super::{Bench, Device, deep};
 use crate::common::BOX;
 use stiction_core::{Fixed, Hand, Real, Solver, Status, Wrench};
 use stiction_firmware::device::{Settings, Turn};
 
-/// The box is dragged far in one sample, pressed down as it is; it is there before silence is noticed.
+/// The box is dragged far in one sample, while it is pressed down; it arrives before silence is noticed.
 fn far() -> Hand<f32> {
     Hand::new(0.08, 0.045, 0.0)
 }
 
-/// With room for the piece of work that takes most.
+/// With room for the most expensive piece of work.
 fn least() -> Settings {
     Settings {
         budget: Solver::<f32, 4, 2>::LEAST_BUDGET,
@@ -64,7 +64,7 @@ fn a_body_behind_the_hand_comes_to_it_without_new_samples() {
     catches_up::<Fixed>();
 }
 
-/// The springs pull at where the hand is on its way, so that the force is that of a balance.
+/// While the body is behind, the springs pull at the hand's present position on its path, so that the force is that of a balance.
 #[test]
 fn the_force_of_a_body_behind_the_hand_is_that_of_its_springs() {
     let (mut bench, _) = dragged::<f32>(&least());
@@ -87,7 +87,7 @@ fn the_force_of_a_body_behind_the_hand_is_that_of_its_springs() {
 #[test]
 fn in_silence_it_comes_to_the_hand_as_well_without_a_force() {
     let farther = Hand::new(0.5, 0.045, 0.0);
-    // A piece of work in every step takes longer than silence may last.
+    // One piece of work in every step takes longer than silence may last.
     let piecewise = Settings {
         budget: 0,
         ..least()

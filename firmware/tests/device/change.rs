@@ -5,7 +5,7 @@ use crate::common::FLOOR;
 use stiction_core::StateKind;
 use stiction_firmware::device::Placement;
 
-/// What is left of a change that changes nothing: rounding.
+/// The difference after a change that changes nothing: rounding.
 fn near(a: f32, b: f32) -> bool {
     (a - b).abs() < 2e-6
 }
@@ -43,7 +43,8 @@ fn same_parameters_change_nothing<R: Real<Si = f32>>(hands: &[Hand<f32>]) {
         assert!((a - b).abs() < 2e-3 * (1.0 + size), "{before:?} {after:?}");
     }
     assert!((before.force.moment - after.force.moment).abs() < 1e-5);
-    // And it goes on as if nothing had been: the hold is the same, and so is where the hand takes the body.
+    // And it continues as if nothing had happened: the hold is the same, and so is the position to which the hand moves
+    // the body.
     for held in [true, false] {
         let next = Hand {
             held,
@@ -81,7 +82,7 @@ fn parameters_that_are_the_present_ones_change_nothing() {
         .map(|i| Hand::new(0.0, 0.2, 1.9 * i as f32))
         .chain([Hand::new(0.0, 0.045, 19.0)])
         .collect();
-    // Let go and taken elsewhere, turned.
+    // Released and grasped elsewhere, turned.
     let taken = [
         Hand::new(0.0, 0.06, 0.0),
         Hand::new(0.0, 0.06, 0.0).released(),
@@ -114,7 +115,7 @@ fn less_friction_lets_a_body_slip_that_stuck() {
     assert_eq!(output.slips, 1);
     // It slips until |T| = 0.1 N: 0.5 mm of spring are left.
     assert!((output.position[0] - 0.0015).abs() < 1e-6, "{output:?}");
-    // The force goes there within its rate.
+    // The force moves there within its rate.
     let after = bench.tick(None);
     let change = before.force.force[0] - after.force.force[0];
     assert!(change.abs() <= 0.1 + 1e-5 && change != 0.0, "{change}");
@@ -173,7 +174,7 @@ fn a_scene_that_would_be_inside_the_body_is_refused() {
     );
     assert_eq!(format!("{:?}", bench.controller), format!("{before:?}"));
 
-    // A wall that touches it, or one lower down, will do.
+    // A wall that touches it, or one lower down, is accepted.
     let wall = SurfaceDescription {
         normal: [-1.0, 0.0],
         offset: -0.05,
@@ -205,7 +206,7 @@ fn a_scene_that_would_be_inside_the_body_is_refused() {
         .unwrap();
     assert_eq!(output.state, StateKind::NonContact);
 
-    // From its own start the higher floor is one like any other.
+    // From its own start the higher floor is an ordinary one.
     assert_eq!(
         bench.controller.set_scene(&higher, Placement::Start),
         Ok(None)

@@ -1,4 +1,4 @@
-//! The loops of a device: silence, drop-outs, recovery, counters, what is refused.
+//! The loops of a device: silence, drop-outs, recovery, counters, refusals.
 
 use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Real, Scene, Solver, Status, SurfaceDescription,
@@ -35,7 +35,7 @@ impl<R: Real<Si = f32>> Bench<R> {
         Self {
             controller: Controller::new(description, settings).unwrap(),
             servo: Servo::new((FromLine, NoActuators)),
-            // The clock wraps on the way.
+            // The clock wraps during the test.
             now_us: u32::MAX - 50_000,
             number: 65_500,
         }
@@ -151,7 +151,7 @@ fn silence_gives_zero_force_within_20_ms_and_recovery_no_jump() {
         assert!(tick.flags.silent && tick.force == Wrench::default() && tick.pose == before.pose);
     }
     assert_eq!(bench.controller.health().silences, 1);
-    // Samples return from elsewhere: the pose follows at once, the force within its rate.
+    // Samples return from elsewhere: the pose follows immediately, the force within its rate.
     let away = Hand::new(0.01, 0.045, 0.0);
     let mut last = Wrench::default();
     for i in 0..100 {
@@ -208,7 +208,7 @@ fn a_sample_that_cannot_be_used_gives_zero_force_and_the_last_pose() {
             "{hand:?}"
         );
         assert!(tick.flags.held_last);
-        // It stays so until a usable one comes, and is silence when none does.
+        // It stays so until a usable one arrives, and becomes silence if none does.
         assert!(bench.tick(None).flags.held_last);
         let tried = (1..=20).find(|_| bench.sample(hand).flags.silent).unwrap();
         let tick = bench.sample(usable);
@@ -347,7 +347,7 @@ fn a_released_body_gives_no_force_and_keeps_its_pose() {
     assert_eq!(after.force, Wrench::default());
     assert_eq!(after.pose.position, before.pose.position);
     assert!(!after.pose.held && !after.flags.is_safe_state());
-    // Taken again off its holding point, in a scene changed meanwhile: where the hand is.
+    // Grasped again off its holding point, in a scene changed meanwhile: where the hand is.
     let same = Parameters {
         stiffness_translation: 400.0,
         stiffness_rotation: 0.5,

@@ -1,5 +1,5 @@
-//! A point has no size of its own: the length unit of its scene depends on where it is held. A change while it is held must not
-//! change what lengths and forces are counted in.
+//! A point has no size of its own: the length unit of its scene depends on where it is held. A change while it is held must not change the
+//! units of lengths and forces.
 
 use super::*;
 
@@ -23,7 +23,7 @@ const SAME: Parameters = Parameters {
 /// No device.
 type Nothing = Servo<(FromLine, NoActuators)>;
 
-/// Pressed onto the floor and pulled along it, and what the device says then.
+/// Pressed onto the floor and pulled along it, and the resulting state of the device.
 fn pulled<R: Real<Si = f32>>() -> (Controller<R, 1, 1>, Nothing, Sample) {
     let mut controller = Controller::new(&POINT, &Settings::default()).expect("a sound scene");
     let mut servo = Servo::new((FromLine, NoActuators));
@@ -53,7 +53,7 @@ fn changes_keep_the_pose<R: Real<Si = f32>>() {
     let there = next(&controller);
     assert!(there.pose.held && size(&there.force) > 4.0, "{there:?}");
 
-    // A mode that is the present one changes no bit.
+    // Setting the present mode again changes no bit.
     let mut same = controller.clone();
     same.set_settings(&Settings::default())
         .expect("sound settings");

@@ -1,4 +1,4 @@
-//! Motors that keep what they were told.
+//! Motors that record their inputs.
 
 use core::convert::Infallible;
 use embedded_hal::digital::{self, OutputPin};
@@ -6,7 +6,7 @@ use embedded_hal::pwm::{self, SetDutyCycle};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// What a motor was told, last.
+/// The last input of a motor.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bench {
     pub(crate) duty: Rc<RefCell<u16>>,

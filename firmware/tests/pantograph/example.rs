@@ -1,5 +1,4 @@
-//! The device at the Olimex board, as its file has it: every number can be used, and the scene of the board is within what
-//! it can show.
+//! The device at the Olimex board, as defined in its file: every number can be used, and the device can display the scene of the board.
 
 #[path = "../../devices/pantograph.rs"]
 mod device;

@@ -135,7 +135,7 @@ fn where_no_force_can_be_given_it_is_said_and_nothing_is_nan() {
         fault([(-0.5f32).acos(), 0.5f32.acos(), 0.0]),
         Fault::Singular
     );
-    // Both elbows in one place.
+    // Both elbows at the same point.
     assert_eq!(fault([0.0, PI, 0.0]), Fault::Singular);
     assert_eq!(fault([f32::NAN, 1.0, 0.0]), Fault::NotFinite);
     assert_eq!(fault([1.0, 1.0, f32::INFINITY]), Fault::NotFinite);
@@ -228,7 +228,7 @@ fn counts_are_unwrapped_for_a_thousand_turns_and_back() {
         turned(&mut joints, counts);
     }
     let [left, right, handle] = joints.angles();
-    // The same counter bits, other turns: 40 000 counts for the arms, the right one the other way round.
+    // The same counter bits, other turns: 40 000 counts for the arms, the right one in the opposite direction.
     assert_eq!(
         handle,
         Angle {

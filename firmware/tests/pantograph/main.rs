@@ -1,5 +1,5 @@
-//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, what is symmetric stays so, and
-//! where the mechanism can give no force it gives none.
+//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, symmetry is preserved, and where
+//! the mechanism can output no force it outputs none.
 
 mod bench;
 mod device;

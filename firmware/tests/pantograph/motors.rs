@@ -50,7 +50,7 @@ pub(crate) fn motors_beyond_their_limit_keep_the_direction_of_the_torques() {
     let duties = [&a, &b, &c].map(|bench| *bench.duty.borrow());
     assert_eq!(duties, [4_200, 1_050, 420]);
     assert!(!*a.high.borrow() && *b.high.borrow());
-    // One that fails takes the others with it.
+    // One that fails turns off the others.
     *b.broken.borrow_mut() = true;
     assert_eq!(motors.turn([0.1, -0.05, 0.02]), Err(MotorFault::Pwm));
     assert_eq!([&a, &b, &c].map(|bench| *bench.duty.borrow()), [0, 0, 0]);

@@ -1,9 +1,9 @@
-//! The mechanics of the pantograph once more, in f64.
+//! An independent implementation of the pantograph's mechanics, in f64.
 
 use stiction_core::Wrench;
 use stiction_firmware::pantograph::{Geometry, HandleMount};
 
-/// The forward kinematics once more, in f64: the hand by the cosine rule, its orientation.
+/// The forward kinematics in f64: the hand by the cosine rule, its orientation.
 pub(crate) fn reference(g: &Geometry, [q1, q2, q3]: [f64; 3]) -> [f64; 3] {
     let [ox, oy] = g.origin.map(f64::from);
     let half = f64::from(g.base) / 2.0;
@@ -22,7 +22,7 @@ pub(crate) fn reference(g: &Geometry, [q1, q2, q3]: [f64; 3]) -> [f64; 3] {
     [x, y, phi]
 }
 
-/// The torques of a wrench by the differences of the kinematics: J^T F.
+/// The torques of a wrench by finite differences of the kinematics: J^T F.
 pub(crate) fn transposed(g: &Geometry, q: [f64; 3], wrench: &Wrench<f32>) -> [f64; 3] {
     let [fx, fy] = wrench.force.map(f64::from);
     std::array::from_fn(|joint| {

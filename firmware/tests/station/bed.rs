@@ -1,5 +1,4 @@
-//! A board with the example device on this machine: the inverse kinematics from a hand to the encoders, and what the motors
-//! give.
+//! A board with the example device on this machine: the inverse kinematics from a hand to the encoders, and the torques of the motors.
 
 use crate::bench::Bench;
 use crate::client::{Answer, Said};
@@ -11,7 +10,7 @@ use std::rc::Rc;
 use stiction_core::{Full, Wrench};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
 
-/// What encoders and switch show.
+/// The values of encoders and switch.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     pub(crate) counts: Option<[u16; 3]>,
@@ -72,7 +71,7 @@ impl Bed {
         }
     }
 
-    /// The hand takes the handle there, by the inverse kinematics: elbows outwards.
+    /// The hand moves the handle there, by the inverse kinematics: elbows outwards.
     pub(crate) fn place(&mut self, [x, y, phi]: [f64; 3]) {
         let g = &GEOMETRY;
         let [ox, oy] = g.origin.map(f64::from);
@@ -112,7 +111,7 @@ impl Bed {
         self.rig.force
     }
 
-    /// The joint angles as the encoders have them.
+    /// The joint angles according to the encoders.
     pub(crate) fn angles(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let encoder = &GEOMETRY.encoders[i];
@@ -121,7 +120,7 @@ impl Bed {
         })
     }
 
-    /// The torques that the motors give, by duty and direction (N·m).
+    /// The torques of the motors, from duty and direction (N·m).
     pub(crate) fn torques(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let duty = f64::from(*self.motors[i].duty.borrow()) / 8_400.0;

@@ -1,4 +1,4 @@
-//! The solver of the board's scene on this machine, and whether a pose of the board has its bits.
+//! The solver of the board's scene on this machine, to compare the bits of the board's poses.
 
 use crate::common::BOX;
 use stiction_core::frame::{Mode, Pose};
@@ -6,7 +6,7 @@ use stiction_core::{
     Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
 };
 
-/// The solver of the board's scene, beside it.
+/// The solver of the board's scene, run in parallel to the board.
 pub(crate) struct Beside<R: Real, const V: usize = 8, const S: usize = 4, M: Model = Full> {
     pub(crate) solver: Solver<R, V, S, M>,
     pub(crate) state: Option<State<R>>,
@@ -16,14 +16,14 @@ impl<R: Real<Si = f32>> Beside<R> {
     pub(crate) fn new(mode: &Mode) -> Self {
         Self::of(&BOX, mode)
     }
-    /// Beside a board with another scene.
+    /// For a board with another scene.
     pub(crate) fn of(description: &Description<'_, f32>, mode: &Mode) -> Self {
         Self::solving(Scene::new(description).unwrap(), mode.evolution)
     }
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Beside<R, V, S, M> {
-    /// Beside a board with a scene of any size and model.
+    /// For a board with a scene of any size and model.
     pub(crate) fn solving(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
             solver: Solver::new(scene, evolution),
@@ -42,7 +42,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Beside<R, V, S
     }
 }
 
-/// Bit for bit, what a pose tells of an answer; its events are those of this answer alone.
+/// Asserts, bit for bit, that a pose reports an answer; its events are those of this answer alone.
 pub(crate) fn assert_same(pose: &Pose, output: &Output<f32>, case: &str) {
     let bits = |numbers: [f32; 4]| numbers.map(f32::to_bits);
     let ([x, y], [ex, ey]) = (pose.position, output.position);

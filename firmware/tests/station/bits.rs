@@ -1,4 +1,4 @@
-//! What a step gives: the bits of a solver beside the board, whatever the pace of the samples.
+//! The result of a step: the bits of a solver run in parallel, whatever the pace of the samples.
 
 use crate::beside::{Beside, assert_same};
 use crate::client::{Said, hand_path};
@@ -20,7 +20,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     for hand in &hands {
         rig.send(Command::Hand(*hand));
     }
-    // They all wait: one step a tick.
+    // They all wait: one step per tick.
     for _ in 0..SAMPLES {
         rig.tick();
     }
@@ -40,7 +40,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         (0, 0, 0)
     );
     assert!((1..50_000).contains(&health.worst_step) && health.worst_tick > health.worst_step);
-    // Nothing more comes: nothing is told.
+    // Nothing more arrives: nothing is reported.
     rig.tick();
     assert!(rig.poses().is_empty());
 }

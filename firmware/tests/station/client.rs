@@ -1,5 +1,5 @@
-//! A client beside a station: commands to bytes, ticks of a clock, bytes to what the board said. Shared by the tests on this
-//! machine and those on emulated boards.
+//! A client of a station: from commands to bytes, ticks of a clock, from bytes to the board's reports. Shared by the tests on this machine
+//! and those on emulated boards.
 
 use std::collections::VecDeque;
 use stiction_core::frame::{
@@ -8,7 +8,7 @@ use stiction_core::frame::{
 };
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 
-/// Reports of a board, on their own.
+/// Reports of a board that own their data.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Said {
     Pose(Pose),
@@ -50,7 +50,7 @@ pub(crate) struct Answer {
 }
 
 impl PartialEq for Answer {
-    /// NaN is NaN.
+    /// NaN equals NaN.
     fn eq(&self, other: &Self) -> bool {
         let key = |a: &Self| {
             let bits = [a.value.to_bits(), a.limit.to_bits()];
@@ -60,7 +60,7 @@ impl PartialEq for Answer {
     }
 }
 
-/// What a board says of itself.
+/// What a board reports about itself.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Known {
     pub(crate) version: [u8; 3],
@@ -151,7 +151,7 @@ fn known(info: &Info<'_>) -> Known {
     }
 }
 
-/// A report with its head.
+/// A report with its header.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Heard {
     pub(crate) sequence: u8,
@@ -159,12 +159,12 @@ pub(crate) struct Heard {
     pub(crate) said: Said,
 }
 
-/// Numbers commands, and listens.
+/// Numbers commands, and receives reports.
 pub(crate) struct Client {
-    /// Of the next command.
+    /// The sequence number of the next command.
     pub(crate) sequence: u8,
     decoder: Decoder<512>,
-    /// What was heard and not yet taken.
+    /// What was received and not yet taken.
     pub(crate) heard: VecDeque<Heard>,
 }
 
@@ -177,7 +177,7 @@ impl Client {
         }
     }
 
-    /// The next command as it goes over the wire.
+    /// The next command as it is sent over the wire.
     pub(crate) fn encode<'a>(&mut self, message: impl Message<'a>) -> Vec<u8> {
         let sequence = self.sequence;
         self.sequence = sequence.wrapping_add(1);
@@ -213,7 +213,7 @@ pub(crate) fn scene(description: &'static Description<'static, f32>) -> Command<
     Command::Scene(SceneCommand::from(description))
 }
 
-/// A way of the hand along keyframes (s; m, m, rad), pressing, dragging, turning, letting go and taking again.
+/// A path of the hand along keyframes (s; m, m, rad): pressing, dragging, turning, releasing and grasping again.
 pub(crate) fn hand_path(samples: u32) -> Vec<Hand<f32>> {
     const KEYS: [(f32, [f32; 3]); 9] = [
         (0.0, [0.0, 0.055, 0.0]),

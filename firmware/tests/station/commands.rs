@@ -1,5 +1,4 @@
-//! Every command but for scenes, and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4
-//! and 5.4).
+//! Every command except scenes, and every refusal: its reason and its subject, and that a refusal changes nothing (FRAME 4 and 5.4).
 
 use crate::beside::{Beside, assert_same};
 use crate::client::{Known, Said, scene};
@@ -26,7 +25,7 @@ pub(crate) fn deep() -> Hand<f32> {
     Hand::new(x, y, phi)
 }
 
-/// What a client can see of the board's state: what it says of itself, and its pose.
+/// The part of the board's state that a client can see: its description, and its pose.
 pub(crate) fn seen(rig: &mut Rig) -> (Known, Pose) {
     let info = rig.info();
     rig.hand(deep());
@@ -34,7 +33,7 @@ pub(crate) fn seen(rig: &mut Rig) -> (Known, Pose) {
     (info, Pose { sample: 0, ..pose })
 }
 
-/// The command is refused, the subject named with value and limit, and nothing changes.
+/// Asserts that the command is refused, with the subject, value and limit, and nothing changes.
 pub(crate) fn refused(rig: &mut Rig, command: Command<'_>, expected: (Reason, Subject, f32, f32)) {
     let before = seen(rig);
     let answer = rig.ask(command);
@@ -76,7 +75,7 @@ fn hello_is_answered_by_info() {
     assert_eq!(info.stiffest, [4_000.0, 1.953_125]);
 }
 
-/// Info is the longest frame that a board sends: it comes with any name, which is cut to 200 characters.
+/// Info is the longest frame that a board sends: it arrives with any name, which is cut to 200 characters.
 #[test]
 fn hello_is_answered_whatever_the_name() {
     for length in [0, 1, 161, 162, 199, 200, 201, 300] {
@@ -131,12 +130,12 @@ fn parameters_in_mid_contact_leave_the_body_where_it_is() {
     let after = rig.pose();
     assert!(after.held && after.status == Status::Ok);
     let [dx, dy] = std::array::from_fn(|i| after.position[i] - before.position[i]);
-    // Sticking feet: it turns a little about them, as the balance of the springs is another one.
+    // Sticking feet: it turns a little about them, as the balance of the springs is a different one.
     assert!(
         dx.hypot(dy) < 2e-3 && (after.rest - before.rest).abs() < 0.03,
         "{before:?} {after:?}"
     );
-    // The force goes to that of the new springs.
+    // The force moves to that of the new springs.
     let force = rig.stay(Hand::new(0.03, 0.045, 0.3), 200);
     let normal = force.force[1];
     assert!(normal > 0.5 && normal < 0.9 * 500.0 * 5e-3, "{force:?}");
@@ -239,7 +238,7 @@ fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
         Command::Parameters(twisting),
         (Reason::NotPassive, subject, 3.0, 1.953_125),
     );
-    // A number that is none is not too stiff.
+    // NaN is not too stiff.
     let nan = Parameters {
         stiffness_translation: f32::NAN,
         ..PARAMETERS
@@ -250,7 +249,7 @@ fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
         Command::Parameters(nan),
         (Reason::Number, subject, f32::NAN, f32::NAN),
     );
-    // A slower tick holds the force longer: what is passive now would not be. 2 b / T = 400 N/m at 100 Hz.
+    // A slower tick holds the force longer: a stiffness that is passive now would not be. 2 b / T = 400 N/m at 100 Hz.
     let slow = Command::Mode(Mode {
         tick_rate: 100,
         ..Mode::DEFAULT
@@ -283,7 +282,7 @@ fn reset_of_the_body_keeps_scene_parameters_and_mode() {
     let info = rig.info();
     assert_eq!((info.mode, info.stiffness), (mode, [400.0, 0.3]));
     assert_eq!(rig.health().samples, samples, "counts go on");
-    // Taken at the scene's holding point again.
+    // Grasped at the scene's holding point again.
     rig.hand(deep());
     assert!(rig.pose().held);
 }
@@ -314,7 +313,7 @@ fn reset_of_everything_is_power_up() {
     assert!(health.worst_step < 10_000);
     let info = rig.info();
     assert_eq!((info.mode, info.friction), (Mode::DEFAULT, [0.5, 0.3]));
-    // Sequence numbers go on: for the client nothing is lost.
+    // Sequence numbers continue: for the client nothing is lost.
     rig.tick();
     let next = rig.heard();
     assert_ne!(replied, 0);

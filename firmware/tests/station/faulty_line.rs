@@ -1,4 +1,4 @@
-//! A line in both directions that flips bits, drops, doubles and inserts bytes: no wrong sample is stepped, no wrong pose is
+//! A line in both directions that flips bits, and drops, duplicates and inserts bytes: no wrong sample is stepped, no wrong pose is
 //! accepted, every loss shows in the counts, and the board never stops.
 
 use crate::beside::{Beside, assert_same};
@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use stiction_core::Hand;
 use stiction_core::frame::{Command, Mode, Stepping};
 
-/// The number of a sample comes back as the depth of its pose: so every pose that is accepted can be told.
+/// The number of a sample returns as the depth of its pose: so every accepted pose can be identified.
 fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {
     Hand {
         depth: number as f32,
@@ -30,7 +30,7 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
     let path = hand_path(5_000);
     let hand = |number: u32| numbered(path[number as usize % path.len()], number);
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
-    // What the board says, before the line to the client.
+    // The board's reports, before the line to the client.
     let mut at_board = Client::new();
     let (mut stepped, mut told) = (0_u32, HashMap::new());
     let mut accepted = 0_u32;
@@ -67,7 +67,7 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
     assert_eq!(stepped, health.samples);
     assert!(accepted <= stepped);
     assert!(health.faults.total() > 0 && rig.client.faults().total() > 0);
-    // What was lost at the end is told by the next frame.
+    // The next frame reveals what was lost at the end.
     rig.line.to_board.push_back(0);
     rig.send(Command::Ping);
     rig.tick();

@@ -1,11 +1,11 @@
-//! More than a tick can take: its work stays bounded, and the board stays there.
+//! More than a tick can process: its work stays bounded, and the board keeps running.
 
 use crate::client::Said;
 use crate::rig::Rig;
 use stiction_core::frame::{Command, Mode, Stepping};
 use stiction_core::{Hand, Wrench};
 
-/// What 921600 baud bring within 1 ms, twice, and one sample.
+/// What 921600 baud transfer within 1 ms, twice, and one sample.
 const BOUND: usize = 2 * 92 + 64;
 
 fn still_there(rig: &mut Rig) {
@@ -47,7 +47,7 @@ fn a_flood_of_anything_is_taken_in_bounded_parts() {
             let force = rig.tick();
             assert!(rig.line.taken <= BOUND, "{}", rig.line.taken);
             assert!(force.force.iter().all(|f| f.is_finite()));
-            // Poses go on.
+            // Poses continue.
             assert!(!rig.poses().is_empty());
         }
         still_there(&mut rig);

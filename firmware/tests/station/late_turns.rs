@@ -5,7 +5,7 @@ use stiction_core::frame::{Command, Drive};
 use stiction_core::{Hand, Wrench};
 use stiction_firmware::device::{LockServo, Servo};
 
-/// The force changes by no more than that in a tick (N): 100 N/s at 1 kHz, and a rounding.
+/// The force changes by no more than this in a tick (N): 100 N/s at 1 kHz, and a rounding.
 const STEP: f32 = 0.1 + 1e-5;
 
 fn deep() -> Hand<f32> {
@@ -19,7 +19,7 @@ struct Interrupted<'a> {
     /// Ticks until the end of the turn.
     ticks: u32,
     has_begun: bool,
-    /// What was given until the end of each tick.
+    /// The force at the end of each tick.
     forces: Vec<Wrench<f32>>,
 }
 
@@ -38,7 +38,7 @@ impl LockServo<Nothing> for Interrupted<'_> {
 }
 
 impl Rig<f32> {
-    /// A turn with the hand there, which so many ticks interrupt; then the next tick. What was given until the end of each tick.
+    /// A turn with the hand there, interrupted by a number of ticks; then the next tick. Returns the force at the end of each tick.
     fn late(&mut self, hand: Hand<f32>, ticks: u32) -> Vec<Wrench<f32>> {
         self.send(Command::Hand(hand));
         let mut servo = Interrupted {
@@ -118,7 +118,7 @@ fn a_turn_that_does_not_end_is_silence_and_the_way_back_is_slow() {
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 50);
     let full = change(&rig.force, &Wrench::default());
-    // Its sample is one of the past when it comes to an end.
+    // Its sample is an old one when it comes to an end.
     let forces = rig.late(deep(), 30);
     let off = forces.iter().position(|force| *force == Wrench::default());
     // From the tick after the last sample on: 20 of them.

@@ -1,4 +1,4 @@
-//! The program of a board on this machine, from what FRAME.md and statics ask of it.
+//! The program of a board on this machine, against the requirements of FRAME.md and statics.
 
 mod bed;
 #[path = "../pantograph/bench.rs"]

@@ -1,4 +1,4 @@
-//! Modes: what a board has the time and the line for, and that it works as its mode says (FRAME 4.5).
+//! Modes: what a board has the time and the line for, and that it behaves according to its mode (FRAME 4.5).
 
 use crate::beside::{Beside, assert_same};
 use crate::client::Said;
@@ -57,7 +57,7 @@ fn tick_rates_from_100_hz_to_what_the_board_can() {
     assert_eq!(rig.health().missed_ticks, 0);
 }
 
-/// A board that does so many units of work in a second.
+/// A board that does this many units of work per second.
 fn working(work_rate: u32) -> Rig {
     Rig::of(Setup {
         work_rate,
@@ -153,7 +153,7 @@ fn poses_forces_and_health_must_fit_the_line() {
         pose_every: 2,
         ..mode
     });
-    // 80 bytes the forces of two contacts.
+    // The forces of two contacts are 80 bytes.
     let forces = Mode {
         forces_every: 1,
         ..Mode::DEFAULT
@@ -167,7 +167,8 @@ fn poses_forces_and_health_must_fit_the_line() {
         forces_every: 2,
         ..forces
     });
-    // At 115200 baud 300 poses fit, 1000 do not; with every sample as many as come, and these are longer.
+    // At 115200 baud 300 poses fit, 1000 do not; with every sample there are as many as samples arrive, and these are
+    // longer.
     let mut slow = Rig::<f32>::of(Setup {
         line_rate: 11_520,
         mode: Mode {

@@ -1,4 +1,4 @@
-//! Undamaged frames that are no commands are answered with the reason (FRAME 2 and 5.4).
+//! Undamaged frames that are not commands are answered with the reason (FRAME 2 and 5.4).
 
 use crate::client::Said;
 use crate::rig::Rig;
@@ -7,7 +7,8 @@ use stiction_core::frame::{Reason, VERSION};
 #[test]
 fn undamaged_frames_that_are_no_commands_are_answered() {
     let mut rig = Rig::<f32>::new();
-    // FRAME 2: version, type, sequence, time, payload, CRC; COBS by hand is the codec's own test: here by its encoder.
+    // FRAME 2: version, type, sequence, time, payload, CRC. The codec's own test does COBS by hand; here its encoder is
+    // used.
     let frame = |bytes: &[u8]| {
         let mut frame = bytes.to_vec();
         frame.extend(crc32(bytes).to_le_bytes());

@@ -1,5 +1,5 @@
-//! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): to the bits of a solver beside it; what does not fit is
-//! refused with the numbers, and a board without room says so.
+//! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): bit for bit like a solver run in parallel; scenes that do not
+//! fit are refused with the numbers, and a board without room reports it.
 
 use crate::beside::{Beside, assert_same};
 use crate::client::{Heard, Said, scene};
@@ -29,7 +29,7 @@ const PIN: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[[0.08, 0.02]],
     ..TABLE
 };
-/// The box over the edge of a table, a pin before it.
+/// The box over the edge of a table, with a pin in front of it.
 const EDGE: Description<'static, f32> = Description {
     start: [-0.02, 0.03, 0.0],
     weight: 2.0,
@@ -42,7 +42,7 @@ fn edge() -> SceneAmong<'static> {
     SceneAmong::new(&EDGE, &OBSTACLES)
 }
 
-/// Pressed, drawn over the edge until the box tips, against the pin, up and away, and let go.
+/// Pressed, drawn over the edge until the box tips, against the pin, up and away, and released.
 fn hands() -> impl Iterator<Item = Hand<f32>> {
     let legs: [[f32; 3]; 7] = [
         [-0.02, 0.05, 0.0],
@@ -65,7 +65,7 @@ fn hands() -> impl Iterator<Item = Hand<f32>> {
     })
 }
 
-/// The contacts as the solver says them.
+/// The contacts according to the solver.
 fn contacts<R: Real<Si = f32>>(
     solver: &Solver<R, V, S, Model>,
     state: &State<R>,
@@ -77,7 +77,7 @@ fn contacts<R: Real<Si = f32>>(
         .collect()
 }
 
-/// Every pose and all forces have the bits of a solver beside the board; which states and kinds of contacts there were.
+/// Every pose and all forces have the bits of a solver run in parallel; records which states and kinds of contacts occurred.
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     let mut rig = Among::<R>::new();
     assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
@@ -247,7 +247,7 @@ fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
         assert!(limit.is_nan() || answer.limit == limit, "{answer:?}");
         assert!(!answer.allowed.is_empty());
     }
-    // What is allowed is taken: 16 corners.
+    // An allowed scene is accepted: 16 corners.
     let many = Description {
         vertices: &[[0.0; 2]; 9],
         ..EDGE
@@ -313,7 +313,7 @@ fn obstacles_are_kept_and_their_friction_follows_the_parameters() {
     assert!(!forces.iter().any(among));
 }
 
-/// A client without obstacles has a board with room for them as any other.
+/// A client without obstacles can use a board with room for them like any other.
 #[test]
 fn a_scene_without_obstacles_goes_either_way() {
     const WITH_FLOOR: Description<'static, f32> = Description {

@@ -56,7 +56,7 @@ fn the_motors_do_the_work_that_the_hand_is_told() {
     let (mut motors, mut hand) = (0.0, 0.0);
     let mut deepest = 0.0;
     let way = |i: u32| {
-        // 5 mm down and 0.08 rad round, and back, each in a quarter of a second, the speed without jumps.
+        // 5 mm down and 0.08 rad round, and back, each in a quarter of a second, with a continuous speed.
         let part = 0.5 - 0.5 * (f64::from(i) / 500.0 * TAU).cos();
         [0.0, 0.05 - 0.005 * part, 0.08 * part]
     };
@@ -78,7 +78,7 @@ fn the_motors_do_the_work_that_the_hand_is_told() {
             deepest = motors;
         }
     }
-    // The springs hold 1/2 k_h d^2 + 1/2 k_theta phi^2 = 6.25 mJ + 1.6 mJ, and give it back but for half a tick's way.
+    // The springs store 1/2 k_h d^2 + 1/2 k_theta phi^2 = 6.25 mJ + 1.6 mJ, and return it except for the displacement of half a tick.
     assert!((motors - hand).abs() < 2e-5, "{motors} {hand}");
     assert!((deepest + 7.85e-3).abs() < 4e-4, "{deepest}");
     assert!(motors.abs() < 4e-4, "{motors}");
@@ -90,7 +90,7 @@ fn a_force_is_never_larger_than_its_limit_nor_faster() {
     bed.stay([0.0, 0.05, 0.0], 50);
     let mut before = bed.rig.force;
     for _ in 0..150 {
-        // 40 mm at once: 20 N.
+        // 40 mm in one step: 20 N.
         let force = bed.at([0.0, 0.01, 0.0]);
         assert!(size(&force) <= 5.0);
         let [dx, dy] = [0, 1].map(|k| force.force[k] - before.force[k]);
@@ -103,7 +103,7 @@ fn a_force_is_never_larger_than_its_limit_nor_faster() {
 #[test]
 fn an_encoder_that_fails_is_zero_force_at_once_and_the_way_back_is_slow() {
     let unreadable = |shown: &mut Shown| shown.counts = None;
-    // Counts were lost: both proximal links lean inwards by 15 degrees, and the elbows are in one place.
+    // Counts were lost: both proximal links lean inwards by 15 degrees, and the elbows coincide.
     let folded = |shown: &mut Shown| shown.counts = Some([61_527, 3_473, 7]);
     let failures: [&dyn Fn(&mut Shown); 2] = [&unreadable, &folded];
     for fail in failures {
@@ -119,8 +119,8 @@ fn an_encoder_that_fails_is_zero_force_at_once_and_the_way_back_is_slow() {
             assert!(held.force_off && held.position == pose.position);
             assert_eq!(held.sample, pose.sample);
             assert_eq!(bed.rig.health().drive, Drive::Silent);
-            // Silence is told before 20 ms have passed, with the tick after which the next, if late, would be too late; the
-            // force was gone before.
+            // Silence is reported before 20 ms have passed, with the tick after which the next, if late, would be too late; the force was
+            // gone before.
             let is_silent = held.status == Status::HeldLast;
             assert_eq!(is_silent, tick >= 18, "{tick}");
         }
@@ -222,7 +222,7 @@ fn a_stiffness_that_is_not_passive_is_refused_with_its_bound() {
         assert_eq!((answer.reason, answer.limit), (Reason::NotPassive, limit));
         assert_eq!(bed.at(DEEP), force);
     }
-    // Half as many ticks, half the stiffness.
+    // Half the tick rate, half the stiffness.
     let slow = Mode {
         tick_rate: 500,
         ..Mode::DEFAULT

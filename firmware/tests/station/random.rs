@@ -12,7 +12,7 @@ impl Random {
     }
 }
 
-/// Through a line that damages one byte in `per_byte / 4`.
+/// Passes bytes through a line that damages one byte in `per_byte / 4`.
 pub(crate) fn garbled(random: &mut Random, bytes: &[u8], per_byte: u64) -> Vec<u8> {
     let mut out = Vec::new();
     for &byte in bytes {

@@ -110,13 +110,13 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
                 ns: u32::MAX - 10_000,
             },
             servo: Servo::new(device),
-            // The clock wraps on the way.
+            // The clock wraps during the test.
             now_us: u32::MAX - 50_000,
             force: Wrench::default(),
         }
     }
 
-    /// The command is on its way; its sequence number.
+    /// Sends a command; returns its sequence number.
     pub(crate) fn send<'a>(&mut self, message: impl Message<'a>) -> u8 {
         let sequence = self.client.sequence;
         let bytes = self.client.encode(message);
@@ -142,7 +142,7 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.tick()
     }
 
-    /// The hand stays there for so many ticks.
+    /// The hand stays there for this many ticks.
     pub(crate) fn stay(&mut self, hand: Hand<f32>, ticks: u32) -> Wrench<f32> {
         for _ in 0..ticks {
             self.hand(hand);
@@ -150,12 +150,12 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.force
     }
 
-    /// All that was heard.
+    /// Everything that was received.
     pub(crate) fn heard(&mut self) -> Vec<Heard> {
         self.client.heard.drain(..).collect()
     }
 
-    /// The poses that were heard.
+    /// The poses that were received.
     pub(crate) fn poses(&mut self) -> Vec<Pose> {
         let heard = self.heard();
         let poses = heard.into_iter().filter_map(|heard| match heard.said {
@@ -170,13 +170,13 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         *self.poses().last().expect("a pose")
     }
 
-    /// The answer to a command: there is one, in the tick in which it came.
+    /// The answer to a command: there is one, in the tick in which the command arrived.
     pub(crate) fn ask(&mut self, message: Command<'_>) -> Answer {
         let (code, sequence) = (message_code(&message), self.send(message));
         self.answer(code, sequence)
     }
 
-    /// As [`Self::ask`], of a scene with obstacles.
+    /// Like [`Self::ask`], for a scene with obstacles.
     pub(crate) fn ask_among(&mut self, scene: SceneAmong<'_>) -> Answer {
         let sequence = self.send(CommandAmong::SceneAmong(scene));
         self.answer(9, sequence)
@@ -186,7 +186,7 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.client.heard.clear();
         self.tick();
         while !self.line.to_board.is_empty() {
-            // Of a long frame a tick takes a part.
+            // A tick takes a part of a long frame.
             self.tick();
         }
         let mut answers = Vec::new();

@@ -1,5 +1,5 @@
-//! Scenes that a client sends: a good one begins at its start, one that cannot be used is refused and changes nothing
-//! (FRAME 4 and 5.4).
+//! Scenes that a client sends: a good one begins at its start, an unusable one is refused and changes nothing (FRAME 4
+//! and 5.4).
 
 use crate::client::scene;
 use crate::commands::{PARAMETERS, deep, refused, seen};

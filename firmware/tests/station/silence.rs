@@ -104,7 +104,7 @@ fn a_sample_that_is_not_finite_holds_the_last_pose() {
     assert_eq!(rig.pose().status, Status::Ok);
 }
 
-/// Actuators that keep what they were given, and fail when told so.
+/// Actuators that record their inputs, and fail on request.
 #[derive(Default)]
 struct Motors {
     broken: Option<Outage>,

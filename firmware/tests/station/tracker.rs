@@ -1,4 +1,4 @@
-//! Six degrees of freedom: however the tracker stands, the same motion in its plane gives the same trace.
+//! Six degrees of freedom: whatever the orientation of the tracker, the same motion in its plane gives the same trace.
 
 use crate::client::hand_path;
 use crate::rig::Rig;
@@ -17,7 +17,7 @@ fn cross([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The sample of a tracker in whose space x and y of the scene are these axes: rotation by phi about their normal.
+/// The sample of a tracker in whose space x and y of the scene are these axes: rotated by phi about their normal.
 fn sample([x, y]: [Axis; 2], hand: &Hand<f32>, phi: f32) -> TrackerSample<f32> {
     let (x, y) = (along(x), along(y));
     let normal = cross(x, y);

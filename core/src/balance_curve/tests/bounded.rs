@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// On a motion of two contacts: each with its bounds from its beginning to the end of the window.
+/// On a motion of two contacts: each quantity with its bounds from its beginning to the end of the
+/// window.
 #[test]
 fn quantities_are_bounded() {
     const WINDOW: f64 = 0.8;
@@ -40,7 +41,7 @@ fn quantities_are_bounded() {
             let values = largest(|x| at(x).value, (0.0, WINDOW));
             let slopes = largest(|x| at(x).slope, once);
             let size = match i {
-                // What grows with x grows at most by this.
+                // A quantity that grows with x grows by no more than this.
                 2 | 3 => slopes * WINDOW,
                 _ => largest(|x| at(x).value, once),
             };

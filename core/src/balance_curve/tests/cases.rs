@@ -1,9 +1,9 @@
-//! What holds on every motion, with a foot that stays and with one that slides.
+//! Properties of every motion, with a foot that stays and with one that slides.
 
 use super::*;
 
-/// M is zero with the hand at the part tau of its path: H = tau D. The foot that slides adds what the lever (a, o) as it turns adds to
-/// o (a cos lambda + o sin lambda), the arm of the reaction at a height.
+/// M is zero with the hand at the fraction tau of its path: H = tau D. The lever (a, o) of a sliding foot, as it turns, contributes the
+/// change of o (a cos lambda + o sin lambda), the arm of the reaction times its height.
 pub(super) fn curve_is_in_balance<H: SecondHarmonic<f64>>(random: &mut Random) {
     let (k, hold, drive, dphi) = (
         random.number().abs(),
@@ -67,7 +67,7 @@ pub(super) fn slopes_are_derivatives<H: SecondHarmonic<f64>>(random: &mut Random
     }
 }
 
-/// dtau/dx D², its slope, and a bound of its curvature as far as the window while H < D.
+/// dtau/dx D², its slope, and a bound of its curvature up to the window while H < D.
 pub(super) fn fold_is_where_the_part_stops_growing<H: SecondHarmonic<f64>>(random: &mut Random) {
     let curve = random.curve::<H>();
     let [h, d] = turns(&curve);
@@ -98,7 +98,7 @@ pub(super) fn fold_is_where_the_part_stops_growing<H: SecondHarmonic<f64>>(rando
     }
 }
 
-/// E = start + along tau - u (1 - cos ϑ) + v sin ϑ, times D; of sums of margins, too.
+/// E = start + along tau - u (1 - cos ϑ) + v sin ϑ, times D; also for sums of margins.
 pub(super) fn margin_is_bounded<H: SecondHarmonic<f64>>(random: &mut Random) {
     let curve = random.curve::<H>();
     let (one, other) = (random.margin(), random.margin());
@@ -120,7 +120,7 @@ pub(super) fn margin_is_bounded<H: SecondHarmonic<f64>>(random: &mut Random) {
         close(found.value, e * p.d, whole);
         close(found.slope, derivatives(|x| slope(x).value, x)[0], whole);
         let second = largest(|at| derivatives(|x| slope(x).slope, at)[0], (x, x + window));
-        // The derivatives of the part without tau.
+        // The derivatives of the term without tau.
         let rate = curve.rate.abs();
         let swing = rate * margin.turning.length();
         let d_most = p.d.abs() + window * d[0];
@@ -138,7 +138,7 @@ pub(super) fn margin_is_bounded<H: SecondHarmonic<f64>>(random: &mut Random) {
     }
 }
 
-/// To tau = 1 or to the fold, and with a margin to its first zero, however it is searched for: all found by small steps.
+/// To tau = 1 or to the fold, and with a margin to its first zero, whichever search finds it: all compared with small steps.
 pub(super) fn extent_ends_at_its_first_event<H: SecondHarmonic<f64>>(random: &mut Random) {
     let curve = random.curve::<H>();
     if curve.at(0.0).h_slope <= 0.0 {
@@ -179,7 +179,7 @@ pub(super) fn extent_ends_at_its_first_event<H: SecondHarmonic<f64>>(random: &mu
     assert!(before(stopped.end.x * (1.0 - 1e-9)).all(|p| left(&p) > 0.0 - size * 1e-9));
 }
 
-/// Newton's step with the curvature of the moment leaves the third order; next to a fold there is none.
+/// Newton's step with the curvature of the moment leaves an error of third order; near a fold there is no such step.
 pub(super) fn balance_is_polished_and_curved<H: SecondHarmonic<f64>>(random: &mut Random) {
     const OFF: f64 = 1e-4;
     let moment = random.moment::<H>();
@@ -189,7 +189,7 @@ pub(super) fn balance_is_polished_and_curved<H: SecondHarmonic<f64>>(random: &mu
         harmonic: moment.harmonic,
         ..BalanceCurve::kinematic(1.0, Vec2::ZERO)
     };
-    // With its couple it is off balance by this at 0.
+    // With its couple it is out of balance by this at 0.
     let start = moment.now();
     let at = |turn: f64| start - curve.at(turn).h;
     let [slope, second] = derivatives(at, 0.0);

@@ -1,11 +1,10 @@
-//! What ends a motion: without a turn in closed form; with as little work as its bounds allow; and what is said of a search
-//! that gives up.
+//! The end of a motion: without a turn in closed form; with as little work as its bounds permit; and the report of a search that gives up.
 
 use super::*;
 use crate::fixtures::number;
 use crate::real::Fixed;
 
-/// A turn by an angle ends at that angle to the bit, also where x has units of several radians.
+/// A turn by an angle ends at that angle to the bit, even if x has units of several radians.
 fn turn_ends_at_its_angle<R: Real>()
 where
     R::Si: From<f32>,
@@ -59,7 +58,7 @@ fn margin_is_linear_without_a_turn() {
     }
 }
 
-/// On an extent of which the fold leaves a tenth only that tenth counts: no search.
+/// On an extent that a fold cuts to a tenth only that tenth counts: no search is needed.
 #[test]
 fn margin_that_lasts_to_the_fold_is_no_search() {
     let delta = 3.826_445_910_0;
@@ -73,8 +72,8 @@ fn margin_that_lasts_to_the_fold_is_no_search() {
     assert!((extent.end.part() - 0.05).abs() < 1e-12);
 }
 
-/// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole path lies between
-/// neighbouring turns. What is used up on it ends it all the same.
+/// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole path lies between adjacent
+/// turns. A margin that is used up on it ends the motion all the same.
 #[test]
 fn margin_is_used_up_between_neighbouring_turns() {
     for pull in (0..20).map(|i| libm::exp10(-f64::from(i))) {
@@ -104,7 +103,7 @@ fn margin_is_used_up_between_neighbouring_turns() {
     }
 }
 
-/// Where the search for the end gives up, the extent says so, unless something ends it before; it is somewhere before the end.
+/// If the search for the end gives up, the extent reports it, unless something ends it earlier; it lies somewhere before the end.
 #[test]
 fn extent_that_gives_up_says_so() {
     let curve = turning(0.9, 30.0);
@@ -129,7 +128,7 @@ fn extent_that_gives_up_says_so() {
         assert_eq!(stopped.unsure, counts.unsure > 0, "{most}");
         assert!(stopped.end.x <= ended.end.x * (1.0 + 1e-9));
         seen[2 + usize::from(stopped.unsure)] += 1;
-        // What comes before the end is sure, and the end of the extent as unsure as it was.
+        // What happens before the end is certain, and the end of the extent is as uncertain as it was.
         let mut stopped = extent;
         if curve.stop_at(&turning_margin, &mut stopped) {
             assert!(!stopped.unsure, "{most}");

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// How a displacement grows along the curve, with x: tau itself grows.
+/// How fast a displacement grows along the curve with x, given that tau itself grows.
 fn advance<H: SecondHarmonic<f64>>(
     curve: &BalanceCurve<f64, H>,
     foot: &Margin<f64>,
@@ -15,7 +15,7 @@ fn advance<H: SecondHarmonic<f64>>(
     foot.along * part_slope + curve.rate * (v * cos - u * sin)
 }
 
-/// The number of feet that go on, turn back at once and turn back later.
+/// The number of feet that go on, turn back immediately and turn back later.
 fn foot_turns_back_first_there<H: SecondHarmonic<f64>>() -> [usize; 3] {
     let mut seen = [0; 3];
     for seed in sampled(1..=600, 97) {
@@ -28,7 +28,7 @@ fn foot_turns_back_first_there<H: SecondHarmonic<f64>>() -> [usize; 3] {
         if curve.at(0.0).h_slope <= 0.0 {
             continue;
         }
-        // What goes back by the slack in a unit of tau still goes on.
+        // A foot that moves back by the slack per unit of tau still goes on.
         let slack = if seed % 3 == 0 { 0.1 } else { 0.0 };
         let slackened = Margin {
             along: foot.along + slack,
@@ -54,7 +54,7 @@ fn foot_turns_back_first_there<H: SecondHarmonic<f64>>() -> [usize; 3] {
         );
         if stops {
             assert!(!extent.folds, "{seed}");
-            // Towards a fold tau hardly grows, and x has all digits but few of them are left of tau.
+            // Near a fold tau hardly grows: x has all its digits but tau has few left.
             let p = curve.at(end);
             let zero = velocity(end) * p.d * p.d / (curve.whole() + 1.0);
             assert!(zero.abs() < 1e-9, "{seed}: {zero}");
@@ -80,7 +80,7 @@ fn foot_that_sticks_or_slides_turns_back_first_there() {
     }
 }
 
-/// Without a turn the foot goes along with the hand or back, all the way; what rests to within the slack goes on.
+/// Without a turn the foot moves with the hand or back, on the whole path; one that rests to within the slack goes on.
 #[test]
 fn straight_foot_goes_one_way() {
     let curve = BalanceCurve::<f64>::straight();
@@ -105,12 +105,12 @@ fn straight_foot_goes_one_way() {
     }
 }
 
-/// A search that gives up before says so, at a place up to which the foot goes on.
+/// A search that gives up earlier reports it, at a point up to which the foot goes on.
 #[test]
 fn reversal_that_gives_up_says_so() {
     let curve = turning(0.9, 30.0);
     let whole = curve.extent();
-    // It swings to and fro as the body turns.
+    // It swings back and forth as the body turns.
     let foot = Margin {
         start: 0.0,
         along: 0.1,

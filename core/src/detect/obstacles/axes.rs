@@ -1,4 +1,4 @@
-//! The axes along which body and obstacle may be apart, the gaps along them, and the axis of the largest gap.
+//! The axes along which body and obstacle may be separated, the gaps along them, and the axis of the largest gap.
 
 use super::super::Placed;
 use super::{corners, ends, line_of, sides, together};
@@ -13,7 +13,7 @@ use crate::world::World;
 use core::ops::Range;
 use heapless::Vec;
 
-/// A direction in which body and obstacle may be apart.
+/// A direction in which body and obstacle may be separated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     /// The normal of this side of the obstacle.
@@ -39,7 +39,7 @@ pub(super) fn axes<R: Real, W: World<R>>(
         .chain(ends(body).map(Axis::BodyEnd))
 }
 
-/// What of the other shape may be nearest along an axis: the vertices of the body, or the corners of the obstacle.
+/// The features of the other shape that may be nearest along an axis: the vertices of the body, or the corners of the obstacle.
 pub(super) fn features<R: Real, W: World<R>>(
     scene: &W,
     (obstacle, axis): (usize, Axis),
@@ -50,7 +50,7 @@ pub(super) fn features<R: Real, W: World<R>>(
     }
 }
 
-/// Those whose gap may change, as they are in no contact that lasts.
+/// Those whose gap may change because they are in no contact that lasts.
 pub(super) fn moving<R: Real, W: World<R>>(
     scene: &W,
     (obstacle, axis): (usize, Axis),
@@ -73,7 +73,7 @@ pub(super) fn moving<R: Real, W: World<R>>(
     })
 }
 
-/// A contact is one of those that last, or a corner at the place of one of these.
+/// Returns whether a contact is one of those that last, or a corner at the same place as one of these.
 pub(super) fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair]) -> bool {
     let is_there = |other: &Pair| {
         other.is_corner()
@@ -83,7 +83,7 @@ pub(super) fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair
     lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_there)
 }
 
-/// Two corners are at one place.
+/// Returns whether two corners coincide.
 pub(super) fn is_at<R: Real, W: World<R>>(scene: &W, corner: u8, other: u8) -> bool {
     let place = |corner: u8| scene.corner(corner).map(|corner| corner.place);
     place(corner)
@@ -109,8 +109,8 @@ pub(super) fn direction<R: Real, W: World<R>>(
     }
 }
 
-/// A contact that lasts, or has just opened, says on which side of an obstacle the body is: in which direction from it. Of a wall and a
-/// rod or a point, which have no inside together, the gaps do not tell.
+/// The side of an obstacle on which the body is, as a direction from the obstacle, from a contact that lasts or has just opened. A wall has
+/// no inside in common with a rod or a point, so the gaps do not determine it.
 pub(super) fn side_of<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
@@ -123,7 +123,8 @@ pub(super) fn side_of<R: Real, W: World<R>>(
     if own.contains(&pair.surface) || !pair.is_corner() && lines.any(|line| line == pair.surface) {
         return Some(surface.normal);
     }
-    // Between the side of another obstacle and this one, which leaves its end in front of it, the body is on that side.
+    // If the body is between the side of another obstacle and this obstacle, which leaves the end of that side in front of it, the body is
+    // on that side.
     let along = placed
         .way_from_end(scene, pair)
         .filter(|_| !pair.is_corner())?;
@@ -135,24 +136,24 @@ pub(super) fn side_of<R: Real, W: World<R>>(
     is_between.then_some(along)
 }
 
-/// An axis does not face away from where the body is.
+/// Returns whether an axis does not face away from where the body is.
 pub(super) fn faces<R: Real>(direction: Vec2<R>, side: Vec2<R>) -> bool {
     direction.dot(side) >= -R::in_plane()
 }
 
-/// On which side of an obstacle a body is that touches it along several axes.
+/// The side of an obstacle on which a body is that touches it along several axes.
 #[derive(Clone, Copy)]
 pub(super) struct Beside<'a, R> {
     /// The contacts that have just opened there.
     pub(super) left: &'a [Pair],
-    /// The direction from the obstacle of the axis along which it was apart last.
+    /// The direction, from the obstacle, of the axis along which the body was last separated from it.
     pub(super) last: Option<Vec2<R>>,
-    /// Gaps up to this are closed: a touch, and what a search may have gone beyond it.
+    /// Gaps up to this are closed: a touch, and the distance by which a search may have gone beyond it.
     pub(super) near: R,
 }
 
 impl<R: Real> Beside<'_, R> {
-    /// It is not known.
+    /// The side is not known.
     pub(super) const UNKNOWN: Self = Self {
         left: &[],
         last: None,
@@ -160,19 +161,20 @@ impl<R: Real> Beside<'_, R> {
     };
 }
 
-/// An axis at a place of a motion: how far each feature of the other shape is off along it, level + d·x, x its place from an origin in
-/// the frame of that shape.
+/// An axis at a point of a motion: the distance of each feature of the other shape along it is level + d·x, where x is its position
+/// relative to an origin in the frame of that shape.
 struct Ruler<R> {
     level: R,
     direction: Vec2<R>,
     origin: Vec2<R>,
-    /// How fast the features go along it that are at the origin.
+    /// The velocity along the axis of features at the origin.
     rate: R,
-    /// How fast they turn against it.
+    /// The rate at which they turn relative to it.
     turn: R,
 }
 
 impl<R: Real> Ruler<R> {
+    /// The ruler of an axis for the body at a point of a motion: gaps are positive where body and obstacle are separated (L).
     fn of<W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis) -> Self {
         let placed = &body.placed;
         // To vertices.
@@ -228,7 +230,7 @@ impl<R: Real> Ruler<R> {
     }
 }
 
-/// Where a feature along an axis is, in the frame of its shape.
+/// The position of a feature along an axis, in the frame of its shape.
 fn place_of<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Vec2<R> {
     match axis {
         Axis::Side(_) | Axis::End(_) => scene.vertex(feature),
@@ -238,7 +240,7 @@ fn place_of<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Vec2<R>
     }
 }
 
-/// How far a feature is off along an axis.
+/// The distance of a feature along an axis.
 pub(super) fn off<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -248,7 +250,8 @@ pub(super) fn off<R: Real, W: World<R>>(
     Ruler::of(scene, body, axis).off(place_of(scene, axis, feature))
 }
 
-/// Body and obstacle touch along this axis in two contacts: then they are apart, and what else is in that line is so by rounding only.
+/// Body and obstacle touch along this axis in two contacts: then they are separated, and other features in that line lie in it only by
+/// rounding.
 pub(super) fn is_flat_on<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
@@ -293,8 +296,8 @@ pub(super) fn flat_side<R: Real, W: World<R>>(
     })
 }
 
-/// A body that lies flat on two contacts lies over this obstacle as well, and touches it in their line: sliding on in that line it does
-/// not reach it.
+/// Returns whether a body that lies flat on two contacts lies over this obstacle as well, and touches it in their line: if it slides on
+/// along that line, it does not reach the obstacle.
 pub(super) fn lies_over<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
@@ -308,7 +311,7 @@ pub(super) fn lies_over<R: Real, W: World<R>>(
     })
 }
 
-/// The least gap along an axis, but for contacts that last.
+/// The least gap along an axis, except for contacts that last.
 pub(super) fn gap_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -324,8 +327,8 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     })
 }
 
-/// The same, less what a gap may change by where its feature is moved by so much of its distance from the placed point, or of a body
-/// size; `flat`: two of the contacts that last are in one line.
+/// The same, less the most by which a gap may change if its feature moves by the given fraction of its distance from the placed point, or
+/// of a body size if that is more; `flat`: two of the contacts that last are collinear.
 pub(super) fn gap_less<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
@@ -337,7 +340,7 @@ pub(super) fn gap_less<R: Real, W: World<R>>(
         Axis::BodySide(side) => pair.is_corner() && pair.body_side() == side,
         Axis::End(_) | Axis::BodyEnd(_) => false,
     };
-    // Most axes have none.
+    // Most axes have no such contact.
     let any = lasting.iter().any(is_along);
     if any && flat && is_flat_on(scene, placed, (obstacle, axis), lasting) {
         return R::HUGE;
@@ -361,8 +364,8 @@ pub(super) fn gap_less<R: Real, W: World<R>>(
     least
 }
 
-/// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
-/// turns with it, the gap of a corner that is far from the placed point closes faster.
+/// How far the body may move and turn until the least gap along an axis closes, except for contacts that last: along a side of the body,
+/// which turns with it, the gap of a corner far from the placed point closes faster.
 pub(super) fn room_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -388,8 +391,8 @@ pub(super) fn room_along<R: Real, W: World<R>>(
     })
 }
 
-/// The gap along an axis stays open between two places of a motion on which no second derivative changes its sign: it lies above its
-/// chord, or above the tangents at both ends (STATICS 12.3).
+/// Returns whether the gap along an axis stays open between two points of a motion on which no second derivative changes its sign: it lies
+/// above its chord, or above the tangents at both ends (STATICS 12.3).
 pub(super) fn stays_open<R: Real, W: World<R>>(
     scene: &W,
     [from, to]: [&Instant<R>; 2],
@@ -402,14 +405,14 @@ pub(super) fn stays_open<R: Real, W: World<R>>(
         let place = place_of(scene, axis, feature);
         let [a, b] = [here.off(place), there.off(place)];
         let is_flat_out = a.slope >= R::ZERO || b.slope <= R::ZERO;
-        // Where the tangents lie above zero at the other end.
+        // Where the tangents are above zero at the opposite end.
         let is_steep_out =
             a.value + a.slope * width > rounding || b.value - b.slope * width > rounding;
         a.value > rounding && b.value > rounding && (is_flat_out || is_steep_out)
     })
 }
 
-/// How fast the gap along an axis opens where it is the least, to what counts as a touch, but for contacts that last.
+/// How fast the gap along an axis opens where it is least, to within a touch, except for contacts that last.
 pub(super) fn opening_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -427,9 +430,9 @@ pub(super) fn opening_along<R: Real, W: World<R>>(
     })
 }
 
-/// The axis along which the body is farthest from an obstacle, and the gap along it: none that faces away from where a contact that lasts
-/// has it. Of several along which it touches, as a body that turns out of a flat contact, or a point and a wall which have no inside
-/// together, the one that opens fastest of those on the side where it is.
+/// The axis along which the body is farthest from an obstacle, and the gap along it; never one that faces away from the side on which a
+/// contact that lasts places the body. If the body touches along several axes, as when it turns out of a flat contact, or as a point and a
+/// wall do, which have no inside in common, the one that opens fastest on the body's side is taken.
 pub(super) fn widest<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -442,7 +445,7 @@ pub(super) fn widest<R: Real, W: World<R>>(
         // A point and a pin have no axis: they do not touch.
         return (None, R::HUGE);
     }
-    // What has an inside is told by it: round an acute vertex the normal turns by more than a right angle.
+    // If one of the shapes has an inside, that determines the side: around an acute vertex the normal turns by more than a right angle.
     let is_flat = corners(scene, obstacle).len() <= 2 && scene.vertices().len() <= 2;
     let ways = |pairs: &[Pair]| -> Vec<Vec2<R>, MAX_CONTACTS> {
         let ways = pairs

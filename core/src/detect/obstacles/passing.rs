@@ -1,5 +1,5 @@
-//! The contact that follows one at the end of a side: past the end of a slide, at the other end of an edge, and where a body has turned
-//! about a corner at which it stands with a vertex.
+//! The contact that follows another at the end of a side: past the end of a slide, at the other end of an edge, and where a body has turned
+//! about a corner on which one of its vertices stands.
 
 use super::super::Placed;
 use super::{beside, corners, line_of, together};
@@ -9,9 +9,9 @@ use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::World;
 
-/// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
+/// A vertex and a corner that coincide: what supports their contact, and what it becomes where that support ends.
 pub(crate) struct Tip<R> {
-    /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
+    /// The contact that lies flat there and reaches no farther: that of a neighbour of the vertex, or of the corner.
     pub(crate) neighbour: Pair,
     /// How far it is beyond the end.
     off: R,
@@ -20,8 +20,9 @@ pub(crate) struct Tip<R> {
 }
 
 impl<R: Real> Placed<R> {
-    /// Where a contact is at the end of its side, the body that turns about it lies flat beyond that end and touches nothing more: there
-    /// the normal begins to turn, with the body or with it no more (STATICS 12.4). And the direction in which it turns there.
+    /// If a contact is at the end of its side, the body that turns about it comes to lie flat beyond that end without touching anything
+    /// new: there the normal begins to turn with the body, or stops turning with it (STATICS 12.4). Also returns the direction in which it
+    /// turns there.
     pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> (R, [Option<Tip<R>>; 2]) {
         let [low, high] = scene.reach(contact);
         let foot = self.foot(scene, contact);
@@ -32,7 +33,7 @@ impl<R: Real> Placed<R> {
         let surface = scene.face(contact, self.orientation.rotation());
         let is_high = to_high < to_low;
         let arm = self.arm_to(scene, contact);
-        // Beyond the end, as a vertex and as a corner see it.
+        // Beyond the end, as seen by a vertex and by a corner.
         let (beyond, turn) = if is_high == contact.is_corner() {
             (-surface.tangent, R::ONE)
         } else {
@@ -83,7 +84,7 @@ impl<R: Real> Placed<R> {
         (turn, tips)
     }
 
-    /// The contact that comes next where a body has turned to the end of what supports one.
+    /// The contact that comes next if a body has turned to the end of what supports the present one.
     pub(crate) fn next_at_tip<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Pair> {
         let (_, tips) = self.tips(scene, contact);
         let tips = (tips.into_iter().flatten()).filter(|tip| tip.off > R::ZERO);
@@ -92,7 +93,8 @@ impl<R: Real> Placed<R> {
         next.map(|tip| tip.next)
     }
 
-    /// The contact at the place of one that has left its side along sign·t whose normal comes next as the normal turns towards the slide.
+    /// The contact that replaces one that has left its side along sign·t: the one at the same place whose normal comes next as the normal
+    /// turns towards the slide.
     pub(crate) fn next_contact<W: World<R>>(
         &self,
         scene: &W,
@@ -106,7 +108,7 @@ impl<R: Real> Placed<R> {
             let next = scene.face(pair, rotation).normal;
             next.dot(ahead).atan2(next.dot(normal))
         };
-        // It has gone beyond the end by a touch.
+        // The contact is beyond the end by a touch.
         let near = together::<R>() + R::TOUCH;
         let mut list = Pairs::new();
         self.touching_obstacles(scene, near, &mut list);
@@ -130,8 +132,8 @@ impl<R: Real> Placed<R> {
         found.map(|(_, pair)| pair)
     }
 
-    /// Where an edge that slides along sign·t ends once one of its contacts has left its side: at the farthest in line with what lasts
-    /// that does not leave its side as well.
+    /// The end of an edge that slides along sign·t after one of its contacts has left its side: the contact farthest away that is collinear
+    /// with the one that lasts and does not leave its side as well.
     pub(crate) fn next_end<W: World<R>>(
         &self,
         scene: &W,

@@ -24,32 +24,32 @@ use heapless::Vec;
 pub(crate) struct Reached<R> {
     pub(crate) x: R,
     pub(crate) contact: Pair,
-    /// The search came no farther: up to there nothing is reached.
+    /// The search ended here: nothing is reached up to this point.
     pub(crate) unsure: bool,
 }
 
-/// What a motion may reach.
+/// The features that a motion may reach.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Among {
-    /// Obstacles alone: the half-planes are looked at elsewhere.
+    /// Obstacles only: the half-planes are examined elsewhere.
     Obstacles,
-    /// Half-planes, too.
+    /// Half-planes as well.
     All,
 }
 
-/// What is known of a motion before it begins.
+/// What is known about a motion before it begins.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a> {
     /// The contacts that last.
     pub(crate) lasting: &'a [Pair],
     /// Those that have just opened.
     pub(crate) left: &'a [Pair],
-    /// Axes along which the body was apart from obstacles last.
+    /// Axes along which the body was last separated from obstacles.
     pub(crate) watch: Watch,
 }
 
 impl<'a> Known<'a> {
-    /// Of contacts that last.
+    /// With contacts that last, and nothing else known.
     pub(crate) fn of(lasting: &'a [Pair]) -> Self {
         Self {
             lasting,
@@ -59,47 +59,47 @@ impl<'a> Known<'a> {
     }
 }
 
-/// On a piece of a motion on which the body turns by no more than this (rad), a gap lies above its chord or above its tangents.
+/// On a piece of a motion in which the body turns by no more than this (rad), a gap lies above its chord or above its tangents.
 fn longest_turn<R: Real>() -> R {
     R::HALF.halved().halved()
 }
 
-/// So many axes are watched one after the other on a piece of a motion.
+/// At most this many axes are watched one after the other on a piece of a motion.
 const MOST_AXES: usize = 12;
 
-/// The way of a piece is no more than two to this times its width, or it is found less well.
+/// The displacement on a piece is at most two to this power times its width; otherwise the point is found less accurately.
 const MOST_DOUBLINGS: usize = 24;
 
-/// So many pieces of a motion are looked at before it is taken for as long as that.
+/// This many pieces of a motion are examined before the search gives up.
 const MOST_PIECES: usize = 400;
 
-/// What has been reached is looked for within a touch, and so many times as far, again and again: one place of a motion in few digits may
-/// be far from the next.
+/// The reached contact is looked for within a touch, and then repeatedly within this many times the distance: with few digits one point of
+/// a motion may be far from the next.
 const WIDENINGS: i32 = 4;
 const WIDENING: i32 = 8;
 
-/// The farthest from contact at which what has been reached is looked for (L).
+/// The largest gap at which the reached contact is looked for (L).
 fn farthest_look<R: Real>() -> R {
     (1..WIDENINGS).fold(R::TOUCH, |near, _| near * R::from_int(WIDENING))
 }
 
-/// A place of a motion, and the body there.
+/// A point of a motion, and the body there.
 type Place<R> = (R, Instant<R>);
 
 /// Obstacles that a body touches, and on which side.
 type Nearby<R> = Vec<(usize, Vec2<R>), 8>;
 
-/// What happens with an obstacle on a piece of a motion.
+/// What happens to an obstacle on a piece of a motion.
 enum Closing<R> {
     Nothing,
-    /// It is touched in the end where it is not reached, with the body on this side.
+    /// It is touched at the end without being reached, with the body on this side.
     Near(Vec2<R>),
-    /// It is reached: where, and in which contact; no contact where what is watched changes too often.
+    /// It is reached: where, and in which contact; no contact if the watched axis changes too often.
     At(Place<R>, Option<Pair>),
 }
 
-/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last, and what it took to find it, in
-/// units of work. `at`: the body at a place of the motion, which takes so many units.
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, except for contacts that last, and the work of finding it, in
+/// units of work. `at`: the body at a point of the motion, which costs `place` units.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
     (known, among): (Known<'_>, Among),
@@ -132,10 +132,10 @@ fn first_in_pieces<R: Real, W: World<R>>(
     let start = at(R::ZERO);
     let (mut x, mut here) = (R::ZERO, start);
     let mut step = end;
-    // The obstacles that it touches there, and on which side.
+    // The obstacles that the body touches there, and on which side.
     let mut near: Nearby<R> = Nearby::new();
     for piece in 0..MOST_PIECES {
-        // Where it touches an obstacle it would not know any more on which side.
+        // If it touched an obstacle, the side would not be known any more.
         if piece > 0 && near.is_empty() && tally.is_enough() {
             break;
         }
@@ -191,7 +191,7 @@ fn first_in_pieces<R: Real, W: World<R>>(
             match closes(scene, obstacle, (before, beside), piece, (at, tally)) {
                 Closing::Nothing => {}
                 Closing::Near(side) => {
-                    // Of more than there is room for it is not known.
+                    // If there are more than fit, the side is not known for the rest.
                     let _ = now_near.push((obstacle, side));
                 }
                 Closing::At(end, contact) => {
@@ -205,7 +205,7 @@ fn first_in_pieces<R: Real, W: World<R>>(
             return Some(Reached {
                 x,
                 contact: contact.unwrap_or_default(),
-                // Nothing is reached yet, but what is watched there changes too often.
+                // Nothing is reached yet, but the watched axis changes too often there.
                 unsure: contact.is_none(),
             });
         }
@@ -228,7 +228,7 @@ fn falls<R: Real>(
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
 ) -> Option<Place<R>> {
     let width = to.0 - from.0;
-    // A place is found to a rounding of the way there, however fast the body goes.
+    // A point is found to within a rounding of the displacement there, however fast the body moves.
     let way = (to.1.placed.point - from.1.placed.point).length_bound();
     let (mut end, mut unit) = (width, R::ONE);
     for _ in 0..MOST_DOUBLINGS {
@@ -261,12 +261,12 @@ fn falls<R: Real>(
     }
 }
 
-/// Gaps up to this are closed: a touch, or what rounding makes of a place so far from the origin.
+/// Gaps up to this are closed: a touch, or the rounding of a position this far from the origin.
 fn near_at<R: Real>(placed: &Placed<R>) -> R {
     R::TOUCH.max(placed.rounding())
 }
 
-/// Along the axis that is watched of an obstacle the body is apart from it on all of a piece of a motion, and by more than a touch in the
+/// Returns whether the watched axis of an obstacle separates the body from it on a whole piece of a motion, and by more than a touch at the
 /// end.
 fn is_apart<R: Real, W: World<R>>(
     scene: &W,
@@ -350,13 +350,14 @@ fn closes<R: Real, W: World<R>>(
         {
             return Closing::At(end, Some(contact));
         }
-        // It is apart along another axis, or touches where it does already.
+        // Separated along another axis, or in touch where it already is.
         from = end;
     }
     Closing::At(from, None)
 }
 
-/// The last place before one at which the body has leapt into an obstacle: as the number type sees it the motion has no place in between.
+/// The last point before one at which the body has leapt into an obstacle: to the digits of the number type the motion has no point in
+/// between.
 fn before_leap<R: Real>(
     [mut from, mut to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
@@ -377,8 +378,8 @@ fn before_leap<R: Real>(
     from
 }
 
-/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before, and of
-/// those whose gaps were closed before the one whose gap closes slowest. Where the obstacle's own corner is covered, it is one of
+/// The contact with an obstacle that a motion has reached: of the contacts that close there, the one whose gap was the largest before, and
+/// of those whose gaps were already closed, the one whose gap closes most slowly. If the obstacle's own corner is covered, it is one of
 /// another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
@@ -390,14 +391,14 @@ fn touched<R: Real, W: World<R>>(
     let own = corners(scene, obstacle);
     let is_own = |pair: Pair| {
         let is_side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
-        // A covered corner of its own touches as the one that covers it.
+        // If a corner of the obstacle is covered, the corner that covers it touches instead.
         let is_in_place = |corner: u8| pair.is_corner() && is_at(scene, corner, pair.surface);
         own.contains(&pair.surface)
             || own
                 .clone()
                 .any(|corner| is_side(corner) || is_in_place(corner))
     };
-    // Of a body that lies flat on a side the vertex goes as the whole side does.
+    // If a body lies flat on a side, its vertex moves with the whole side.
     let closing = |pair: Pair| {
         let axis = if pair.is_corner() {
             Axis::BodySide(pair.body_side())
@@ -408,7 +409,7 @@ fn touched<R: Real, W: World<R>>(
         opening_along(scene, body, (obstacle, axis), (lasting, gap))
     };
     let is_new = |pair: Pair| {
-        // An overlap that short goes on as its other end.
+        // An overlap this short goes on as its other end.
         let closed = before.gap(scene, pair) > R::TOUCH;
         let is_taken = |&other: &Pair| {
             let is_here = now.are_at_one_place(scene, [other, pair]);

@@ -1,24 +1,24 @@
-//! The work of a search among obstacles, counted where its loops are: in gaps along axes, of which some take a unit of work. A search that
-//! has done more than follows from the scene ends at the next place that touches no obstacle: up to there nothing is reached.
+//! The work of a search among obstacles, counted in its loops: in gaps along axes, several of which make up a unit of work. A search that
+//! has done more than a limit that follows from the scene ends at the next point that touches no obstacle: nothing is reached up to there.
 
 use super::corners;
 use crate::real::Real;
 use crate::world::World;
 use core::cell::Cell;
 
-/// So many gaps take a unit of work.
+/// This many gaps make up a unit of work.
 const GAPS: u32 = 12;
-/// An axis itself takes as long as so many gaps; a look at how one closes; a pair that may touch; to see which of the pairs that touch can
-/// be at once.
+/// The cost, in gaps, of an axis itself; of testing how one closes; of a pair that may touch; of finding which of the touching pairs can be
+/// in contact simultaneously.
 const AXIS: u32 = 6;
 const LOOK: u32 = 4;
 const PAIR: u32 = 4;
 const TOGETHER: u32 = 200;
-/// A search may look at all so often, and at so many places each time.
+/// How many times a search may examine everything, and at how many points each time.
 const ENOUGH: u32 = 8;
 const PLACES: u32 = 8;
 
-/// So many vertices of the body, and corners and obstacles: one of them, or all.
+/// Numbers of vertices of the body, and of corners and obstacles: of one obstacle, or of all.
 #[derive(Clone, Copy)]
 pub(crate) struct Sizes {
     vertices: u32,
@@ -35,7 +35,7 @@ impl Sizes {
         }
     }
 
-    /// Of all obstacles of a scene.
+    /// The numbers for all obstacles of a scene.
     pub(crate) fn of<R: Real, W: World<R>>(scene: &W) -> Self {
         let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         Self::new([
@@ -45,7 +45,7 @@ impl Sizes {
         ])
     }
 
-    /// Of one.
+    /// The numbers for one obstacle.
     pub(super) fn of_one<R: Real, W: World<R>>(scene: &W, obstacle: usize) -> Self {
         let corners = u32::try_from(corners(scene, obstacle).len()).unwrap_or(u32::MAX);
         Self {
@@ -55,7 +55,7 @@ impl Sizes {
         }
     }
 
-    /// All axes, each with the gaps along it: the sides of one shape to the vertices of the other.
+    /// All axes, each with its gaps: the sides of one shape against the vertices of the other.
     pub(super) const fn axes(self) -> u32 {
         let gaps = self.vertices.saturating_mul(self.corners).saturating_mul(2);
         let axes = (self.vertices.saturating_mul(self.obstacles)).saturating_add(self.corners);
@@ -72,14 +72,15 @@ impl Sizes {
         most.saturating_add(AXIS).saturating_mul(2)
     }
 
-    /// What it takes to see which pairs touch.
+    /// The cost of finding which pairs touch.
     pub(super) const fn touching(self) -> u32 {
         let pairs = self.vertices.saturating_mul(self.corners).saturating_mul(2);
         (self.axes().saturating_add(pairs.saturating_mul(PAIR))).saturating_add(TOGETHER)
     }
 
-    /// A search begins no piece of a motion after so much: eight times what it takes to look at all obstacles, at what of them is touched,
-    /// and at some places, each of so many units. Of the searches of random jumps in closed rooms, one in a hundred takes more.
+    /// A search begins no further piece of a motion after this much work: eight times the cost of examining all obstacles, of those that
+    /// are touched, and of some points of `place` units each. Of the searches for random jumps in closed rooms, one in a hundred needs
+    /// more.
     const fn enough(self, place: u32) -> u32 {
         let look = place.saturating_mul(GAPS).saturating_add(LOOK);
         (self.axes().saturating_add(self.touching()))
@@ -87,12 +88,12 @@ impl Sizes {
             .saturating_mul(ENOUGH)
     }
 
-    /// What a search takes at most, its last piece as long again as all before, in units of work.
+    /// The most work of a search, in units of work: its last piece may take as long as all before.
     pub(crate) const fn most_of_search(self, place: u32) -> u32 {
         units(self.enough(place).saturating_mul(2))
     }
 
-    /// What it takes to look at all obstacles, and to see what is touched, in units of work.
+    /// The cost of examining all obstacles and of finding what is touched, in units of work.
     pub(crate) const fn most_of_frame(self) -> u32 {
         units(self.axes().saturating_mul(2))
     }
@@ -101,21 +102,21 @@ impl Sizes {
     }
 }
 
-/// So many units of work some gaps take.
+/// The units of work of some gaps.
 pub(super) const fn units(gaps: u32) -> u32 {
     gaps.div_ceil(GAPS)
 }
 
-/// What a search has done so far.
+/// The work of a search so far.
 pub(super) struct Tally {
     gaps: Cell<u32>,
     most: u32,
-    /// What a place of the motion takes, in units.
+    /// The cost of a point of the motion, in units.
     place: u32,
 }
 
 impl Tally {
-    /// Of a search along a motion whose places take so many units.
+    /// For a search along a motion whose points cost `place` units each.
     pub(super) const fn of_search(sizes: Sizes, place: u32) -> Self {
         Self {
             gaps: Cell::new(0),
@@ -124,7 +125,7 @@ impl Tally {
         }
     }
 
-    /// Of a certified frame, which looks at each obstacle a few times at most.
+    /// For a certified frame, which examines each obstacle a few times at most.
     pub(super) const fn of_frame() -> Self {
         Self {
             gaps: Cell::new(0),
@@ -137,22 +138,22 @@ impl Tally {
         self.gaps.set(self.gaps.get().saturating_add(gaps));
     }
 
-    /// It has done enough.
+    /// Returns whether the search has reached its limit.
     pub(super) fn is_enough(&self) -> bool {
         self.gaps.get() >= self.most
     }
 
-    /// A place of the motion.
+    /// Counts a point of the motion.
     pub(super) fn place(&self) {
         self.spend(self.place.saturating_mul(GAPS));
     }
 
-    /// A look at how a gap closes.
+    /// Counts a test of how a gap closes.
     pub(super) fn look(&self) {
         self.spend(LOOK);
     }
 
-    /// In units of work.
+    /// The work so far, in units of work.
     pub(super) fn units(&self) -> u32 {
         units(self.gaps.get())
     }

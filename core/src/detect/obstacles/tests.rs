@@ -1,4 +1,4 @@
-//! On which side of a thin wall a rod or a point is, which have no inside together with it.
+//! The side of a thin wall on which a rod or a point is; neither has an inside in common with the wall.
 
 extern crate std;
 
@@ -64,7 +64,7 @@ fn v(vertex: u8, surface: u8) -> Pair {
     Pair { vertex, surface }
 }
 
-/// The body goes and turns at a rate from a place on.
+/// The body moves and turns at constant rates from a given pose.
 fn course(from: Placed<f64>, velocity: Vec2<f64>, turn: f64) -> impl Fn(f64) -> Instant<f64> {
     move |x| Instant {
         placed: Placed {
@@ -89,7 +89,7 @@ fn reached(
     })
 }
 
-/// A rod that lies flat on a thin wall turns about one of its ends away from the wall alone, even where that is at the end of the wall.
+/// A rod that lies flat on a thin wall turns about one of its ends away from the wall only, even at the end of the wall.
 #[test]
 fn rod_on_a_thin_wall_stays_on_its_side() {
     let scene = scene(&ROD, &[&WALL]);
@@ -121,7 +121,7 @@ fn point_between_thin_walls_stays_between() {
     assert_eq!(goes(-1.0, 0.0), Some((0.0, v(0, 2))));
 }
 
-/// A point that has just left a thin wall is on that side of it, however rounding has it, and comes back to it.
+/// A point that has just left a thin wall is on that side of it, whatever the rounding, and comes back to it.
 #[test]
 fn point_that_has_left_a_thin_wall_stays_on_its_side() {
     let scene = scene(&POINT, &[&WALL]);
@@ -144,7 +144,8 @@ fn point_that_has_left_a_thin_wall_stays_on_its_side() {
     }
 }
 
-/// Where three walls meet, a point touches those two that bound where it is; a rod in the corner of two boxes only sides that face it.
+/// Where three walls meet, a point touches only the two that bound its region; a rod in the corner of two boxes touches only sides that
+/// face it.
 #[test]
 fn contacts_at_one_place_bound_one_free_place() {
     let walls = scene(
@@ -166,13 +167,13 @@ fn contacts_at_one_place_bound_one_free_place() {
     }
     let left: [[f64; 2]; 4] = [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]];
     let boxed = scene(&ROD, &[&WALL, &left]);
-    // Flat on the top of the box, and one of its ends at its edge: that does not touch the other side of the box.
+    // Flat on the top of the box, with one of its ends at the edge of the box: this does not touch the other side of the box.
     let flat = placed(0.0, 0.0, core::f64::consts::PI);
     assert!(flat.are_one(&boxed, [v(1, 4), v(0, 3)]));
     assert!(!flat.are_one(&boxed, [v(1, 4), v(0, 4)]));
 }
 
-/// Where two boxes meet side on side, a point touches none of these two sides.
+/// Where two boxes meet side to side, a point touches neither of these two sides.
 #[test]
 fn nothing_touches_between_sides_that_lie_on_each_other() {
     let left: [[f64; 2]; 4] = [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.5]];
@@ -183,7 +184,7 @@ fn nothing_touches_between_sides_that_lie_on_each_other() {
     assert_eq!(list, [v(0, 2), v(0, 6)]);
 }
 
-/// Flat on a box but for a touch at either end, over a short overlap, is in two contacts still.
+/// A body that lies flat on a box to within a touch at either end, over a short overlap, still has two contacts.
 #[test]
 fn what_touches_flat_has_two_contacts() {
     let box_of: [[f64; 2]; 4] = [[0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [0.0, 0.0]];
@@ -192,8 +193,8 @@ fn what_touches_flat_has_two_contacts() {
     assert!(!tilted.are_one(&boxed, [Pair::of_corner(3, 0), v(1, 2)]));
 }
 
-/// Three thin walls meet in a place: one that a rod touches from below, one that goes on above it, one that goes down. Where the rod
-/// comes to that place with its other end, the one above is behind what it touches.
+/// Three thin walls meet at a point: one that a rod touches from below, one that continues above it, one that runs down. If the rod reaches
+/// that point with its other end, the wall above is behind the one it touches.
 #[test]
 fn what_ends_behind_a_wall_is_not_touched_from_its_front() {
     let above = [[0.0, 0.0], [2.0, 1.0]];
@@ -212,7 +213,7 @@ fn what_ends_behind_a_wall_is_not_touched_from_its_front() {
     assert!(flat.are_one(&walls, [front, behind]));
     assert!(flat.are_one(&walls, [behind, front]));
     assert!(!flat.are_one(&walls, [front, ahead]));
-    // Its end is off by as much as it is known to.
+    // The error of its end is as large as its uncertainty.
     let off = placed(-1e-8, 0.0, 0.0);
     assert!(off.are_one(&walls, [front, behind]));
     // Above the wall it is the other one that is behind.
@@ -220,8 +221,8 @@ fn what_ends_behind_a_wall_is_not_touched_from_its_front() {
     assert!(flat.are_one(&walls, [v(1, 1), ahead]));
 }
 
-/// An obstacle below the floor, with a corner on it: what stands on the floor there touches none of its sides. One that reaches through
-/// the floor is touched above it.
+/// An obstacle below the floor, with a corner on it: a body that stands on the floor there touches none of its sides. An obstacle that
+/// reaches through the floor is touched above it.
 #[test]
 fn a_side_that_ends_at_the_floor_and_goes_on_below_it_is_not_touched() {
     let floor = SurfaceDescription {
@@ -244,14 +245,14 @@ fn a_side_that_ends_at_the_floor_and_goes_on_below_it_is_not_touched() {
     assert_eq!(touching(&through), [v(0, 3)]);
 }
 
-/// A box below the end of a wall, its side in line with the wall and its upper vertex at the corner there, turns about its top such that
-/// the side leans over: the corner comes onto that side, while the vertex goes off the wall.
+/// A box below the end of a wall, with its side collinear with the wall and its upper vertex at the corner there, turns about its top so
+/// that the side leans over: the corner comes onto that side, while the vertex moves off the wall.
 #[test]
 fn a_side_that_leans_over_a_corner_is_touched_by_the_corner() {
     let wall = [[-1.0, 0.0], [0.0, 0.0], [0.0, 2.0], [-1.0, 2.0]];
     let body = [[0.0, -2.0], [4.0, -2.0], [4.0, 0.0], [0.0, 0.0]];
     let scene = scene(&body, &[&wall]);
-    // However it touches, by less than what counts as a touch.
+    // Whatever the gap, as long as it is less than a touch.
     let offs = [-3e-11, 0.0, 3e-11];
     for [x, y] in offs.into_iter().flat_map(|x| offs.map(|y| [x, y])) {
         let about = Placed {

@@ -1,4 +1,4 @@
-//! What of the body touches obstacles at a pose, and which of these contacts can be at once.
+//! The features of the body that touch obstacles at a pose, and which of these contacts can exist simultaneously.
 
 use super::super::Placed;
 use super::axes::{Beside, widest};
@@ -13,15 +13,15 @@ use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::World;
 
-/// A side that leaves a place at which its obstacle has a corner.
+/// A side that starts from a point at which its obstacle has a corner.
 #[derive(Clone, Copy)]
 pub(super) struct Leaving<R> {
     pub(super) direction: Vec2<R>,
-    /// Its outward normal; of a thin wall, which has two, none.
+    /// Its outward normal; zero for a thin wall, which has two.
     pub(super) normal: Vec2<R>,
 }
 
-/// The sides of obstacles but two that leave a place, which is known to some length.
+/// The sides of obstacles, except two, that start from a point, which is known to within some length.
 pub(super) fn leaving<R: Real, W: World<R>>(
     scene: &W,
     (place, known_to): (Vec2<R>, R),
@@ -54,7 +54,7 @@ impl<R: Real> Placed<R> {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
-    /// What is closer to a place of the body than this is there, to what a search finds.
+    /// A feature closer than this to a point of the body counts as at that point, to the accuracy of a search.
     pub(super) fn here(&self) -> R {
         together::<R>() + self.rounding().doubled()
     }
@@ -65,7 +65,7 @@ impl<R: Real> Placed<R> {
         between.x.abs().max(between.y.abs()) - round.radius
     }
 
-    /// How far the body and an obstacle are apart, or minus how deep one is in the other.
+    /// The distance between the body and an obstacle, or minus the depth of one in the other.
     pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
         widest(
             scene,
@@ -76,7 +76,7 @@ impl<R: Real> Placed<R> {
         .1
     }
 
-    /// The body is deeper in an obstacle than this.
+    /// Returns whether the body is deeper in an obstacle than this.
     pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
         (0..scene.firsts().len()).any(|obstacle| self.separation(scene, obstacle) < -depth)
     }
@@ -88,7 +88,7 @@ impl<R: Real> Placed<R> {
         (low - foot).max(foot - high)
     }
 
-    /// The sides next to a vertex or corner lead away from the side that it touches, or no deeper than this.
+    /// The sides next to a vertex or corner lead away from the side that it touches, or go no deeper than this.
     pub(super) fn supports<W: World<R>>(&self, scene: &W, contact: Pair, depth: R) -> bool {
         let normal = scene.face(contact, self.orientation.rotation()).normal;
         if contact.is_corner() {
@@ -108,8 +108,9 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and neither another obstacle nor a
-    /// half-plane in between; and a side of the body has all of them behind. The contact touches to a tolerance.
+    /// Returns whether, where corners of several obstacles meet, the body is in front of the side that it touches there, with neither
+    /// another obstacle nor a half-plane in between; a side of the body must have all of them behind it. The contact touches to within a
+    /// tolerance.
     pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair, tolerance: R) -> bool {
         let own = scene.obstacle_of(contact);
         let arm = self.arm_to(scene, contact);
@@ -123,13 +124,13 @@ impl<R: Real> Placed<R> {
                 .clone()
                 .all(|side| surface.normal.dot(side.direction) <= R::MICRO);
         }
-        // Of a rod it is not known on which side of it what lies flat on a side in between is.
+        // For a rod it is not known on which side of it a flat side in between is.
         let flat = if scene.vertices().len() > 2 {
             R::MICRO
         } else {
             -R::MICRO
         };
-        // Seen from a way along the side, nothing is in front of the body.
+        // Seen along a direction of the side, nothing is in front of the body.
         let is_in_front = |along: Vec2<R>| {
             let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
             let body = scene.neighbours(contact.vertex).into_iter();
@@ -147,7 +148,7 @@ impl<R: Real> Placed<R> {
                 !is_shut && (!is_ahead || nearest.is_none_or(is_in_front))
             })
         };
-        // At an end of the side there is only the way back.
+        // At an end of the side only the direction back along it remains.
         let [low, high] = scene.reach(contact);
         let foot = self.foot(scene, contact);
         let (to_low, to_high) = (foot - low, high - foot);
@@ -162,7 +163,7 @@ impl<R: Real> Placed<R> {
         ways.any(|(_, along)| !is_behind(along) && is_in_front(along))
     }
 
-    /// What it takes to find these contacts, in gaps.
+    /// The cost of finding these contacts, in gaps.
     pub(super) fn work_of_touching<W: World<R>>(&self, scene: &W, tolerance: R) -> u32 {
         let radius = self.radius(scene, None) + tolerance;
         self.work_within(scene, radius, Sizes::touching)
@@ -173,7 +174,7 @@ impl<R: Real> Placed<R> {
         units(self.work_of_touching(scene, R::TOUCH.doubled()))
     }
 
-    /// What is done with each obstacle that may be nearer than a radius takes so much, in gaps.
+    /// The cost, in gaps, of processing each obstacle that may be nearer than a radius.
     fn work_within<W: World<R>>(&self, scene: &W, radius: R, work: fn(Sizes) -> u32) -> u32 {
         let each = scene.rounds().iter().enumerate().map(|(obstacle, round)| {
             if self.apart(round) > radius {
@@ -216,16 +217,16 @@ impl<R: Real> Placed<R> {
             });
             for pair in pairs {
                 if !list.contains(&pair) {
-                    // More than there is room for is not counted.
+                    // Contacts that do not fit are not counted.
                     let _ = list.push(pair);
                 }
             }
         }
     }
 
-    /// Of two contacts with obstacles only one can be: of one obstacle, at one place or facing away from each other, as convex shapes touch
-    /// in one line at most; of two obstacles, where their corners meet in a tip, or as sides that look to
-    /// either side of a bent wall.
+    /// Returns whether only one of two contacts with obstacles can exist. Contacts of one obstacle: at one place or facing away from each
+    /// other, as convex shapes touch in one line at most; of two obstacles: where their corners meet in a tip, or as sides that face either
+    /// side of a bent wall.
     pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
         let (Some(of_a), Some(of_b)) = (scene.obstacle_of(a), scene.obstacle_of(b)) else {
             return false;
@@ -234,7 +235,7 @@ impl<R: Real> Placed<R> {
         let is_here = self.are_at_one_place(scene, [a, b]);
         if of_a == of_b {
             let apart = self.arm_to(scene, b) - self.arm_to(scene, a);
-            // By the heights: the tilt of what touches flat, but for a touch at either end, is more over a short side.
+            // By the heights: the tilt of a body that lies flat to within a touch at either end is larger over a short side.
             let is_off = |normal: Vec2<R>| normal.dot(apart).abs() > R::from_int(4) * R::MICRO;
             let faces_away = first.normal.dot(second.normal) <= R::ZERO;
             return is_here || faces_away || is_off(first.normal) || is_off(second.normal);
@@ -250,7 +251,7 @@ impl<R: Real> Placed<R> {
         else {
             return false;
         };
-        // Sides that end at one place bound what is free there where each is in front of the other, and nothing else in between.
+        // Sides that end at one point bound the free region there if each is in front of the other, with nothing else in between.
         let place = (self.point + self.arm_to(scene, a), self.here());
         let is_between = |side: Vec2<R>| {
             let angle = |side: Vec2<R>| first.normal.dot(side).atan2(along_a.dot(side));
@@ -261,13 +262,13 @@ impl<R: Real> Placed<R> {
             || leaving(scene, place, [of_a, of_b]).any(|side| is_between(side.direction))
     }
 
-    /// The side of the second contact, which is at its end, ends on the side of the first and goes on behind it.
+    /// Returns whether the side of the second contact, which is at its end, ends on the side of the first and continues behind it.
     fn ends_behind<W: World<R>>(&self, scene: &W, [front, contact]: [Pair; 2]) -> bool {
         let goes_behind = |along| self.goes_behind(scene, (front.surface, contact), along);
         self.way_from_end(scene, contact).is_some_and(goes_behind)
     }
 
-    /// A contact of a vertex is on another surface, too, behind which a direction leads.
+    /// Returns whether the vertex of a contact is on another surface, too, and a direction leads behind that surface.
     fn goes_behind<W: World<R>>(
         &self,
         scene: &W,
@@ -275,7 +276,7 @@ impl<R: Real> Placed<R> {
         along: Vec2<R>,
     ) -> bool {
         let there = Pair { surface, ..contact };
-        // It is found no better than it lies on its own side.
+        // It is located no more accurately than it lies on its own side.
         let off = (self.gap(scene, contact).abs()).max(self.beyond(scene, contact));
         let known_to = self.here().max(off.doubled());
         along.dot(scene.surface(surface).normal) < -R::MICRO
@@ -283,7 +284,7 @@ impl<R: Real> Placed<R> {
             && self.beyond(scene, there) <= known_to
     }
 
-    /// The direction in which the side of a contact goes on from its end, if it is there.
+    /// The direction in which the side of a contact continues from its end, if the contact is there.
     pub(super) fn way_from_end<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Vec2<R>> {
         let tangent = scene.face(contact, self.orientation.rotation()).tangent;
         let [low, high] = scene.reach(contact);
@@ -301,7 +302,7 @@ impl<R: Real> Placed<R> {
         apart.length_bound() <= together()
     }
 
-    /// Of contacts in one line the outermost two.
+    /// The outermost two of collinear contacts.
     pub(crate) fn outermost<W: World<R>>(&self, scene: &W, contacts: &Pairs) -> Pairs {
         let is_inner = |&pair: &Pair| {
             let tangent = scene.face(pair, self.orientation.rotation()).tangent;

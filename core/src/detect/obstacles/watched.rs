@@ -1,6 +1,6 @@
-//! A short motion on which certainly no obstacle is reached. The obstacles next to the body are watched, each along an axis along which
-//! it was apart last: where the gap is open at both ends of the motion, it is open on all of it. How far the others are is known once
-//! and for some time.
+//! A short motion on which certainly no obstacle is reached. The obstacles next to the body are watched, each along an axis that last
+//! separated it from the body: if the gap is open at both ends of the motion, it is open on all of it. The distance to the others is
+//! computed once and stays valid for some time.
 
 use super::super::Placed;
 use super::axes::{Axis, axes, gap_less, lies_over, room_along};
@@ -11,21 +11,21 @@ use crate::real::Real;
 use crate::work::Work;
 use crate::world::World;
 
-/// So many obstacles are watched.
+/// This many obstacles are watched.
 const WATCHED: usize = 3;
-/// An obstacle is watched that is nearer than so many times the way of a motion.
+/// An obstacle is watched if it is closer than this many times the displacement of a motion.
 const NEAR: i32 = 8;
 
-/// The axes that are watched, as far as they can be named in a byte: they only say where to look first.
+/// The watched axes, as far as they fit into a byte each: they only determine where to look first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Watch([u8; WATCHED]);
 
 impl Watch {
     pub(crate) const NONE: Self = Self([0; WATCHED]);
-    /// Marks a side of the body: of one of the first 16 obstacles, one of the first 8 sides.
+    /// Marks a side of the body: one of the first 16 obstacles, one of the first 8 sides.
     const BODY_SIDE: u8 = 0x80;
 
-    /// A byte for an axis, not 0; 0 where there is none.
+    /// A byte for an axis, not 0; 0 if there is none.
     fn name<R: Real, W: World<R>>(scene: &W, (obstacle, axis): (usize, Axis)) -> u8 {
         match (axis, u8::try_from(obstacle)) {
             (Axis::Side(side), _) => {
@@ -60,22 +60,23 @@ impl Watch {
     }
 }
 
-/// A short motion: the placed point goes straight on, or the body's side along it, and the body turns.
+/// A short motion: the placed point moves along a straight line, or along the body's side, and the body turns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Short<'a, R> {
     pub(crate) before: Placed<R>,
     pub(crate) after: Placed<R>,
     /// The contacts that last.
     pub(crate) lasting: &'a [Pair],
-    /// No point of the body goes farther, the turn about the placed point counted in.
+    /// No point of the body moves farther than this, including the turn about the placed point.
     pub(crate) way: R,
-    /// It turns by no more at any time.
+    /// The turn is no more than this at any time.
     pub(crate) turn: R,
 }
 
 impl<R: Real> Short<'_, R> {
-    /// No obstacle is reached. Those that are not watched are farther than `room` from the beginning, which shrinks by the way; where that
-    /// is not enough, it is looked what is near. Where one may be reached the axes are those of before: a search looks there first.
+    /// Returns whether no obstacle is reached. Obstacles that are not watched are farther away than `room` at the beginning, which shrinks
+    /// by the displacement; if that is not enough, the surroundings are examined. If one may be reached the axes are those of before: a
+    /// search starts with them.
     pub(crate) fn keeps_off<W: World<R>>(
         &self,
         scene: &W,
@@ -98,8 +99,8 @@ impl<R: Real> Short<'_, R> {
         around.is_some()
     }
 
-    /// The gap along an axis is open on all of the motion: it is so at the end by more than the way, or at both ends by more than what
-    /// the turn may change.
+    /// Returns whether the gap along an axis is open on the whole motion: it exceeds the displacement at the end, or at both ends the most
+    /// that the turn may change.
     fn is_open<W: World<R>>(
         &self,
         scene: &W,
@@ -113,12 +114,12 @@ impl<R: Real> Short<'_, R> {
         };
         let less = self.after.rounding().doubled() + R::TOUCH;
         let turn = self.turn.doubled();
-        // No feature counts as nearer than a body size.
+        // Features count as at least a body size away.
         let after = gap(&self.after, self.way + turn);
         after > less || after + self.way > less && gap(&self.before, turn) > R::ZERO
     }
 
-    /// Two of the contacts that last are in one line.
+    /// Returns whether two of the contacts that last are collinear.
     fn is_flat<W: World<R>>(&self, scene: &W) -> bool {
         match *self.lasting {
             [one, other] => scene.lie_in_line([one, other], &self.after),
@@ -126,7 +127,7 @@ impl<R: Real> Short<'_, R> {
         }
     }
 
-    /// How far what is not watched is at the end, and what to watch; nothing where an obstacle may be reached.
+    /// The distance at the end of what is not watched, and what to watch; `None` if an obstacle may be reached.
     #[inline(never)]
     fn looks_around<W: World<R>>(
         &self,
@@ -163,7 +164,7 @@ impl<R: Real> Short<'_, R> {
             if next.0 <= self.way * R::from_int(NEAR) {
                 next.1 = Watch::name(scene, (obstacle, axis));
                 if next.1 == 0 || !self.is_open(scene, (obstacle, axis), (flat, tally)) {
-                    // The nearest axis may be another one than that along which it stays apart.
+                    // The nearest axis may differ from the one that still separates them.
                     next.1 = 0;
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A shift and a turn together, hand frozen: the first of all vertices to come to a surface, and where.
+/// A shift and a turn together, hand frozen: the first of all vertices to reach a surface, and where.
 #[test]
 fn first_touch_is_the_first() {
     const STEPS: i32 = if cfg!(miri) { 100 } else { 4000 };
@@ -61,7 +61,7 @@ fn first_touch_is_the_first() {
     assert!(cfg!(miri) || touched > 20, "{touched}");
 }
 
-/// A body that turns many times on its path passes no surface, in fixed point as little as in double precision.
+/// A body that turns many times on its path passes no surface, neither in fixed point nor in double precision.
 #[test]
 fn first_touch_on_many_turns_is_the_first() {
     const STEPS: i32 = if cfg!(miri) { 200 } else { 20_000 };

@@ -1,5 +1,5 @@
-//! The load on a foot that slides, against statics written out: wherever the foot is now, the moment is that about the foot at which an
-//! edge of the dynamic cone bears the load.
+//! The load on a sliding foot, against statics written out: wherever the foot is now, the moment is that about the foot at which an edge of
+//! the dynamic cone bears the load.
 
 use super::*;
 use crate::fixtures::bench::{Bench, HandAt, Plain, derivative, second_derivative};
@@ -9,7 +9,7 @@ use crate::real::Fixed;
 
 const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.7, 3.0, 10.0, 50.0];
 
-/// A body somewhere, pulled somewhere.
+/// A body at some pose under some pull.
 struct Case {
     bench: Bench,
     hand: HandAt,
@@ -55,7 +55,7 @@ impl Case {
     }
 }
 
-/// M(theta) times cos(lambda), at many angles, told by the body at another one and with its foot elsewhere.
+/// M(theta) times cos(lambda), at many angles, computed from the body at another angle and with its foot elsewhere.
 #[test]
 fn moment_is_that_about_the_foot_of_the_slide() {
     for case in cases() {
@@ -76,7 +76,7 @@ fn moment_is_that_about_the_foot_of_the_slide() {
     }
 }
 
-/// The derivatives of M, and bounds of them that are no looser than a few times what they bound.
+/// The derivatives of M, and bounds of them that are no looser than a few times the bounded values.
 #[test]
 fn derivatives_are_those_of_the_moment() {
     for case in cases() {
@@ -109,7 +109,7 @@ fn derivatives_are_those_of_the_moment() {
     }
 }
 
-/// In every number type to its digits: what friction is large or small is not lost.
+/// In every number type to its digits: large and small friction lose none.
 fn moment_has_its_digits<R: Plain>() {
     let mut worst = 0.0_f64;
     for case in cases() {
@@ -128,7 +128,7 @@ fn moment_has_its_digits_in_every_number_type() {
     moment_has_its_digits::<Fixed>();
 }
 
-/// The foot goes to where (t + s mu n)·F = 0, that is t·(p_h - A + W) - s mu N, whatever the number type.
+/// The foot moves to where (t + s mu n)·F = 0, that is t·(p_h - A + W) - s mu N, whatever the number type.
 fn foot_is_where_the_edge_bears<R: Plain>() {
     for case in cases() {
         let scene = case.bench.scene::<R>().expect("a sound scene");
@@ -155,7 +155,8 @@ fn foot_is_where_the_edge_bears_in_every_number_type() {
     foot_is_where_the_edge_bears::<Fixed>();
 }
 
-/// While the hand goes and the body turns the foot moves by a margin; the drive is what presses and turns, the rest the foot follows.
+/// While the hand moves and the body turns the foot moves by a margin; the drive is the component that presses and turns, the foot follows
+/// the rest.
 #[test]
 fn foot_moves_with_hand_and_turn() {
     let mut random = Random(3);
@@ -188,7 +189,7 @@ fn foot_moves_with_hand_and_turn() {
     }
 }
 
-/// Without a tangential motion of its own, a hand that only presses moves the foot by the friction alone.
+/// A hand that only presses, without tangential motion, moves the foot by the friction alone.
 #[test]
 fn foot_gives_way_to_a_press_by_mu() {
     for mu in FRICTIONS {

@@ -1,4 +1,4 @@
-//! An edge sticks and slides by N = N_1 + N_2: all of it is linear.
+//! An edge sticks and slides according to N = N_1 + N_2: everything is linear.
 
 use super::*;
 use crate::fixtures;
@@ -49,7 +49,7 @@ fn edge(foot: f64, regime: Regime<f64>) -> ContactState<f64> {
     state
 }
 
-/// Pulls along by x and presses by y where the middle of the rod is at 0.
+/// Pulls along by x and presses by y if the middle of the rod is at 0.
 fn hand(x: f64, y: f64) -> Grip<f64> {
     Grip {
         holding_point: Vec2::ZERO,
@@ -62,7 +62,7 @@ fn foot(state: &ContactState<f64>) -> f64 {
     state.anchor().expect("an edge").foot
 }
 
-/// A slip leads to a lag of mu_d N; it sticks there if N >= N*, this included, and else slides on.
+/// A slip leads to a lag of mu_d N; it sticks there if N >= N*, including equality, and otherwise slides on.
 #[test]
 fn slip_of_an_edge_ends_as_it_is_pressed() {
     let scene = rod();
@@ -88,7 +88,7 @@ fn slip_of_an_edge_ends_as_it_is_pressed() {
     }
 }
 
-/// Without stiction it breaks away at mu_d N and lags by that, as far as N rises to N*; there it sticks, with stiction.
+/// Without stiction it breaks away at mu_d N and lags by that until N rises to N*; there it sticks, with stiction.
 #[test]
 fn edge_slides_until_it_is_pressed() {
     let scene = rod();
@@ -126,7 +126,7 @@ fn edge_slides_until_it_is_pressed() {
     }
 }
 
-/// A certified frame of a slide is that of the search: there and back, below N* and beyond.
+/// A certified frame of a slide equals that of the search: back and forth, below N* and beyond.
 #[test]
 fn certified_edge_slides_as_the_searched_one() {
     let scene = rod();
@@ -142,7 +142,7 @@ fn certified_edge_slides_as_the_searched_one() {
         let (mut followed, mut searched) = (begin.clone(), begin.clone());
         let follows = followed.follow(&scene, (&from, &to), &mut Work::within(0));
         let moved = searched.advance(&scene, &from, &to);
-        // The lag goes with mu_d N.
+        // The lag follows mu_d N.
         let advance = sign * along - MU_D * press;
         if advance < 0.0 {
             assert!(!follows && followed == begin);

@@ -76,7 +76,7 @@ pub(super) fn turns(angle: i32) -> (i32, i32) {
     (signed(turns), signed(rest))
 }
 
-/// Of an angle above half a turn.
+/// For an angle above half a turn.
 #[inline(never)]
 fn reduced(angle: i32) -> (i32, i32) {
     const INVERSE: i32 = 10_430; // 2^16 / (2 pi)

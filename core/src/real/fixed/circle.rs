@@ -1,4 +1,4 @@
-//! Sine and cosine: whole quarter turns off in units of 2^-31 rad, then polynomials of degree 7 and 8 on
+//! Sine and cosine: whole quarter turns are removed in units of 2^-31 rad, then polynomials of degree 7 and 8 on
 //! [-pi/4, pi/4], fitted to minimise the largest error.
 
 use super::product::{high, square};
@@ -7,7 +7,7 @@ use super::quotient::divide;
 /// 2^31 pi / 2
 const QUARTER_TURN: u32 = 3_373_259_426;
 
-/// An angle (rad) as quarter turns and the rest in [-pi/4, pi/4], a little more at its ends, times 2^31.
+/// An angle (rad) as quarter turns and the rest in [-pi/4, pi/4], slightly more at its ends, times 2^31.
 #[inline]
 fn quarter_turns(angle: i32) -> (i32, i32) {
     const INVERSE: i32 = 10_430; // 2^14 * 2 / pi
@@ -114,7 +114,7 @@ mod tests {
             let (sinc, cos) = sinc_and_cosine(angle);
             let x = f64::from(angle) / UNIT;
             let error = f64::from(sinc) - libm::sin(x) / x * UNIT;
-            // Below an eighth of a turn nothing is divided.
+            // Below an eighth of a turn there is no division.
             let bound = if x.abs() < 0.78 { 0.65 } else { 1.2 };
             assert!(error.abs() <= bound, "{x} {error}");
             assert_eq!(cos, sine_and_cosine(angle).1);

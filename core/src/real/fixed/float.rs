@@ -1,5 +1,5 @@
-//! Between f32 values in a unit and Q24 numbers, by integer operations on the bits of the floats: rounded once, and
-//! the float library is called only for what is no normal number.
+//! Conversion between f32 values in a unit and Q24 numbers, by integer operations on the bits of the floats: rounded
+//! once; the float library is called only for numbers that are not normal.
 
 use super::product::{PLACES, RAIL, wide};
 
@@ -10,7 +10,7 @@ struct Normal {
 }
 
 impl Normal {
-    /// Nothing for zero, a subnormal number, infinity and NaN.
+    /// `None` for zero, a subnormal number, infinity and NaN.
     #[inline]
     fn new(x: f32) -> Option<Self> {
         let bits = x.to_bits();
@@ -20,8 +20,7 @@ impl Normal {
     }
 }
 
-/// The product of two mantissas in [2^30, 2^31): in [2^60, 2^61) after it is halved where it is larger, and whether
-/// it was.
+/// The product of two mantissas in [2^30, 2^31), in [2^60, 2^61): halved if it is larger; and whether it was.
 #[inline]
 fn product(a: i32, b: i32) -> (i64, i32) {
     let product = wide(a, b);
@@ -32,8 +31,8 @@ fn product(a: i32, b: i32) -> (i64, i32) {
     }
 }
 
-/// x·per as the nearest Q24 number, halves away from zero: the rail for what is beyond it and for NaN, 0 where a
-/// factor is subnormal.
+/// x·per as the nearest Q24 number, halves away from zero: the rail for anything beyond it and for NaN, 0 if a factor
+/// is subnormal.
 #[inline(never)]
 pub(super) fn from_single(x: f32, per: f32) -> i32 {
     let size = match (Normal::new(x), Normal::new(per)) {
@@ -137,7 +136,7 @@ mod tests {
                 assert_eq!(from_single(to_single(x, 1.0), 1.0), x);
             }
         }
-        // Beyond the normal numbers of f32 as near as these are.
+        // Beyond the normal numbers of f32 as near as those are.
         for x in edges() {
             for unit in [1e-37_f32, 1e-40, 1e38, f32::INFINITY] {
                 let exact = f64::from(x) / f64::from(1 << PLACES) * f64::from(unit);

@@ -29,8 +29,8 @@ pub(super) fn difference(a: i32, b: i32, c: i32, d: i32) -> i32 {
 }
 
 /// The exact product.
-// ARMv6-M multiplies to 32 bits only. It is the Arm core without exclusive access, which is how it can be told
-// from the larger ones by a condition that is stable.
+// ARMv6-M multiplies to 32 bits only. It is the Arm core without exclusive access, and this stable condition
+// distinguishes it from the larger ones.
 #[inline]
 pub(super) fn wide(a: i32, b: i32) -> i64 {
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
@@ -39,7 +39,7 @@ pub(super) fn wide(a: i32, b: i32) -> i64 {
     return i64::from(a).wrapping_mul(i64::from(b));
 }
 
-/// A product of Q24 numbers as one, at the rail where it does not fit.
+/// A product of Q24 numbers as a Q24 number, saturated at the rail if it does not fit.
 #[inline]
 fn rounded(product: i64) -> i32 {
     const HALF: i64 = 1 << (PLACES - 1);
@@ -80,6 +80,7 @@ pub(super) fn square(x: i32) -> i32 {
 mod halves {
     use super::{PLACES, RAIL};
 
+    /// The product of two Q24 numbers, rounded to the nearest with halves away from zero, saturated at the rails.
     #[inline]
     pub(super) fn multiply(a: i32, b: i32) -> i32 {
         let (x, y) = (a.unsigned_abs(), b.unsigned_abs());

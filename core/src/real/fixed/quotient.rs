@@ -1,5 +1,5 @@
-//! Quotients without a divide instruction: digits of 12 bits, each by a 16-bit reciprocal of the divisor, never
-//! too large, so that the remainder stays positive and the last one rounds exactly.
+//! Quotients without a divide instruction: digits of 12 bits, each from a 16-bit reciprocal of the divisor, never too
+//! large, so that the remainder stays positive and the last one gives exact rounding.
 
 use super::product::{PLACES, RAIL};
 
@@ -43,7 +43,7 @@ impl Divisor {
     }
 }
 
-/// A Newton step v (2 - d v); 2^31 is d v = 1.
+/// A Newton step v (2 - d v); 2^31 represents d v = 1.
 #[inline]
 fn refined(reciprocal: u32, top: u32) -> u32 {
     let excess = top.wrapping_mul(reciprocal).wrapping_neg();

@@ -1,5 +1,5 @@
-//! Numbers for the tests of the kernels: the edges of the range and of the halves that are multiplied, and a
-//! stream of random ones of every size.
+//! Numbers for the tests of the kernels: the edges of the range and of the halves that are multiplied, and random
+//! numbers of every magnitude.
 
 use super::product::RAIL;
 use crate::fixtures;
@@ -18,12 +18,12 @@ pub(super) fn pairs() -> impl Iterator<Item = (i32, i32)> {
     sampled(edges().flat_map(|a| edges().map(move |b| (a, b))))
 }
 
-/// Of many numbers every one, or, in the slow interpreter, a few.
+/// All numbers, or, in the slow interpreter, a few.
 pub(in crate::real) fn sampled<I: Iterator>(all: I) -> impl Iterator<Item = I::Item> {
     fixtures::sampled(all, 499)
 }
 
-/// Random numbers, as many of each binary order of magnitude.
+/// Random numbers, equally many of each binary order of magnitude.
 pub(super) fn random(count: usize) -> impl Iterator<Item = i32> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     core::iter::repeat_with(move || {

@@ -1,4 +1,4 @@
-//! The checks of obstacles with corners that need nothing but their numbers and the body's size L.
+//! The checks of obstacles with corners that need only their numbers and the body's size L.
 
 use super::outline::{check_convex, sides, spread};
 use super::{
@@ -11,16 +11,16 @@ use crate::real::Real;
 use crate::scene::{ObstacleDescription, Parameter};
 use crate::units::Units;
 
-/// For how many of what there is room.
+/// The capacities for obstacles.
 pub(in crate::scene) struct Room {
-    /// Indices that half-planes take of the 255 that they share with the corners.
+    /// Indices that half-planes occupy of the 255 that they share with the corners.
     pub(in crate::scene) half_planes: usize,
     pub(in crate::scene) obstacles: usize,
-    /// Of all obstacles together.
+    /// Corners of all obstacles together.
     pub(in crate::scene) corners: usize,
 }
 
-/// A body among obstacles has no more vertices than a contact tells apart.
+/// A body among obstacles has no more vertices than a contact can number.
 pub(in crate::scene) fn check_vertices_among<F: Real>(vertices: &[[F; 2]]) -> Checked<F> {
     let fits = vertices.len() <= Pair::MAX_VERTICES;
     let allowed = "1 to the capacity of the solver, and at most 128 among obstacles";
@@ -95,13 +95,13 @@ fn check_shape<R: Real>(
     check_convex(corners, body_size, thinnest::<R>(), name)
 }
 
-/// 2^-16, in body sizes: displacements up to [`Real::MICRO`] are none, and two contacts nearer than that are one. On eight times that a
-/// vertex has a place between both ends, and the side's direction is known.
+/// 2^-16, in body sizes: displacements up to [`Real::MICRO`] count as none, and two contacts closer than that are one. On a side eight
+/// times as long, a vertex has room between both ends, and the side's direction is known.
 fn shortest_side<R: Real>() -> R {
     R::MICRO * R::from_int(8)
 }
 
-/// How many there are, as a number.
+/// The number of items, as a number of the type.
 fn count<T, F: Real>(list: &[T]) -> F {
     whole(list.len())
 }

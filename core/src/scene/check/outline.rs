@@ -1,12 +1,12 @@
-//! The outline of a body or of an obstacle: finite, no corner twice, strictly convex, counter-clockwise. The first fault ends the
-//! checks, under the name of its corner.
+//! The outline of a body or of an obstacle: finite, no corner twice, strictly convex, counter-clockwise. The first fault ends the checks
+//! and is reported with its corner.
 
 use super::{Checked, larger, require};
 use crate::geometry::Vec2;
 use crate::real::Real;
 use crate::scene::{Parameter, SceneError};
 
-/// The ends of each side, from the one at the first corner on; of a point itself twice.
+/// The ends of each side, beginning with the side at the first corner; for a point the point twice.
 pub(in crate::scene) fn sides<P: Copy>(outline: &[P]) -> impl Iterator<Item = (P, P)> {
     let ends = outline.iter().skip(1).chain(outline.first());
     outline.iter().copied().zip(ends.copied())
@@ -39,8 +39,8 @@ pub(super) fn spread<F: Real>(
     Ok(length)
 }
 
-/// Every corner lies to the left of every side, but for the two that the side joins, and not too near: `thinnest` in body sizes, of
-/// which one is `length` in the unit of the corners.
+/// Every corner lies to the left of every side, except the two that the side joins, and not too close to it: `thinnest` in body sizes, one
+/// of which is `length` in the unit of the corners.
 pub(super) fn check_convex<F: Real>(
     corners: &[[F; 2]],
     length: F,

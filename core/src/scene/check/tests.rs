@@ -1,4 +1,4 @@
-//! The unit of length of a point, and which shapes and numbers are refused, at any scale.
+//! The unit of length of a point, and the shapes and numbers that are refused, at any scale.
 
 use super::*;
 
@@ -41,13 +41,13 @@ fn point_is_as_large_as_its_springs_ask_for() {
             found * 2.0
         };
         assert!(found == 1.0 || !(r / 4.0..=8.0 * r).contains(&nearer_to_1));
-        // The lever counts as much: r is the hypotenuse of all three.
+        // The lever counts equally: r is the hypotenuse of all three.
         let lever = [2.0 * r / 7.0, -3.0 * r / 7.0];
         assert_eq!(size(36.0 / 49.0 * r * r, Some(lever)), found, "{r}");
     }
 }
 
-/// The first parameter to be refused, and what is allowed.
+/// The first parameter that is refused, and what is allowed.
 fn refused(change: impl Fn(&mut Description<'_, f32>)) -> Option<(Parameter, &'static str)> {
     let mut description = Description {
         vertices: &[],
@@ -64,7 +64,7 @@ fn refused(change: impl Fn(&mut Description<'_, f32>)) -> Option<(Parameter, &'s
     Some((error.parameter, error.allowed))
 }
 
-/// Whether a polygon is convex does not depend on how large it is; a corner on a straight side is none.
+/// Whether a polygon is convex does not depend on its size; a corner on a straight side is not convex.
 #[test]
 fn convexity_is_that_of_the_shape() {
     for exponent in (-30..=30).step_by(6) {

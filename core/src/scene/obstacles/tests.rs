@@ -1,4 +1,4 @@
-//! Worlds of obstacles for the tests of what is refused, of the axes and of what becomes one.
+//! Worlds of obstacles for the tests of refusals, of axes and of united sides.
 
 extern crate std;
 
@@ -12,7 +12,7 @@ mod axes;
 mod refused;
 mod united;
 
-/// A solver's room in these tests.
+/// The capacities of a solver in these tests.
 type Among<R> = Scene<R, 4, 2, WithObstacles<6, 24>>;
 
 /// An obstacle in f64.
@@ -31,7 +31,7 @@ fn shape(vertices: &[[f64; 2]]) -> Shape {
     }
 }
 
-/// A box from its lower left corner on.
+/// A box given by its lower left corner.
 fn block([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Shape {
     let (right, top) = (x + width, y + height);
     shape(&[[x, y], [right, y], [right, top], [x, top]])
@@ -96,7 +96,7 @@ impl Setup {
     }
 }
 
-/// A model of any room for obstacles.
+/// A model with some capacity for obstacles.
 trait Built<R: Real, const V: usize, const S: usize>: Model + Sized {
     fn build(
         description: &Description<'_, R::Si>,

@@ -1,5 +1,5 @@
-//! One world of several obstacles, which need not be convex: sides that make one line, corners that nothing can touch (STATICS 12). In
-//! the outside float, lengths / L.
+//! One world of several obstacles, which need not be convex: sides that form one line, corners that nothing can touch (STATICS 12). In the
+//! outside float, lengths / L.
 
 use crate::body::Body;
 use crate::geometry::{Vec2, normalized};
@@ -9,17 +9,18 @@ use crate::real::Real;
 use crate::scene::one_in;
 use crate::world::Surface;
 
-/// A side from a corner on; of a pin, which has none, of no length.
+/// A side that begins at a corner; for a pin, which has no side, of length zero.
 pub(super) struct Side<F> {
     pub(super) from: Vec2<F>,
     /// The next corner.
     to: Vec2<F>,
-    /// The unit vector from end to end; of a pin 0.
+    /// The unit vector from end to end; for a pin 0.
     along: Vec2<F>,
     length: F,
 }
 
 impl<F: Real> Side<F> {
+    /// The side between two corners, with its direction and its length; both are zero for a pin.
     pub(super) fn new(from: Vec2<F>, to: Vec2<F>) -> Self {
         let whole = to - from;
         let along = if whole == Vec2::ZERO {
@@ -41,9 +42,9 @@ impl<F: Real> Side<F> {
         self.from.length_bound().max(self.to.length_bound())
     }
 
-    /// It faces to where another one faces, both lie in one line, and they meet or overlap.
+    /// Returns whether it faces the same direction as another side, both are collinear, and they meet or overlap.
     fn continues<R: Real<Si = F>>(&self, other: &Self) -> bool {
-        // By the longer one: its direction is known to less than a rounding over the length of the other.
+        // Relative to the longer one: its direction is known to less than a rounding over the length of the other.
         let (long, short) = if self.length > other.length {
             (self, other)
         } else {
@@ -60,10 +61,10 @@ impl<F: Real> Side<F> {
     }
 }
 
-/// Places nearer than this are one (L), with coordinates up to `size`: 1e-9; where the number type counts less far, what counts as a touch,
-/// since gaps that differ by less close together; and no less than 8 ε of the coordinates. The distance of a place from the line of two
-/// others is known to 6 ε of the largest: half an ε of the place and three halves of the line, which goes on beyond its ends by no more
-/// than its length; then 1 of each difference, and 2 of their product.
+/// Points closer than this are the same (L), for coordinates up to `size`: 1e-9; or a touch, if the number type is coarser, since gaps that
+/// differ by less close together; and no less than 8 ε of the coordinates. The distance of a point from the line through two others is
+/// known to 6 ε of the largest: half an ε from the point and three halves from the line, which extends beyond its ends by no more than its
+/// length; then 1 from each difference, and 2 from their product.
 fn near<R: Real>(size: R::Si) -> R::Si {
     let [epsilon, touch] = [R::EPSILON, R::TOUCH].map(|x| x.to_si(R::Si::ONE));
     same_place(size, epsilon.max(R::Si::EPSILON), touch)
@@ -74,7 +75,7 @@ fn same_place<F: Real>(size: F, epsilon: F, touch: F) -> F {
     one_in::<F>(1_000_000_000).max(touch).max(known)
 }
 
-/// Makes one line of all sides of equal friction that continue each other, from side to side; in the order of the corners.
+/// Unites all sides of equal friction that continue each other to one line, side by side; in the order of the corners.
 pub(super) fn join<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R::Si>]) {
     for (i, side) in sides.iter().enumerate() {
         for (k, other) in sides.iter().enumerate().take(i) {
@@ -99,7 +100,7 @@ pub(super) fn join<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R::Si>]) {
     }
 }
 
-/// A line that goes through the longest of its sides, whose direction is known best, and where along its tangent it begins and ends.
+/// The line through the longest of its sides, whose direction is known best, and where along its tangent it begins and ends.
 fn whole_line<R: Real>(
     corners: &[Corner<R>],
     sides: &[Side<R::Si>],
@@ -127,7 +128,7 @@ fn whole_line<R: Real>(
     Some((longest.side, reach))
 }
 
-/// Covers the corners in which several obstacles meet and leave less than a half-plane free: there a side of the body touches nothing.
+/// Covers the corners in which several obstacles meet and leave less than a half-plane free: a side of the body touches nothing there.
 pub(super) fn cover_hollows<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R::Si>]) {
     for (corner, side) in corners.iter_mut().zip(sides) {
         let at = side.from;
@@ -145,8 +146,8 @@ pub(super) fn cover_hollows<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R:
     }
 }
 
-/// All sides that leave a place, given by direction and length, are on one side of one of them. A direction is known to what its end is
-/// known to, `near`.
+/// Returns whether all sides that start from a point, given by direction and length, are on one side of one of them. A direction is as
+/// uncertain as the position of its end, `near`.
 fn is_tip<F: Real, I: Iterator<Item = (Vec2<F>, F)>>(leaves: impl Fn() -> I, near: F) -> bool {
     leaves().any(|(one, length)| {
         let turned = |(other, of): (Vec2<F>, F)| (one.cross(other), near / length + near / of);
@@ -170,7 +171,7 @@ impl<F: Real, const C: usize> Outline<F, C> {
         Self { body, size }
     }
 
-    /// A corner of another obstacle lies in it or on it. Where corners of both are at one place, that of the earlier one remains.
+    /// Returns whether a corner of another obstacle lies in it or on it. If corners of both coincide, that of the earlier one remains.
     pub(super) fn covers<R: Real<Si = F>>(&self, corner: Vec2<F>, is_earlier: bool) -> bool {
         let near = near::<R>(self.size.max(corner.length_bound()));
         let is_there = |&at: &Vec2<F>| (at - corner).length() <= near;
@@ -189,7 +190,7 @@ pub(super) fn cover<R: Real>(
 ) {
     for (corner, side) in corners.iter_mut().zip(sides) {
         let near = near::<R>(side.from.length_bound().max(offset.abs()));
-        // From the place of the half-plane that is nearest to the origin.
+        // From the point of the half-plane that is nearest to the origin.
         let height = normal.dot(side.from - normal * offset);
         corner.covered |= height <= near;
     }

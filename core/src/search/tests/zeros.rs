@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The search never passes a zero, even where a later one is steeper.
+/// The search never passes a zero, even if a later one is steeper.
 #[test]
 fn first_zero_is_the_first() {
     for shift in [0.3, 1.0, 1.7, 2.9_f64] {
@@ -27,7 +27,7 @@ fn first_zero_is_the_first() {
     }
 }
 
-/// What starts a little above zero and rises is not at its zero.
+/// A function that starts a little above zero and rises is not at its zero.
 #[test]
 fn rising_start_is_no_zero() {
     // Zero at 1.

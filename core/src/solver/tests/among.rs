@@ -1,4 +1,4 @@
-//! Bodies among obstacles with corners, in every number type, for whole runs; and the laws that every frame obeys.
+//! Bodies among obstacles with corners, in every number type, over whole runs; and the laws that every frame obeys.
 
 extern crate std;
 
@@ -14,7 +14,8 @@ use std::vec::Vec;
 
 pub(super) type Among<R> = Scene<R, 4, 1, WithObstacles<3, 12>>;
 
-/// A scene; what is exact in f32 is the same in all number types. Lengths in m, the translational stiffness is 1 N/m.
+/// A scene; values that are exact in f32 are the same in all number types. Lengths in m, the translational stiffness is
+/// 1 N/m.
 #[derive(Clone, Debug)]
 pub(super) struct Setting {
     pub(super) body: Vec<[f64; 2]>,
@@ -121,7 +122,7 @@ where
         self.output = self.solver.step(&mut self.state, Self::hand(hand));
     }
 
-    /// Straight to a pose of the hand in so many frames.
+    /// Straight to a pose of the hand in the given number of frames.
     pub(super) fn go(&mut self, [from, to]: [[f64; 3]; 2], frames: u32) {
         for i in 1..=frames {
             let part = f64::from(i) / f64::from(frames);
@@ -152,7 +153,7 @@ where
         list
     }
 
-    /// What is left of forces and moment, about the origin, of a body that is held.
+    /// The residual of forces and moment, about the origin, of a body that is held.
     pub(super) fn unbalanced(&self) -> [f64; 3] {
         let wrench = self.solver.wrench(&self.state);
         let [x, y, theta] = self.pose();

@@ -13,7 +13,7 @@ use std::vec::Vec;
 
 mod laws;
 
-/// The obstacles' corners and sides count from here, after one half-plane.
+/// The indices of the obstacles' corners and sides begin here, after one half-plane.
 const FIRST: u8 = 1;
 
 fn vertex(vertex: u8, side: u8) -> Pair {
@@ -59,7 +59,7 @@ fn box_beyond_the_edge_of_a_table_shares_its_load() {
                         obstacles: vec![table([-4.0, edge])],
                         weight,
                         held_at: [edge + out, 0.0],
-                        // So stiff that it is the force alone that acts.
+                        // So stiff that only the force acts.
                         ..setting()
                     };
                     let hand = |force: f64| [edge + out, 0.25 - force, 0.0];
@@ -96,8 +96,8 @@ fn box_beyond_the_edge_of_a_table_shares_its_load() {
     shares::<Fixed>(4e-6);
 }
 
-/// A body that is turned down about one contact lands on the other one, and what it bears then is the same as on the floor where it is
-/// borne at its vertices.
+/// A body that is turned down about one contact lands on the other one, and the loads are then the same as on the floor where it is borne
+/// at its vertices.
 #[test]
 fn body_that_is_turned_down_lands_on_both_ends() {
     fn lands<R: Real>(tolerance: f64)
@@ -164,7 +164,7 @@ fn body_that_is_turned_down_lands_on_both_ends() {
                     same(y, 0.25, tolerance);
                     same(theta, 0.0, tolerance);
                     let list = run.reactions();
-                    // About the middle, above which the hand is: what the couple and the friction leave.
+                    // About the middle, above which the hand is: the residual of the couple and the friction.
                     let normal: f64 = list.iter().map(|c| c[1]).sum();
                     same(normal, 0.125, tolerance);
                     for left in run.unbalanced() {
@@ -188,7 +188,7 @@ fn body_that_is_turned_down_lands_on_both_ends() {
     lands::<Fixed>(8e-6);
 }
 
-/// On a block that is wider than all its ways a box goes as on the floor.
+/// On a block that is wider than all its displacements a box behaves as on the floor.
 #[test]
 fn wide_block_is_a_floor() {
     for seed in 0..40 {
@@ -232,8 +232,8 @@ fn wide_block_is_a_floor() {
     }
 }
 
-/// A box that is pushed over a block that is narrower than it ends now at its own vertices, now at the block's corners, and tips at
-/// last; the other way round it is the mirror image.
+/// A box that is pushed over a block that is narrower than it ends first at its own vertices, then at the block's corners, and finally
+/// tips; in the opposite direction it is the mirror image.
 #[test]
 fn box_is_pushed_over_a_narrow_block() {
     fn pushed<R: Real>(tolerance: f64)
@@ -298,7 +298,7 @@ fn box_is_pushed_over_a_narrow_block() {
     pushed::<Fixed>(8e-6);
 }
 
-/// A short side of the body on a long one of an obstacle bears as a long one on a short one does.
+/// A short side of the body on a long one of an obstacle bears loads as a long one on a short one does.
 #[test]
 fn body_and_obstacle_are_exchanged() {
     for i in -2..=2 {

@@ -13,7 +13,7 @@ use crate::verb::{Relax, Trigger};
 use std::vec;
 use std::vec::Vec;
 
-/// A wedge whose tip slides along one of two sides into the seam, wherever on the table the wall stands, is in both contacts there.
+/// A wedge whose tip slides along one of two sides into the seam has both contacts there, wherever on the table the wall stands.
 #[test]
 fn tip_that_slides_into_a_seam_is_in_both_contacts() {
     fn comes<R: Real>(tolerance: f64)
@@ -86,7 +86,7 @@ fn rod(start: [f64; 3], obstacles: Vec<Vec<[f64; 2]>>) -> Setting {
     }
 }
 
-/// A rod that lies flat on a thin wall, and is turned about the wall's end, is not turned through it.
+/// A rod that lies flat on a thin wall, and is turned about the wall's end, does not pass through it.
 #[test]
 fn rod_on_a_thin_wall_is_not_turned_through_it() {
     fn stays<R: Real>()

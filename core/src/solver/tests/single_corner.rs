@@ -20,7 +20,7 @@ fn over_post(stiffness: f64, friction: f64) -> Setting {
     }
 }
 
-/// The box is pressed onto the post, drawn aside and lifted obliquely within one frame. A reaction that falls to zero leaves nothing but
+/// The box is pressed onto the post, drawn aside and lifted obliquely within one frame. A reaction that falls to zero leaves only the
 /// rounding of the load: the body goes on with the hand.
 fn lifts_at_once<R: Real>()
 where
@@ -50,7 +50,7 @@ fn reaction_that_falls_to_zero_ends_a_contact_once() {
     lifts_at_once::<Fixed>();
 }
 
-/// Pressed so deep that a slide has no stable balance (E17), the corner slips at the edge of the cone, in the direction of the load.
+/// If pressed so deep that a slide has no stable balance (E17), the corner slips at the edge of the cone, in the direction of the load.
 fn topples_in_a_slip<R: Real>()
 where
     R::Si: From<f32> + Into<f64>,
@@ -75,8 +75,8 @@ fn corner_whose_slide_is_not_stable_slips() {
     topples_in_a_slip::<Fixed>();
 }
 
-/// A box of some weight on a table, pushed against an overhanging wall without friction, turned and pulled about: contacts that let go do so
-/// once, however little the load is beyond what they bear, and a contact that is left alone without a stable slide slips off.
+/// A box of some weight on a table, pushed against an overhanging wall without friction, turned and pulled about: contacts that let go do
+/// so once, however little the load exceeds what they bear, and a contact that is left alone without a stable slide slips off.
 fn lets_go_at_once<R: Real>(stiffness: f64)
 where
     R::Si: From<f32> + Into<f64>,

@@ -1,6 +1,6 @@
-//! The ends of an edge among obstacles (STATICS 12.5): one is where the body's side ends, a vertex that goes along in a slide, or where
-//! the obstacle's side ends, a corner that stays. About an end that stays the moment grows with the slide times the normal reaction; so
-//! it is linear in a slip and of second degree in a slide with the hand. A foot that leaves its side ends there.
+//! The ends of an edge among obstacles (STATICS 12.5): an end is either where the body's side ends, a vertex that moves along in a slide,
+//! or where the obstacle's side ends, a corner that stays. About an end that stays the moment grows with the slide times the normal
+//! reaction; so it is linear in a slip and quadratic in a slide with the hand. A foot that leaves its side ends the motion.
 
 use super::{Edge, Segment, keep};
 use crate::balance_curve::Margin;
@@ -17,14 +17,14 @@ use crate::thresholds::Thresholds;
 use crate::verb::Trigger;
 use crate::world::World;
 
-/// A quantity of second degree that is positive while the motion is allowed: start + along·tau + p q tau².
+/// A quadratic quantity that is positive while the motion is allowed: start + along·tau + p q tau².
 #[derive(Clone, Copy, Debug)]
 struct Bent<R> {
     start: R,
     along: R,
     /// (p, q)
     square: (R, R),
-    /// Of `start`.
+    /// The rounding of `start`.
     rounding: R,
 }
 
@@ -39,8 +39,8 @@ impl<R: Real> Bent<R> {
         }
     }
 
-    /// Where it first falls to zero, tau >= 0, if it does. What is at zero from the beginning, to the rounding, does so where it is
-    /// overdrawn, as a margin.
+    /// Where it first falls to zero, tau >= 0, if it does. A quantity that is at zero from the beginning, to the rounding, does so where it
+    /// is exceeded, like a margin.
     fn first_zero(&self) -> Option<R> {
         let credit = if self.start <= self.rounding {
             self.rounding.doubled()
@@ -75,7 +75,7 @@ impl<R: Real> Bent<R> {
 
 impl<R: Real> Edge<R> {
     /// Ends a slide by `shift`·tau along t, in the direction of `sign`, where an N_i falls to zero, a foot leaves its side, or the overlap
-    /// is no longer than a single contact. `relative`: what the hand goes by, less the slide.
+    /// is no longer than a single contact. `relative`: the displacement of the hand less the slide.
     pub(super) fn stop_at_ends<H: SecondHarmonic<R>>(
         &self,
         scene: &impl World<R>,
@@ -86,7 +86,7 @@ impl<R: Real> Edge<R> {
         let span = self.span(scene, &load.placed);
         let side = span.sign();
         let about = self.moments(scene, (load, relative), shift);
-        // The moment about one end is the other's reaction.
+        // The moment about one end gives the other's reaction.
         for ((moment, pressed), lasts) in about.into_iter().zip([-side, side]).zip([0, 1]) {
             if let Some(x) = moment.times(pressed).first_zero() {
                 segment.stop_at_place(x, keep(lasts, Some(sign)));
@@ -116,7 +116,7 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// x_i': 1 for an end that goes with the body, 0 for one that stays.
+    /// x_i': 1 for an end that moves with the body, 0 for one that stays.
     fn rates(&self) -> [R; 2] {
         let goes = |pair: Pair| if pair.is_corner() { R::ZERO } else { R::ONE };
         [self.pivot.contact, self.other].map(goes)
@@ -142,8 +142,8 @@ impl<R: Real> Edge<R> {
         [about(R::ZERO, first), about(span, second)]
     }
 
-    /// After a slide from another pivot in which the hand went by a displacement: the most by which a moment was below what lies between
-    /// zero and that at the end. Nothing where an end has left its side.
+    /// After a slide from another pivot in which the hand made a displacement: the most by which a moment was below the line from zero to
+    /// its value at the end. `None` if an end has left its side.
     pub(super) fn bend_of_ends<W: World<R>>(
         &self,
         scene: &W,

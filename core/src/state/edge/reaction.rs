@@ -1,4 +1,4 @@
-//! What the two contacts of an edge bear on a path of the hand.
+//! The loads on the two contacts of an edge on a path of the hand.
 
 use super::keep;
 use crate::balance_curve::Margin;
@@ -16,7 +16,7 @@ pub(super) struct Reaction<R> {
 }
 
 impl<R: Real> Reaction<R> {
-    /// A contact is, or both are, pulled off.
+    /// One contact, or both, are pulled off.
     pub(super) fn opens(&self, sliding: Option<R>) -> Option<Trigger<R>> {
         let [first, second] = self.parts;
         match (

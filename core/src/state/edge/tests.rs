@@ -1,4 +1,4 @@
-//! An edge near what it bears at most: within the rounding of its reactions nothing opens, and nothing is certified.
+//! An edge near its limit load: within the rounding of its reactions nothing opens, and nothing is certified.
 
 use super::*;
 use crate::fixtures;
@@ -16,7 +16,7 @@ fn margin(start: f64) -> Margin<f64> {
     }
 }
 
-/// A reaction that is negative by its rounding and no more still presses.
+/// A reaction that is negative by no more than its rounding still presses.
 #[test]
 fn vertex_opens_where_it_is_pulled_beyond_doubt() {
     for first in [-2.0, -1.0, -0.5, 0.0, 1.0] {
@@ -37,8 +37,7 @@ fn vertex_opens_where_it_is_pulled_beyond_doubt() {
     }
 }
 
-/// On a short edge a moment, and its rounding, is a large reaction: an edge is certified only where both reactions are larger than
-/// that.
+/// On a short edge a moment, and its rounding, is a large reaction: an edge is certified only if both reactions are larger than that.
 #[test]
 fn certified_edge_presses_beyond_the_rounding() {
     for span in [0.125, 0.5, 1.0] {
@@ -54,7 +53,7 @@ fn certified_edge_presses_beyond_the_rounding() {
                 surface: pivot.contact.surface,
             },
         );
-        // Pressed by 1, above one of the vertices but for so many roundings.
+        // Pressed by 1, above one of the vertices except for a few roundings.
         for (begin, side) in [(0.0, 1.0), (span, -1.0)] {
             let pressed = |off: f64| {
                 let at = Vec2::new(begin + side * off, 0.0);

@@ -1,5 +1,5 @@
-//! The motions that can begin where contacts do not bear the load: with which velocities, whether the load drives them, and
-//! whether every contact that does not last opens.
+//! The motions that can begin if contacts do not bear the load: their velocities, whether the load drives them, and whether every contact
+//! that does not last opens.
 
 use super::{FixedPose, Mode};
 use crate::contact::Pair;
@@ -22,7 +22,7 @@ pub(super) struct Twist<R> {
 }
 
 impl<R: Real> FixedPose<R> {
-    /// Driven by the load, and no gap of another contact closes.
+    /// Returns whether it is driven by the load, and no gap of another contact closes.
     pub(super) fn is_consistent(
         &self,
         scene: &impl World<R>,
@@ -32,7 +32,7 @@ impl<R: Real> FixedPose<R> {
         self.is_consistent_with(scene, grip, (mode, Demand::Pressed))
     }
 
-    /// The same with what is asked of reactions.
+    /// The same with a demand on the reactions.
     pub(super) fn is_consistent_with(
         &self,
         scene: &impl World<R>,
@@ -43,7 +43,7 @@ impl<R: Real> FixedPose<R> {
         slowest.is_some_and(|rate| rate >= -R::in_plane())
     }
 
-    /// Driven by the load, and every gap of another contact opens.
+    /// Returns whether it is driven by the load, and every gap of another contact opens.
     pub(in crate::state) fn opens(
         &self,
         scene: &impl World<R>,
@@ -54,7 +54,7 @@ impl<R: Real> FixedPose<R> {
         slowest.is_some_and(|rate| rate > R::in_plane())
     }
 
-    /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.
+    /// The least rate at which the gap of a contact that does not last opens; `None` if the load does not drive it.
     fn slowest_opening(
         &self,
         scene: &impl World<R>,
@@ -115,7 +115,7 @@ impl<R: Real> FixedPose<R> {
                 }
                 let mut drives = -about.lever.cross(along.velocity);
                 if W::CORNERS && a.is_corner() {
-                    // The contact stays, and the whole load goes past it.
+                    // The contact stays, and the whole load passes by it.
                     drives = drives + along.velocity.cross(about.force);
                 }
                 let turn = drives / stability;
@@ -153,8 +153,9 @@ impl<R: Real> FixedPose<R> {
         })
     }
 
-    /// What slides along sign·t takes another contact along: the moment about it presses the body onto that one, and does so still with
-    /// the friction of a slide of both. Alone it would slide away from that contact and fall back onto it, again and again.
+    /// A slide along sign·t takes another contact along: the moment about the sliding contact presses the body onto the other one, and
+    /// still does so with the friction of a slide of both. On its own it would slide away from that contact and fall back onto it, again
+    /// and again.
     fn takes_along(
         &self,
         scene: &impl World<R>,

@@ -1,4 +1,4 @@
-//! What begins where a contact bears nothing yet, against the balances of statics written out a little later on the hand's way.
+//! What begins where a contact bears nothing yet, against the balances of statics written out slightly later on the hand's path.
 
 use super::*;
 use crate::fixtures::bench::{Bench, HandAt};
@@ -6,7 +6,7 @@ use crate::fixtures::{Random, sampled};
 
 const STEP: f64 = 1e-5;
 
-/// A vertex on its surface without a reaction, and where the hand goes.
+/// A vertex on its surface without a reaction, and the displacement of the hand.
 struct Case {
     bench: Bench,
     hand: HandAt,
@@ -61,14 +61,14 @@ impl Case {
         (self.bench).sliding_stability(&self.hand, self.theta, sign)
     }
 
-    /// Of turn and foot in a slide.
+    /// The rates of turn and foot in a slide.
     fn sliding_rates(&self, sign: f64) -> [f64; 2] {
         let (before, after) = (self.slide(-STEP, sign), self.slide(STEP, sign));
         [after.0 - before.0, after.1 - before.1].map(|way| way / (2.0 * STEP))
     }
 }
 
-/// Of a foot that sticks and of one that slides; nothing where the balance is not stable.
+/// Rates of a sticking foot and of a sliding one; `None` if the balance is not stable.
 #[test]
 fn rates_are_those_of_the_balances() {
     let mut seen = [0; 4];
@@ -124,8 +124,8 @@ fn rates_are_those_of_the_balances() {
     );
 }
 
-/// A vertex that has just touched sticks if a little later its reaction lies within the dynamic cone, else it slides against its
-/// friction, if that is on with the hand.
+/// A vertex that has just touched sticks if slightly later its reaction lies within the dynamic cone, otherwise it slides against its
+/// friction, provided that this follows the hand.
 #[test]
 fn touch_sticks_or_slides_as_its_reaction_grows() {
     let mut seen = [0; 3];
@@ -165,7 +165,7 @@ fn touch_sticks_or_slides_as_its_reaction_grows() {
     );
 }
 
-/// It leaves its surface where the body that follows the hand alone does.
+/// It leaves its surface if the body that follows the hand alone does.
 #[test]
 fn vertex_leaves_with_the_free_body() {
     let mut seen = [0; 2];
@@ -190,7 +190,7 @@ fn vertex_leaves_with_the_free_body() {
     );
 }
 
-/// Another contact opens where its gap grows as the vertex slides on.
+/// Another contact opens if its gap grows as the vertex slides on.
 #[test]
 fn contact_opens_as_its_gap_grows() {
     let mut seen = [0; 2];

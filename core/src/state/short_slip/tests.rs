@@ -66,7 +66,7 @@ impl Case {
         self.lever + self.force + Vec2::new(0.0, self.weight)
     }
 
-    /// Such that the moment is `lack` with the body as it is.
+    /// So that the moment is `lack` with the body in its present pose.
     fn phi(&self) -> f64 {
         let spring = self.hand() - self.lever;
         let load = self.lever.cross(spring) - CENTROID.x * self.weight;
@@ -168,8 +168,8 @@ fn beginning(case: &Case) -> [f64; 4] {
     [guess, arm / stability, bend / stability, decay]
 }
 
-/// Where the conditions of (E9) hold amply there is a short slip, where one fails there is none; then it is reported about
-/// how far it goes.
+/// If the conditions of (E9) hold with room to spare there is a short slip, if one fails there is none; then an estimate of its length is
+/// returned.
 #[test]
 fn slip_is_short_where_its_beginning_says_so() {
     let mut found = [0; 3];
@@ -215,8 +215,7 @@ fn slip_is_short_where_its_beginning_says_so() {
     );
 }
 
-/// It ends where, by small steps, E first falls to zero; on the path the vertex is pressed and nothing moves farther than
-/// promised.
+/// It ends where, by small steps, E first falls to zero; on the path the vertex is pressed and nothing moves farther than the bounds.
 #[test]
 fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
     const STEPS: i32 = 64;
@@ -244,7 +243,7 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
             last = [last[1], next];
             turn = next;
         }
-        // In the path's length; the curve has so many steps.
+        // In units of the path's length; the curve has this many steps.
         let curved = curved * f64::from(STEPS * STEPS);
         let swing = 1.25 * arm * guess;
         let widest = 1.25 * (swing + guess);

@@ -1,4 +1,4 @@
-//! What a vertex may be off: the rounding of its place and of its angle, but no more.
+//! The tolerated error of a vertex: the rounding of its position and of its angle, but no more.
 
 use super::*;
 use crate::fixtures::{self, sampled};
@@ -32,7 +32,7 @@ fn pulling(state: &SingleVertex<f64>, scene: &impl World<f64>, force: Vec2<f64>)
     }
 }
 
-/// Balanced is what is off by the rounding of a coordinate far away, or by that of an angle that a stiff grip holds.
+/// An error counts as balanced if it is the rounding of a coordinate far away, or of an angle that a stiff grip holds.
 #[test]
 fn rounding_of_place_and_angle_is_balanced() {
     for stiffness in [0.25, 1.0, 1024.0] {
@@ -60,7 +60,7 @@ fn rounding_of_place_and_angle_is_balanced() {
     }
 }
 
-/// At (E3) it is not driven beyond what the rounding of its place makes of it, wherever that is.
+/// At (E3) it is not driven by more than the rounding of its position causes, wherever that is.
 #[test]
 fn rounding_of_the_place_does_not_drive() {
     let scene = rod(1.0);
@@ -88,8 +88,8 @@ fn rounding_of_the_place_does_not_drive() {
     }
 }
 
-/// Driven on is what presses, on a stable branch: neither where the balance is neutral nor where the reaction is no larger than
-/// what it may be off.
+/// A vertex is driven on if it presses, on a stable branch: neither if the balance is neutral nor if the reaction is no larger than its
+/// uncertainty.
 #[test]
 fn neutral_balance_is_not_driven() {
     let scene = rod(1.0);
@@ -112,7 +112,7 @@ fn neutral_balance_is_not_driven() {
     }
 }
 
-/// What presses by less than the rounding is not held.
+/// A vertex that presses by less than the rounding is not held.
 #[test]
 fn vertex_is_held_where_it_presses_beyond_doubt() {
     let scene = rod(1.0);
@@ -128,13 +128,13 @@ fn vertex_is_held_where_it_presses_beyond_doubt() {
     }
 }
 
-/// However far it slips, and farther than its beginning says, a slip that stops is over: at (E3), in balance of moments, in one
-/// go.
+/// However far it slips, even farther than its beginning predicts, a slip that stops is over: at (E3), in balance of moments, in a single
+/// call.
 #[test]
 fn slip_that_stops_is_over() {
     const MU_D: f64 = 0.3;
     let (mut count, mut longer) = (0, 0);
-    // The last ones go more than four times as far as their beginning says.
+    // The last ones go more than four times as far as their beginning predicts.
     for seed in sampled(0..2000, 97).chain([9476, 10_619, 17_050]) {
         let mut random = fixtures::Random(seed);
         let stiffness = libm::exp2(-8.0 * random.next().abs());

@@ -1,4 +1,4 @@
-//! A vertex that slides with the hand, against many small steps of statics written out: it is in balance all along, on the edge of its
+//! A vertex that slides with the hand, against many small steps of statics written out: it is in balance throughout, on the edge of its
 //! cone, and passes nothing that ends a slide.
 
 use super::*;
@@ -44,21 +44,21 @@ fn case(seed: u64) -> Option<Case> {
     let is_lawful = normal > 1e-3
         && case.bench.least_gap(theta, foot) > 1e-3
         && case.bench.sliding_stability(&hand, theta, sign) > 0.05;
-    // Mostly on, not back.
+    // Mostly onward, not back.
     if is_lawful && !seed.is_multiple_of(4) && sign * (case.at(1e-4, theta).foot - foot) < 0.0 {
         case.way = (-case.way.0, -case.way.1);
     }
     is_lawful.then_some(case)
 }
 
-/// Where a slide is at a part of the way, and what there is left of it.
+/// The position of a slide at a fraction of the path, and the margins that are left.
 #[derive(Clone, Copy, Debug)]
 struct At {
     theta: f64,
     foot: f64,
     stability: f64,
     normal: f64,
-    /// Before N*.
+    /// The margin to N*.
     loose: f64,
     gap: f64,
 }
@@ -83,8 +83,8 @@ impl Case {
         }
     }
 
-    /// By small steps to a part of the way: nothing ends the slide by more than `off` before. The last place; nothing where the balance
-    /// is so near to a fold that small steps do not tell it.
+    /// By small steps to a fraction of the path: nothing ends the slide earlier by more than `off`. Returns the last position; `None` if
+    /// the balance is so close to a fold that small steps cannot resolve it.
     #[track_caller]
     fn lasts(&self, part: f64, off: f64) -> Option<At> {
         let steps = if cfg!(miri) { 8 } else { 32 };
@@ -111,19 +111,19 @@ impl Case {
         }
     }
 
-    /// From the beginning to a part of the way.
+    /// From the beginning to a fraction of the path.
     fn grips<R: Plain>(&self, part: f64) -> [Grip<R>; 2] {
         [0.0, part].map(|part| self.bench.grip(&self.hand(part)))
     }
 }
 
-/// As far as the state is off a place.
+/// The error of the state relative to a position.
 fn off<R: Plain>(state: &SingleVertex<R>, at: &At) -> f64 {
     let turn = state.pivot.orientation.angle().radians().plain() - at.theta;
     turn.abs() + (state.pivot.foot.plain() - at.foot).abs()
 }
 
-/// The same place, on the edge of the cone, and at its end what ended it.
+/// The same position, on the edge of the cone, and at its end the cause of the end.
 fn slide_lasts_to_its_first_event<R: Plain>(digits: f64) -> [usize; 6] {
     let mut seen = [0; 6];
     for seed in sampled(0..1000, 97) {
@@ -133,7 +133,7 @@ fn slide_lasts_to_its_first_event<R: Plain>(digits: f64) -> [usize; 6] {
         let [from, to] = case.grips(1.0);
         let moved = state.advance_sliding(&scene, (&from, &to), R::of(case.sign));
         if moved.unsure {
-            // So many looks it is not given at once.
+            // It is not granted this many evaluations at a time.
             assert!(moved.work >= u32::from(Looks::MOST), "{seed}");
             continue;
         }

@@ -1,4 +1,4 @@
-//! What a scene cannot have does not move and bears nothing, though its numbers be sound: the verbs of such a state are not
+//! States that a scene cannot have do not move and bear nothing, even if their numbers are sound: the verbs of such a state are not
 //! compiled.
 
 use super::*;
@@ -29,7 +29,7 @@ fn grip(force: (f64, f64)) -> Grip<f64> {
     }
 }
 
-/// A point that touches beside the origin of its body, so that a second vertex would lie there.
+/// A point that touches off the origin of its body, where a second vertex would lie.
 #[test]
 fn point_on_one_surface_has_one_contact() {
     let scene = on_floor::<1, Full>(&[[1.0, 0.0]], (0.0, 1.0), 0.5);
@@ -57,7 +57,7 @@ fn point_on_one_surface_has_one_contact() {
     assert_eq!(seated.kind(), StateKind::SingleVertex);
 }
 
-/// What glides is in balance along the floor: it does not slip.
+/// A gliding contact is in balance along the floor: it does not slip.
 #[test]
 fn what_glides_does_not_slip() {
     let rod = on_floor::<2, Frictionless>(&[[0.0, 0.0], [1.0, 0.0]], (0.0, 1.0), 0.0);

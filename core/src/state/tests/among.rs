@@ -7,7 +7,7 @@ use crate::scene::ObstacleDescription;
 
 type Among = Scene<f64, 4, 1, WithObstacles<2, 8>>;
 
-/// A body among obstacles of the same friction, static as dynamic; it starts far above them.
+/// A body among obstacles of the same friction, static equal to dynamic; it starts far above them.
 fn among(vertices: &[[f64; 2]], obstacles: &[&[[f64; 2]]], (stiffness, mu): (f64, f64)) -> Among {
     let obstacle = |vertices| ObstacleDescription {
         vertices,
@@ -30,8 +30,8 @@ fn among(vertices: &[[f64; 2]], obstacles: &[&[[f64; 2]]], (stiffness, mu): (f64
 }
 
 /// A box of diagonal 1, tilted between a wall that a vertex touches and the corner of a block, without friction. The hand pulls it down
-/// into the slot. About the vertex it turns it against the corner, about the corner off the wall; so both slide, though a slip that drags
-/// at both contacts alike would leave the corner unpressed.
+/// into the slot. About the vertex the hand turns it against the corner, about the corner off the wall; so both slide, although a slip that
+/// drags equally at both contacts would leave the corner unpressed.
 #[test]
 fn what_presses_a_body_onto_another_contact_takes_that_one_along() {
     let wall = [[-1.0, -4.0], [0.0, -4.0], [0.0, 0.0], [-1.0, 0.0]];
@@ -76,7 +76,7 @@ fn what_presses_a_body_onto_another_contact_takes_that_one_along() {
 }
 
 /// A rod that lies level to the left of a block, its right end at the upper corner of the block's left side, turns over that end: upright
-/// it comes to the end of what supports it there, however rounding has it lie.
+/// it comes to the end of what supports it there, whatever the rounding.
 #[test]
 fn a_turn_from_level_about_the_end_of_a_side_ends_upright() {
     let block = [[0.0, -2.0], [2.0, -2.0], [2.0, 0.0], [0.0, 0.0]];

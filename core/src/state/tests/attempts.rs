@@ -1,4 +1,4 @@
-//! Motions that are tried one after the other where contacts give way: none twice, at last none is left.
+//! Motions that are tried one after the other when contacts give way: none twice, until none is left.
 
 extern crate std;
 
@@ -46,7 +46,7 @@ fn every_motion_is_tried_once() {
         let (motions, rest) = tried.split_at(motions);
         for (i, motion) in motions.iter().enumerate() {
             let before = motions[..i].iter().filter(|m| *m == motion).count();
-            // Of two contacts that slide together it is asked twice: whether they press as the slide begins, and in balance.
+            // For two contacts that slide together there are two tests: whether they press as the slide begins, and at balance.
             let is_twice =
                 matches!(motion, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
             assert!(before <= usize::from(is_twice), "{seed}: {motion:?}");
@@ -57,7 +57,7 @@ fn every_motion_is_tried_once() {
             "{seed}"
         );
         assert!(motions.is_empty() || first != Trigger::Undriven);
-        // It leaves them all where, and only where, all of them are pulled.
+        // It leaves all of them if, and only if, all of them are pulled.
         let pull = grip.hand - middle;
         let mut normals = contacts.iter().map(|c| room.surface(c.surface).normal);
         let is_pulled = normals.all(|normal| normal.dot(pull) > 0.0);

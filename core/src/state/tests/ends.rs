@@ -1,4 +1,4 @@
-//! Where a motion ends: in balance to the digits; and what has no spring or no pressure.
+//! The end of a motion: in balance to the digits; and bodies without a spring or without pressure.
 
 use super::*;
 use crate::fixtures::{Random, sampled};
@@ -72,7 +72,7 @@ fn body_without_weight_and_spring_keeps_its_angle() {
     assert_eq!(state.pose(&rod).orientation, orientation);
 }
 
-/// The tip of a tool is certified to glide where it presses, not where it just touches.
+/// A gliding tip of a tool is certified if it presses, not if it just touches.
 #[test]
 fn tip_that_does_not_press_is_not_certified() {
     let point = on_floor::<1, Frictionless>(&[[0.0, 0.0]], (0.0, 1.0), 0.0);

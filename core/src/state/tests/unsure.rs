@@ -1,4 +1,4 @@
-//! A verb whose search gives up says so, or has done what it should all the same.
+//! If its search gives up, a verb reports it, or has done what it should all the same.
 
 use super::*;
 use crate::fixtures::{sampled, searches};
@@ -18,8 +18,8 @@ fn vertex(turn: f64) -> ContactState<f64> {
     ContactState::SingleVertex(SingleVertex::new(pivot(turn)))
 }
 
-/// With searches that give up after one step, two steps and so on: how many were unsure, and how many gave up but were sure of
-/// the same end.
+/// With searches that give up after one step, two steps and so on: how many were uncertain, and how many gave up but were certain of the
+/// same end.
 #[track_caller]
 fn honest(
     scene: &impl World<f64>,
@@ -112,7 +112,7 @@ fn gliding_vertex_says_so() {
         let unsure = honest(&rod, &begin, |s| s.relax(&rod, &to, Relax::default()));
         assert!(unsure[0] > 0);
     }
-    // The foot is in balance with the hand where it is said to be, whether the other end of a rod is in the way or not.
+    // The foot is in balance with the hand at the reported position, whether the other end of a rod blocks it or not.
     for turn in [-4.0, -1.0, 4.0] {
         let to = hand(0.5, -2.5, turn);
         let mut begin = vertex(1.5);

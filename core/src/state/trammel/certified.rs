@@ -1,5 +1,5 @@
-//! The certified frame of two contacts that slide with the hand (STATICS 5, (E15)): the hand goes a short path, and both go on sliding
-//! in balance. That nothing else happens follows from the loads at the ends of the hand's path on the body as it is.
+//! The certified frame of two contacts that slide with the hand (STATICS 5, (E15)): the hand moves along a short path, and both go on
+//! sliding in balance. The loads at the ends of the hand's path on the body in its present pose prove that nothing else happens.
 
 use super::on_edges;
 use crate::contact::Pair;
@@ -13,13 +13,13 @@ use crate::thresholds::Thresholds;
 use crate::verb::seat_sliding;
 use crate::world::{Surface, World};
 
-/// The motion of two contacts that slide, at a place: its unit twist, and what a load is worth along it.
+/// The motion of two sliding contacts, at a point: its unit twist, and the contribution of a load to (E6) along it.
 pub(super) struct Twist<R> {
     pub(super) surfaces: [Surface<R>; 2],
-    /// Of contact 1 along t_1, and of the body.
+    /// The displacement of contact 1 along t_1, and the turn of the body.
     pub(super) slide: R,
     pub(super) turn: R,
-    /// At least |ds/dx| anywhere.
+    /// No |ds/dx| exceeds this.
     slide_bound: R,
     /// r = c_2 - c_1
     pub(super) arm: Vec2<R>,
@@ -30,22 +30,22 @@ pub(super) struct Twist<R> {
     /// f_1×f_2, r×f_2
     pub(super) spread: R,
     pub(super) second: R,
-    /// What a unit force against the slide of contact i is worth of (E6), in the sense in which the slide falls.
+    /// The contribution to (E6) of a unit force against the slide of contact i, in the sense in which the slide falls.
     pub(super) frictions: [R; 2],
     /// The sign of (E6) where the load drives the slide.
     pub(super) sense: R,
 }
 
-/// Corrections of the place before a frame is left uncertified.
+/// Corrections of the position before a frame is left uncertified.
 pub(super) const MAX_CORRECTIONS: usize = 4;
 
-/// How the gap of contact 2 opens as the body slides along t_1 and turns about c_1.
+/// The change of the gap of contact 2 as the body slides along t_1 and turns about c_1.
 pub(super) fn gradient<R: Real>([first, second]: &[Surface<R>; 2], arm: Vec2<R>) -> [R; 2] {
     [first.tangent, arm.turned()].map(|velocity| second.normal.dot(velocity))
 }
 
 impl<R: Real> Twist<R> {
-    /// In the direction of a sign of the unit twist; nothing where a contact hardly moves, or the reactions hardly span the plane.
+    /// With a given sign of the unit twist; `None` if a contact hardly moves, or the reactions hardly span the plane.
     pub(super) fn of(
         scene: &impl World<R>,
         (pivot, other): (&Pivot<R>, Pair),
@@ -55,7 +55,7 @@ impl<R: Real> Twist<R> {
         Self::at(scene, &pivot.placed(scene), (contacts, direction))
     }
 
-    /// The same of a body that is placed by the first contact.
+    /// The same for a body that is placed by the first contact.
     pub(super) fn at(
         scene: &impl World<R>,
         placed: &Placed<R>,
@@ -110,7 +110,7 @@ impl<R: Real> Twist<R> {
         })
     }
 
-    /// (E6) of a force and a moment, positive where they drive the slide.
+    /// (E6) of a force and a moment, positive if they drive the slide.
     pub(super) fn drives(&self, force: Vec2<R>, moment: R) -> R {
         let [f1, _] = self.reactions;
         (self.spread * moment - self.second * f1.cross(force)) * self.sense
@@ -120,7 +120,7 @@ impl<R: Real> Twist<R> {
         self.drives(load.force, load.moment())
     }
 
-    /// -dE/dx at the frozen hand, the hand going back by `less` before.
+    /// -dE/dx at the frozen hand, after the hand has moved back by `less`.
     fn stability(&self, scene: &impl World<R>, load: &Load<R>, less: Vec2<R>) -> R {
         let ([f1, f2], [first, _]) = (self.reactions, self.surfaces);
         let (pull, spring) = (load.force - less, load.spring - less);
@@ -133,7 +133,7 @@ impl<R: Real> Twist<R> {
         -slope * self.sense
     }
 
-    /// The sizes of both reactions in balance.
+    /// The magnitudes of both reactions in balance.
     pub(super) fn sizes(&self, force: Vec2<R>) -> [R; 2] {
         let [f1, f2] = self.reactions;
         [-force.cross(f2), force.cross(f1)].map(|size| size / self.spread)
@@ -157,13 +157,13 @@ impl<R: Real> Twist<R> {
         self.spread.abs() * moment + second + arm * force_bend
     }
 
-    /// By how much the velocity of a contact changes at most over a distance.
+    /// The most by which the velocity of a contact changes over a distance.
     fn slows(&self, reach: R) -> R {
         let turn = self.turn.abs();
         turn * (self.slide_bound + turn * self.arm.length_bound()) * reach
     }
 
-    /// True if no slip that began within a distance would be as long as the memory (E14). `sizes`: no reaction is larger;
+    /// True if no slip that began within a distance would be as long as the memory length (E14). `sizes`: no reaction is larger;
     /// `stability`: the slide is nowhere less stable.
     fn forgets(&self, sizes: [R; 2], reach: R, stability: R) -> bool {
         let swings = (self.turn.abs() * self.arm.length_bound() * reach).doubled();
@@ -173,15 +173,15 @@ impl<R: Real> Twist<R> {
             .all(|(memory, speed)| (speed + slows) * jump < memory * stability)
     }
 
-    /// True if a slip that began here would be as long as the memory of a contact (E14).
+    /// True if a slip that began here would be as long as the memory length of a contact (E14).
     fn is_pressed(&self, sizes: [R; 2], stability: R) -> bool {
         let jump = self.jump(sizes, |edge| edge, |worth| worth);
         self.slips()
             .any(|(memory, speed)| speed * jump >= memory * stability)
     }
 
-    /// What is left of (E6) where the static cones bear the load, with edges and with what friction is `worth` counted as they are asked for:
-    /// for an upper bound without the signs of the latter.
+    /// The remainder of (E6) if the static cones bear the load. `counted` scales the edges; `worth` maps the contributions of the
+    /// frictions, for an upper bound without their signs.
     pub(super) fn jump(
         &self,
         sizes: [R; 2],
@@ -196,7 +196,7 @@ impl<R: Real> Twist<R> {
         })
     }
 
-    /// The memory of each contact, and |v_i·t_i|.
+    /// The memory length of each contact, and |v_i·t_i|.
     fn slips(&self) -> impl Iterator<Item = (R, R)> {
         let memories = self.surfaces.map(|surface| surface.friction.memory());
         let speeds = self.velocities.map(R::abs);
@@ -204,7 +204,7 @@ impl<R: Real> Twist<R> {
     }
 }
 
-/// What both contacts bear, and the signs of their velocities, where the force alone says so to the last digit.
+/// The loads on both contacts, and the signs of their velocities, if the force alone determines them to the last digit.
 pub(super) fn sliding_reactions<R: Real>(
     scene: &impl World<R>,
     contacts: (&Pivot<R>, Pair),
@@ -220,13 +220,13 @@ pub(super) fn sliding_reactions<R: Real>(
 /// A certified slide.
 pub(crate) struct CertifiedSlide<R> {
     pub(crate) pivot: Pivot<R>,
-    /// No point of the body goes farther.
+    /// No point of the body moves farther.
     pub(crate) travel_bound: R,
-    /// It turns by no more.
+    /// The body turns by no more.
     pub(crate) turn_bound: R,
 }
 
-/// The slide in a sense of the unit twist as the hand goes a path, if that is all that can happen, but for a touch.
+/// The slide in a sense of the unit twist as the hand moves along a path, provided that nothing else can happen except a touch.
 pub(crate) fn certified_slide<R: Real>(
     scene: &impl World<R>,
     contacts: (&Pivot<R>, Pair),
@@ -246,7 +246,7 @@ pub(crate) fn certified_slide<R: Real>(
     if least <= R::divisor() || drive < R::ZERO {
         return None;
     }
-    // (E15): there is one balance within reach for every part of the path.
+    // (E15): there is one balance within reach for every fraction of the path.
     let newton = drive / least;
     let reach = newton + newton.halved().halved();
     let lever = after.lever.length_bound();
@@ -258,7 +258,7 @@ pub(crate) fn certified_slide<R: Real>(
     if bend * newton > R::HALF.halved() {
         return None;
     }
-    // On the way the hand drives it on, and both press and go on.
+    // On the path the hand drives it on, and both press and go on.
     let swings = twist.turn.abs() * reach;
     let drive_falls = swings * hand.length_bound() * (lever + twist.arm.length_bound());
     let stray = force_rate * reach / twist.spread.abs() + after.rounding();
@@ -267,7 +267,7 @@ pub(crate) fn certified_slide<R: Real>(
     let slows = twist.slows(reach);
     let goes_on = twist.velocities.iter().all(|v| v.abs() > slows);
     let sizes = [b1.max(a1) + stray, b2.max(a2) + stray];
-    // A slide that begins as long as the memory goes on.
+    // A slide goes on if a slip would be as long as the memory length from its beginning.
     let forgets = || {
         twist.forgets(sizes, reach, least - least * (bend * reach))
             || twist.is_pressed([b1, b2], standing)
@@ -282,7 +282,7 @@ pub(crate) fn certified_slide<R: Real>(
     for _ in 0..MAX_CORRECTIONS {
         let moved = end.moved(twist.slide * step, twist.turn * step);
         end = seat_sliding(scene, moved, other);
-        // What a step of Newton's leaves.
+        // The residual of a Newton step.
         if (bend * step * step).halved() <= R::EPSILON {
             return Some(CertifiedSlide {
                 pivot: end,

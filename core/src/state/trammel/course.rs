@@ -1,6 +1,6 @@
-//! The motion of a body that keeps two contacts among obstacles (STATICS 12): its surfaces may turn with it, so that it is no trammel.
-//! A piece of it is the graph over its twist at the beginning: the body is moved by x times that twist and then across it until the
-//! other gap is closed. Everything at a place comes with its slope. World frame, lengths / L, forces / (k_h L).
+//! The motion of a body that keeps two contacts among obstacles (STATICS 12): its surfaces may turn with it, so that it is no trammel. A
+//! piece of it is a graph over its twist at the beginning: the body is moved by x times that twist and then across it until the other gap
+//! is closed. Everything at a point is computed with its slope. World frame, lengths / L, forces / (k_h L).
 
 use super::kinematics::{Frame, Kinematics, Wrench};
 use super::{Trammel, Turning};
@@ -24,12 +24,12 @@ mod way;
 
 pub(crate) use certified::{certified_slide_among, certified_slip};
 
-/// What it takes to find a place, in units of work.
+/// The cost of finding a point, in units of work.
 pub(crate) const SPOT: u32 = 4;
-/// Corrections of a place across the motion, at most.
+/// Corrections of a point across the motion, at most.
 const MAX_CORRECTIONS: usize = 6;
 
-/// A piece of the motion of two contacts, from the place of a pivot.
+/// A piece of the motion of two contacts, from the position of a pivot.
 pub(crate) struct Course<'a, R, W> {
     scene: &'a W,
     grip: &'a Grip<R>,
@@ -37,24 +37,24 @@ pub(crate) struct Course<'a, R, W> {
     other: Pair,
     /// The unit twist at the beginning: slide along t_1 and turn.
     twist: [R; 2],
-    /// The gap of the other contact changes across it.
+    /// Returns whether the gap of the other contact changes across it.
     is_held: bool,
-    /// Signs of v_i·t_i; 0 where a contact rests.
+    /// Signs of v_i·t_i; 0 if a contact rests.
     signs: [R; 2],
-    /// Forces and moments are counted in 1 over this.
+    /// The unit of forces and moments is 1 over this.
     per_load: R,
-    /// Axes along which the body was apart from obstacles last.
+    /// Axes along which the body was last separated from obstacles.
     watch: Watch,
 }
 
-/// A place of the motion.
+/// A point of the motion.
 #[derive(Clone, Copy)]
 struct Spot<R> {
     pivot: Pivot<R>,
     surfaces: [Surface<R>; 2],
     /// r = c_2 - c_1
     arm: Vec2<R>,
-    /// Of the body's material along t_1, and its turn, per x.
+    /// The displacement of the body's material along t_1, and its turn, per x.
     slide: Sloped<R>,
     turn: Sloped<R>,
 }
@@ -69,13 +69,13 @@ impl<R: Real> Spot<R> {
         ]
     }
 
-    /// How fast the body's material goes at an arm from contact 1.
+    /// The velocity of the body's material at an arm from contact 1.
     fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
         self.surfaces[0].tangent * self.slide.value + arm.turned() * self.turn.value
     }
 }
 
-/// A vector and how fast it changes.
+/// A vector and its rate of change.
 fn sloped<R: Real>(value: Vec2<R>, slope: Vec2<R>) -> QuantityVec<Sloped<R>> {
     let part = |value, slope| Sloped { value, slope };
     QuantityVec {
@@ -117,7 +117,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         course
     }
 
-    /// The same where axes are watched.
+    /// The same with watched axes.
     pub(crate) fn watching(self, watch: Watch) -> Self {
         Self { watch, ..self }
     }
@@ -144,7 +144,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         }
     }
 
-    /// The pivot off the twist at x by y across it.
+    /// The pivot at x along the twist and y across it.
     fn pivot_at(&self, x: R, y: R) -> Pivot<R> {
         let [slide, turn] = self.twist;
         self.pivot.moved(slide * x - turn * y, turn * x + slide * y)
@@ -156,7 +156,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         R::difference_of_products(by_turn, slide, by_slide, turn)
     }
 
-    /// The place of x, with both gaps closed.
+    /// The point at x, with both gaps closed.
     fn spot(&self, x: R) -> Spot<R> {
         let [slide, turn] = self.twist;
         let mut spot = self.bare(self.pivot_at(x, R::ZERO));
@@ -198,7 +198,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         spot
     }
 
-    /// How fast the normals turn: that of a corner does so with the body.
+    /// How fast the normals turn: that of a corner turns with the body.
     fn spins(&self, spot: &Spot<R>) -> [R; 2] {
         self.contacts().map(|contact| {
             if contact.is_corner() {
@@ -209,7 +209,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         })
     }
 
-    /// How fast contact 1 goes: a corner stays.
+    /// The velocity of contact 1: a corner stays.
     fn foot_velocity(&self, spot: &Spot<R>) -> Vec2<R> {
         if self.pivot.contact.is_corner() {
             Vec2::ZERO
@@ -218,7 +218,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         }
     }
 
-    /// How fast r changes.
+    /// The rate of change of r.
     fn swing(&self, spot: &Spot<R>) -> Vec2<R> {
         let other = if self.other.is_corner() {
             Vec2::ZERO
@@ -232,7 +232,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         self.body(&self.spot(x))
     }
 
-    /// The body at a place.
+    /// The body at a point.
     fn body(&self, spot: &Spot<R>) -> Instant<R> {
         Instant {
             placed: spot.pivot.placed(self.scene),
@@ -241,10 +241,11 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         }
     }
 
-    /// As far as a piece may go: an eighth of slide and turn, or 3/8 |g| / K, where g is the gradient of the other gap. It changes by no
-    /// more than K = 2 (1 + |r|) with slide and turn, as the second normal turns with the body at most, and r by the slide and |r| times
-    /// the turn. So it is g but for half of its size: across every place of the twist the gap is closed in one place, the corrections
-    /// converge to it (Kantorovich), and the motion bends by 30 degrees at most, so that it is 1 / cos 30 times as long as the twist.
+    /// The maximum length of a piece: an eighth of slide and turn, or 3/8 |g| / K, where g is the gradient of the other gap. It changes by
+    /// no more than K = 2 (1 + |r|) with slide and turn, as the second normal turns with the body at most, and r changes by the slide and
+    /// |r| times the turn. So it remains g to within half its size: across every point along the twist the gap is closed at exactly one
+    /// point, the corrections converge to it (Kantorovich), and the motion bends by 30 degrees at most, so that it is 1 / cos 30 times as
+    /// long as the twist.
     fn longest(&self) -> R {
         let most = R::HALF.halved().halved();
         let start = self.bare(self.pivot);
@@ -258,7 +259,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         }
     }
 
-    /// Both contacts at a place, with the edges of their cones.
+    /// Both contacts at a point, with the edges of their cones.
     fn frame(&self, spot: &Spot<R>) -> Frame<Sloped<R>> {
         let [first, second] = spot.surfaces;
         let [spin1, spin2] = self.spins(spot);
@@ -284,12 +285,13 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         }
     }
 
-    /// The velocities of both contacts at the beginning, and how they change.
+    /// The velocities of both contacts at the beginning, and their rates of change.
     pub(super) fn turning(&self) -> Turning<R> {
         self.frame(&self.spot(R::ZERO)).velocities
     }
 
-    /// What a place is whatever the load, and force and moment about contact 1 of the hand as it is and of what a displacement adds.
+    /// The kinematics of a point, independent of the load, and the force and the moment about contact 1 of the present hand and of what a
+    /// displacement adds.
     fn terms(
         &self,
         spot: &Spot<R>,
@@ -323,7 +325,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         )
     }
 
-    /// How far a contact is from the end of its side that it goes to; nothing where that has no end.
+    /// The distance of a contact from the end of its side towards which it moves; `None` if the side has no end there.
     fn ahead(&self, spot: &Spot<R>, index: usize) -> Option<Level<R>> {
         let contact = *self.contacts().get(index)?;
         let sign = *self.signs.get(index)?;

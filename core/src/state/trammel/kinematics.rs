@@ -1,5 +1,5 @@
-//! What the trammel motion is at a place: the velocities, what balances a load (E6) and the reactions, as values or with the bounds
-//! that certified searches need.
+//! The quantities of the trammel motion at a point: the velocities, the balance of a load (E6) and the reactions, as values or with the
+//! bounds that certified searches need.
 
 use super::Trammel;
 use crate::balance_curve::Place;
@@ -8,7 +8,7 @@ use crate::geometry::Vec2;
 use crate::real::Real;
 use core::ops::{Add, Mul, Sub};
 
-/// The quantities of the motion at a place.
+/// The quantities of the motion at a point.
 pub(super) struct Quantities<Q> {
     /// (E6), delta times the resistance: zero in balance.
     pub(super) imbalance: Q,
@@ -20,7 +20,7 @@ pub(super) struct Quantities<Q> {
     pub(super) velocities: [Q; 2],
 }
 
-/// What a place of the motion is, whatever the load.
+/// The quantities of a point of the motion that do not depend on the load.
 pub(super) struct Kinematics<Q> {
     /// f_1, f_2
     pub(super) reactions: [QuantityVec<Q>; 2],
@@ -37,7 +37,7 @@ pub(super) struct Kinematics<Q> {
     pub(super) velocities: [Q; 2],
 }
 
-/// Where both contacts are at a place, which way they face and go.
+/// The contacts at a point: their arm, directions and velocities.
 pub(super) struct Frame<Q> {
     /// r = c2 - c1
     pub(super) arm: QuantityVec<Q>,
@@ -50,7 +50,7 @@ pub(super) struct Frame<Q> {
 }
 
 impl<Q> Kinematics<Q> {
-    /// Of a frame, with bounds for no more than a window.
+    /// From a frame, with bounds that cover only a window.
     pub(super) fn of<R: Real>(frame: Frame<Q>, window: R) -> Self
     where
         Q: Quantity<R>,
@@ -89,7 +89,7 @@ impl<Q: Copy + Add<Output = Q> + Sub<Output = Q> + Mul<Output = Q>> Kinematics<Q
         moment * self.spread - self.second * f1.cross(force)
     }
 
-    /// N_1 and N_2 that a load adds, times the resistance.
+    /// The contributions of a load to N_1 and N_2, times the resistance.
     pub(super) fn normals(&self, (force, moment): Wrench<Q>) -> [Q; 2] {
         let [f1, f2] = self.reactions;
         [
@@ -100,13 +100,13 @@ impl<Q: Copy + Add<Output = Q> + Sub<Output = Q> + Mul<Output = Q>> Kinematics<Q
         ]
     }
 
-    /// The same in balance, of the force alone, times f_1×f_2.
+    /// The same in balance, from the force alone, times f_1×f_2.
     pub(super) fn balanced_normals(&self, (force, _): Wrench<Q>) -> [Q; 2] {
         let [f1, f2] = self.reactions;
         [f2.cross(force), force.cross(f1)]
     }
 
-    /// The derivative of (E6) by x, of a wrench that changes: `swing` is that of r.
+    /// The derivative of (E6) with respect to x, for a wrench that changes: `swing` is that of r.
     pub(super) fn slope(
         &self,
         swing: QuantityVec<Q>,
@@ -141,7 +141,7 @@ impl<R: Real> Trammel<R> {
         }
     }
 
-    /// What the place is whatever the load.
+    /// The quantities of the point that do not depend on the load.
     pub(super) fn kinematics<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Kinematics<Q> {
         let arm = self.rotated(p, self.arm).within(window);
         let reactions = self.sense.reactions.map(QuantityVec::<Q>::constant);
@@ -156,14 +156,14 @@ impl<R: Real> Trammel<R> {
         Kinematics::of(frame, window)
     }
 
-    /// The derivative of (E6) by x at the frozen hand.
+    /// The derivative of (E6) with respect to x at the frozen hand.
     pub(super) fn imbalance_slope<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Q {
         let load = self.load_at(p, window);
         let slope = self.load_slope_at(p, window);
         self.kinematics(p, window).slope(self.swing(p), load, slope)
     }
 
-    /// How fast r changes along x.
+    /// The rate of change of r along x.
     pub(super) fn swing<Q: Quantity<R>>(&self, p: &Place<R>) -> QuantityVec<Q> {
         let rate: Q = self.sense.curve.rate_as();
         self.rotated(p, self.arm.turned()).scaled(rate)
@@ -180,7 +180,7 @@ impl<R: Real> Trammel<R> {
         }
     }
 
-    /// The hand from contact 1.
+    /// The position of the hand relative to contact 1.
     fn hand_at<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> QuantityVec<Q> {
         let slide: Q = self.sense.curve.part_as(p, window);
         let hand = self.relative(self.load.spring + self.load.lever);
@@ -205,7 +205,7 @@ impl<R: Real> Trammel<R> {
         (force.within(window), moment.within(window))
     }
 
-    /// How fast these change along x.
+    /// Their rates of change along x.
     pub(super) fn load_slope_at<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Wrench<Q> {
         let rate: Q = self.sense.curve.rate_as();
         let slide: Q = self.sense.curve.part_velocity_as(p);

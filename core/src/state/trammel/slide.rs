@@ -1,5 +1,5 @@
-//! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
-//! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
+//! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of the
+//! hand, so that the fraction tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
 use super::kinematics::{Kinematics, Wrench};
 use super::{MOST_FOR_TOUCH, MOST_LOOKS, Run, Trammel};
@@ -14,16 +14,16 @@ use crate::search::{Found, Looks, Samples, first_zero};
 use crate::thresholds::Thresholds;
 use crate::world::World;
 
-/// What it takes to find the trammel of a slide with the hand and the bounds of its motion, in units of work.
+/// The cost of computing the trammel of a slide with the hand and the bounds of its motion, in units of work.
 pub(crate) const SLIDE: u32 = 49;
 
-/// A look at two contacts that slide with the hand takes as long as so many at the motion of one.
+/// The cost of evaluating two contacts that slide with the hand, in evaluations of the motion of one.
 pub(crate) const LOOK: u32 = 13;
 
-/// Besides those of its search a run takes so many at most.
+/// The maximum number of evaluations of a run in addition to those of its search.
 pub(super) const MOST_OF_OTHERS: u32 = 3;
 
-/// The most that a run takes but for the looks of its own, in units of work.
+/// The maximum cost of a run without its own evaluations, in units of work.
 pub(crate) const MOST_OF_SLIDE: u32 = SLIDE
     + LOOK * (MOST_LOOKS as u32 + MOST_OF_OTHERS)
     + MOST_FOR_TOUCH as u32
@@ -40,7 +40,7 @@ pub(crate) enum SlideEnding<R> {
     Halts,
     /// The balance folds: the contacts slip on.
     Folds,
-    /// A slip that began here would be as long as the memory: both stick, with stiction.
+    /// A slip that began here would be as long as the memory length: both stick, with stiction.
     Pressed,
     /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
     Opens { lasts: usize, sliding: R },
@@ -50,7 +50,7 @@ pub(crate) enum SlideEnding<R> {
     Off { contact: usize, sign: R },
 }
 
-/// Memories, and what is compared with them, are counted so many times: few digits represent them then.
+/// The factor by which memory lengths, and what is compared with them, are multiplied: on their own they have few digits.
 pub(super) fn per_memory<R: Real>() -> R {
     R::from_int(32)
 }
@@ -59,43 +59,43 @@ pub(super) fn per_memory<R: Real>() -> R {
 pub(crate) struct Slides<R> {
     pub(super) trammel: Trammel<R>,
     pub(super) displaced: Displaced<R>,
-    /// What is done of the displacement is counted in 1 over this.
+    /// The unit of the fraction of the displacement that is done is 1 over this.
     unit: R,
     /// The velocity of a contact, times the stability, below which it rests (rule 7).
     slack: R,
-    /// Where nothing is done yet, with what bounds the slide within the longest window.
+    /// The slide before any of the displacement is done, with its bounds within the longest window.
     pub(super) start: Progress<Bounded<R>>,
 }
 
 /// What the displacement adds to the load.
 #[derive(Clone, Copy)]
 pub(super) struct Displaced<R> {
-    /// dp and k dphi, counted as the load is and in units of the displacement.
+    /// dp and k dphi, in the same units as the load and per unit of the displacement.
     pub(super) force: Vec2<R>,
     pub(super) couple: R,
-    /// What they change E and N_i by is counted so many times: products of it with others lose fewer digits then. A power of two.
+    /// The factor by which its changes of E and N_i are multiplied: products of them with others then lose fewer digits. A power of two.
     pub(super) gain: R,
 }
 
-/// The slide at a place x.
+/// The slide at a position x.
 #[derive(Clone, Copy)]
 pub(super) struct Progress<Q> {
     /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
     rest: Q,
     pub(super) drive: Q,
-    /// Their derivatives by x.
+    /// Their derivatives with respect to x.
     rest_slope: Q,
     drive_slope: Q,
-    /// The same of N_1 and N_2 as of E, times the scale.
+    /// The same for N_1 and N_2 as for E, times the scale.
     normals: [[Q; 2]; 2],
     pub(super) velocities: [Q; 2],
-    /// How much of E a friction along the slide is worth at each contact.
+    /// The contribution to E of a friction along the slide at each contact.
     frictions: [Q; 2],
-    /// The size of f_1×f_2 where that is large, so that the force alone says N_i; else that of the resistance.
+    /// The size of f_1×f_2 if that is large, so that the force alone determines the N_i; otherwise that of the resistance.
     scale: Q,
 }
 
-/// The load at a place, what the displacement adds to it, and how fast (E6) of each changes along x at the frozen hand.
+/// The load at a position, what the displacement adds to it, and the rates of change of (E6) of each along x at the frozen hand.
 pub(super) struct Loads<Q> {
     pub(super) load: Wrench<Q>,
     pub(super) added: Wrench<Q>,
@@ -109,7 +109,7 @@ pub(super) struct Standing<Q> {
 }
 
 impl<Q> Progress<Q> {
-    /// At a place of a motion, with bounds for no more than a window from there. Once in an image, of every kind.
+    /// At a position of a motion, with bounds that cover only a window from there. Compiled once per image for each kind.
     #[inline(never)]
     fn at<R: Real>(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self
     where
@@ -136,7 +136,7 @@ impl<Q> Progress<Q> {
         Self::of(trammel, &place, &loads, (displaced.gain, window))
     }
 
-    /// Of a place and the loads there.
+    /// From a position and the loads there.
     pub(super) fn of<R: Real>(
         trammel: &Trammel<R>,
         place: &Kinematics<Q>,
@@ -181,7 +181,7 @@ impl<Q> Progress<Q> {
         }
     }
 
-    /// What the displacement changes is counted so many times.
+    /// Multiplies the changes due to the displacement by a factor.
     fn gain_by<R: Real>(&mut self, gain: R)
     where
         Q: Quantity<R>,
@@ -200,7 +200,7 @@ impl<Q> Progress<Q> {
         -self.rest.value() / self.drive.value()
     }
 
-    /// The same in numbers of which more or less is known.
+    /// The same in numbers whose bounds are known or not.
     pub(super) fn map<P>(self, of: impl Fn(Q) -> P + Copy) -> Progress<P> {
         Progress {
             rest: of(self.rest),
@@ -214,7 +214,7 @@ impl<Q> Progress<Q> {
         }
     }
 
-    /// Where nothing is done of the displacement yet.
+    /// Before any of the displacement is done.
     pub(super) fn begin<R: Real>(&self) -> Standing<Q>
     where
         Q: Quantity<R>,
@@ -225,7 +225,7 @@ impl<Q> Progress<Q> {
         }
     }
 
-    /// In balance, times the drive: what is linear in tau is so without a quotient.
+    /// In balance, times the drive: quantities that are linear in tau are so without a quotient.
     fn balanced<R: Real>(&self) -> Standing<Q>
     where
         Q: Quantity<R>,
@@ -238,7 +238,7 @@ impl<Q> Progress<Q> {
 }
 
 impl<R: Real> Progress<Bounded<R>> {
-    /// So many times the displacement may be counted: its changes up to one at first, and their bounds up to eight.
+    /// The factor by which the displacement may be multiplied: its changes up to one at first, and their bounds up to eight.
     fn gain(&self) -> R {
         let [[_, first], [_, second]] = self.normals;
         let sizes = [self.drive, self.drive_slope, first, second].map(|change| {
@@ -252,14 +252,14 @@ impl<R: Real> Progress<Bounded<R>> {
 }
 
 impl<R: Real> Slides<R> {
-    /// Of a trammel whose load is that at the beginning of a displacement.
+    /// For a trammel whose load is that at the beginning of a displacement.
     pub(crate) fn new(trammel: Trammel<R>, displacement: &Displacement<R>) -> Self {
         Self::from_start(trammel, displacement, |trammel, displaced| {
             Progress::at(trammel, displaced, (R::ZERO, Self::longest_window()))
         })
     }
 
-    /// With what is known of the slide where nothing is done yet.
+    /// With the known state of the slide before any of the displacement is done.
     pub(super) fn from_start(
         trammel: Trammel<R>,
         displacement: &Displacement<R>,
@@ -293,7 +293,7 @@ impl<R: Real> Slides<R> {
         &self.trammel
     }
 
-    /// In units of x the bounds hold so far.
+    /// The bounds hold up to here, in units of x.
     fn longest_window() -> R {
         R::HALF.halved().halved()
     }
@@ -302,14 +302,14 @@ impl<R: Real> Slides<R> {
         Progress::at(&self.trammel, &self.displaced, (x, R::ZERO))
     }
 
-    /// What a slip that began there lacks of the memory of each contact (E14), times stability and scale.
+    /// How much a slip that began there falls short of the memory length of each contact (E14), times stability and scale.
     fn lacks<Q: Quantity<R>>(&self, at: &Progress<Q>, standing: &Standing<Q>) -> [Q; 2] {
         self.slip_lengths(at, standing, |length| length)
             .map(|[memory, slip]| memory - slip)
     }
 
-    /// What a slip that began at a place, after a part of the displacement, lacks of the memory of each contact, and what that part of the
-    /// memory is; both so many times that few digits represent them.
+    /// How much a slip that began at a position, after a fraction of the displacement, falls short of the memory length of each contact,
+    /// and the memory length itself; both scaled so that few digits suffice.
     pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
         let after = |[rest, drive]: [Sloped<R>; 2]| Sloped {
             value: rest.value + drive.value * part,
@@ -324,8 +324,8 @@ impl<R: Real> Slides<R> {
             .map(|[memory, slip]| (memory.value - slip.value, memory.value.abs()))
     }
 
-    /// The memory of each contact, and how far it goes in a slip that begins there (E14), both times stability and scale. Lengths are
-    /// counted as `counted` has them.
+    /// The memory length of each contact, and its displacement in a slip that begins there (E14), both times stability and scale. `counted`
+    /// scales the lengths.
     fn slip_lengths<Q: Quantity<R>>(
         &self,
         at: &Progress<Q>,
@@ -334,7 +334,7 @@ impl<R: Real> Slides<R> {
     ) -> [[Q; 2]; 2] {
         let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
         let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
-        // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
+        // The value of E if mu_s bore the load at both contacts: perpendicular to the surfaces, not along the edges of the cones.
         let [d1, d2] = [first, second].map(|f| counted(f.drop() * f.sliding_edge(R::ZERO).0));
         let jump = n1 * f1.times(d1) + n2 * f2.times(d2);
         let falls = standing.stability * at.scale;
@@ -347,13 +347,13 @@ impl<R: Real> Slides<R> {
         })
     }
 
-    /// mu_s > mu_d at one of the contacts.
+    /// Returns whether mu_s > mu_d at one of the contacts.
     pub(super) fn has_stiction(&self) -> bool {
         let [f1, f2] = self.trammel.surfaces.map(|surface| surface.friction);
         f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
     }
 
-    /// A slip that began here would be as long as the memory of a contact.
+    /// Returns whether a slip that began here would be as long as the memory length of a contact.
     pub(super) fn is_pressed(
         &self,
         at: &Progress<Bounded<R>>,
@@ -363,8 +363,8 @@ impl<R: Real> Slides<R> {
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
 
-    /// The slide would go back as the hand goes on (rule 7), or its balance lies behind even where the hand ends, as of a body that was
-    /// seated anew: contacts that slid stick there.
+    /// Returns whether the slide would move back as the hand goes on (rule 7), or its balance lies behind even where the hand ends, as for
+    /// a body that was seated again: contacts that slid stick there.
     fn recedes(&self, start: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> bool {
         let [v1, v2] = start.velocities.map(|v| v.value.abs());
         let left = start.rest + start.drive.times(self.unit);
@@ -372,7 +372,7 @@ impl<R: Real> Slides<R> {
             || left.value < -R::beyond_doubt(left.bounds.error)
     }
 
-    /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
+    /// How contacts that give way at the edges of their dynamic cones go on (rule 10e): `None` if they do not slide in this manner.
     pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
         let start = &self.start;
         let standing = start.begin();
@@ -390,8 +390,8 @@ impl<R: Real> Slides<R> {
         })
     }
 
-    /// The rates at which the slide advances and those N_i grow that are zero, in tau, each times a positive number; nothing where it is
-    /// not stable.
+    /// The rates at which the slide advances and those N_i grow that are zero, in tau, each times a positive number; `None` if it is not
+    /// stable.
     pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
         let start = &self.start;
         let is_stable = start.begin().stability.value > R::ZERO;
@@ -399,7 +399,7 @@ impl<R: Real> Slides<R> {
         is_stable.then_some((start.drive.value, normals))
     }
 
-    /// It is not stable where it begins, or would go back.
+    /// It is not stable where it begins, or would move back.
     pub(super) fn ends_at_once(&self) -> Option<SlideEnding<R>> {
         let standing = self.start.begin();
         if standing.stability.value <= R::ZERO {
@@ -408,12 +408,12 @@ impl<R: Real> Slides<R> {
         (self.recedes(&self.start, &standing)).then_some(SlideEnding::Halts)
     }
 
-    /// The part of the displacement that is done.
+    /// The fraction of the displacement that is done.
     pub(super) fn part_gone(&self, at: &Progress<Sloped<R>>) -> R {
         at.gone().max(R::ZERO).min(self.unit) / self.unit
     }
 
-    /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
+    /// Follows the hand to the first ending: how far, and the fraction of the displacement that is done.
     #[inline(never)]
     pub(crate) fn run(
         &self,
@@ -432,7 +432,7 @@ impl<R: Real> Slides<R> {
             return (nowhere, R::ZERO, ending);
         }
         let remembers = self.has_stiction() && !self.is_pressed(start, &standing);
-        // What drives it back by a rounding leaves it where it is.
+        // A drive back by a rounding leaves it where it is.
         let is_driven = start.drive.value > R::ZERO;
         let mut looks = Looks::at_most(MOST_LOOKS);
         let (mut x, mut ending, is_unsure) = if is_driven {
@@ -471,7 +471,7 @@ impl<R: Real> Slides<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            // What goes as far as its bounds hold goes on from there.
+            // A slide that reaches the end of its bounds goes on from there.
             unsure: extent.unsure && (ending != SlideEnding::Window || x == R::ZERO),
             work: SLIDE
                 .saturating_add((looks.taken().saturating_add(others)).saturating_mul(LOOK))
@@ -481,7 +481,7 @@ impl<R: Real> Slides<R> {
     }
 
     /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
-    /// part of it.
+    /// fraction of it.
     pub(super) fn opens_in_place(&self, at: &Progress<Sloped<R>>) -> Option<(SlideEnding<R>, R)> {
         let [first, second] = at.normals.map(|[rest, drive]| {
             let end = rest.value + drive.value * self.unit;
@@ -498,7 +498,7 @@ impl<R: Real> Slides<R> {
         }
     }
 
-    /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
+    /// Four times the distance at its initial rate, but from 2^-19 to 1/8: over short distances the bounds of products are tight.
     pub(super) fn window(
         &self,
         start: &Progress<Bounded<R>>,
@@ -514,7 +514,7 @@ impl<R: Real> Slides<R> {
         window.max(R::MICRO)
     }
 
-    /// What is zero where the slide ends: at the end of the displacement, a fold, N_i = 0, a halt of a contact, stiction.
+    /// The functions that are zero where the slide ends: at the end of the displacement, a fold, N_i = 0, a halt of a contact, stiction.
     pub(super) fn ends<Q: Quantity<R>>(&self, at: &Progress<Q>, remembers: bool) -> [Option<Q>; 8] {
         let standing = at.balanced();
         let ([n1, n2], [v1, v2]) = (standing.normals, at.velocities);
@@ -536,7 +536,7 @@ impl<R: Real> Slides<R> {
         ]
     }
 
-    /// The first ending but a touch, within a window.
+    /// The first ending, except a touch, within a window.
     fn first_ending(
         &self,
         (window, looks): (R, &mut Looks),
@@ -565,6 +565,7 @@ impl<R: Real> Slides<R> {
         }
     }
 
+    /// The ending of a slide for the function that became zero, in the order of [`Self::ends`].
     pub(super) fn ending(&self, which: usize) -> SlideEnding<R> {
         let [s1, s2] = self.trammel.sense.signs;
         let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
@@ -586,14 +587,14 @@ impl<R: Real> Slides<R> {
         }
     }
 
-    /// A place at which the whole displacement is all but done, without the rounding of the search, and the slide next to it.
+    /// A position at which almost the whole displacement is done, without the rounding of the search, and the slide next to it.
     fn polished(&self, x: R) -> (R, Progress<Sloped<R>>) {
         let x = self.nearer(x, &self.at(x));
         let at = self.at(x);
         (self.nearer(x, &at), at)
     }
 
-    /// Nearer to where the whole displacement is done.
+    /// Closer to where the whole displacement is done.
     pub(super) fn nearer(&self, x: R, at: &Progress<Sloped<R>>) -> R {
         let left = at.rest + at.drive.times(self.unit);
         if left.slope < R::ZERO {

@@ -1,5 +1,5 @@
-//! The trammel motion against statics written out: reactions that oppose the sliding, and the drive that is left, balance the
-//! load at every place; their slopes are derivatives, and their bounds hold up to the window.
+//! The trammel motion against statics written out: reactions that oppose the sliding, and the remaining drive, balance the load at every
+//! position; their slopes are derivatives, and their bounds hold up to the window.
 
 use super::*;
 use crate::fixtures::{Random, sampled, searches};
@@ -71,7 +71,7 @@ fn case(random: &mut Random) -> Option<Case> {
     Some(Case { scene, state, grip })
 }
 
-/// At a place of a motion: the contacts from where contact 1 began, and the load about it.
+/// At a point of a motion: the contacts relative to where contact 1 began, and the load about it.
 struct Place2 {
     contacts: [Vec2<f64>; 2],
     force: Vec2<f64>,
@@ -98,7 +98,7 @@ impl Case {
     }
 }
 
-/// All that are driven, of many.
+/// All cases that are driven, of many.
 fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> usize {
     let mut count = 0;
     for seed in sampled(0..3000, 97) {
@@ -132,8 +132,7 @@ fn quantities(trammel: &Trammel<f64>, x: f64) -> ([f64; 2], [f64; 2], [f64; 3]) 
     )
 }
 
-/// N_1 w_1 + N_2 w_2 + load = delta (v_1 w_t1 + v_2 w_t2), forces and moments; friction N_i mu_d against the velocities at the
-/// beginning.
+/// N_1 w_1 + N_2 w_2 + load = delta (v_1 w_t1 + v_2 w_t2), forces and moments; friction N_i mu_d against the velocities at the beginning.
 #[test]
 fn reactions_and_what_drives_balance_the_load() {
     let count = driven(Demand::Pressed, |case, trammel, seed| {
@@ -226,7 +225,7 @@ fn slopes_are_derivatives_and_bounds_hold() {
                 slope: q.slope,
             };
             assert_eq!(at.map(both), sloped, "{seed}");
-            // Those of the beginning hold all along.
+            // The bounds of the beginning hold throughout.
             let begin = all(0.0);
             for (i, bounded) in at.iter().enumerate() {
                 let slope = (after[i].value - before[i].value) * 0.5e5;
@@ -241,7 +240,7 @@ fn slopes_are_derivatives_and_bounds_hold() {
     });
 }
 
-/// By small steps: before the end the motion is driven, both contacts press and slide on; at the end what ends it is zero.
+/// By small steps: before the end the motion is driven, both contacts press and slide on; at the end its cause is zero.
 #[test]
 fn run_ends_at_what_comes_first() {
     let mut ends = [0; 4];
@@ -290,7 +289,7 @@ fn run_ends_at_what_comes_first() {
                 (1, if lasts == 0 { n2 } else { n1 })
             }
             Ending::Reverses => (2, v1.min(v2)),
-            // As far as it looked.
+            // As far as it was examined.
             Ending::Window => (3, 0.0),
             Ending::Touches(_) => return,
             Ending::Off { .. } | Ending::Rests => panic!("of obstacles alone"),
@@ -304,8 +303,8 @@ fn run_ends_at_what_comes_first() {
     );
 }
 
-/// A slip of both contacts is the displacement of the first one's foot. In balance ends only what comes to (E6); what does not move has no
-/// motion; and a slip whose search gives up says so.
+/// A slip of both contacts is the displacement of the first one's foot. Only a slip that comes to (E6) ends in balance; one that does not
+/// move has no motion; and a slip whose search gives up reports it.
 #[test]
 fn slip_is_told_as_it_is() {
     let mut seen = [0; 4];
@@ -342,7 +341,7 @@ fn slip_is_told_as_it_is() {
             }
         }
         for most in [4, 6, 8] {
-            // From where a search was left it goes on, to the same end.
+            // From where a search stopped it goes on, to the same end.
             let mut again = case.state.clone();
             let slip = || again.slip_to_the_end(scene, grip);
             let (cut, counts) = searches::giving_up(most, slip);

@@ -1,5 +1,5 @@
-//! The slip of two vertices on two surfaces (STATICS 5): a motion of one degree of freedom at a frozen hand, piece by piece as far as
-//! its bounds hold, to the first of (E6), N_i = 0 and touch.
+//! The slip of two vertices on two surfaces (STATICS 5): a motion of one degree of freedom at a frozen hand, piece by piece as far as its
+//! bounds hold, to the first of (E6), N_i = 0 and touch.
 
 use super::TwoVertex;
 use crate::contact::{Pair, Regime};
@@ -13,16 +13,16 @@ use crate::verb::{Moved, Trigger, seat_sliding};
 use crate::work::{CERTIFIED_SLIP, DRIVEN, Work};
 use crate::world::{Surface, World};
 
-/// A slip of one or two vertices that is under way, piece by piece.
+/// A slip of one or two vertices in progress, piece by piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slip<R> {
     /// Where it began: the first contact and the angle.
     pub(in crate::state) foot: R,
     angle: Angle<R>,
-    /// The sign of the twist: it goes one way.
+    /// The sign of the twist: it moves in one direction.
     sense: Sign,
     demand: Demand,
-    /// Where nothing drives it on a contact opens: whether the first one lasts, and the direction in which the one that lasts slides.
+    /// If nothing drives it on a contact opens: whether the first one lasts, and the direction in which the one that lasts slides.
     opens: Option<(bool, Sign)>,
 }
 
@@ -55,8 +55,9 @@ impl<R: Real> Slip<R> {
 }
 
 impl<R: Real> TwoVertex<R> {
-    /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
-    /// its memory, else they slide on with the hand (rule 10d). It goes as far as the bounds hold; what is under way then goes on.
+    /// Slips on both surfaces to the first of (E6), N_i = 0, touch. If it ends in balance both stick if one of them moved as far as its
+    /// memory length, otherwise they slide on with the hand (rule 10d). It moves as far as the bounds hold; a slip in progress then goes
+    /// on.
     #[inline(never)]
     pub(crate) fn slip(
         &mut self,
@@ -68,7 +69,7 @@ impl<R: Real> TwoVertex<R> {
             return self.slip_on(scene, grip, stretch, under_way);
         }
         match under_way.take() {
-            // Nothing drives it beyond what was looked at.
+            // Nothing drives it beyond what was examined.
             Some(slip) => {
                 let opens = slip.opens.map(|(first_lasts, sliding)| {
                     keep(usize::from(!first_lasts), sliding.number())
@@ -76,7 +77,7 @@ impl<R: Real> TwoVertex<R> {
                 let trigger = opens.unwrap_or(Trigger::Stopped);
                 self.end_slip(scene, grip, &slip, (trigger, true))
             }
-            // In both senses, with either demand.
+            // In both directions, with either demand.
             None => Moved {
                 work: DRIVEN + DRIVEN,
                 ..Moved::by(Trigger::Undriven)
@@ -84,7 +85,7 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// From a fold of a slide, on in the same sense.
+    /// From a fold of a slide, on in the same direction.
     #[inline(never)]
     pub(crate) fn snap(
         &mut self,
@@ -100,7 +101,7 @@ impl<R: Real> TwoVertex<R> {
         self.slip_on(scene, grip, stretch, under_way)
     }
 
-    /// Along a motion that is driven, as far as the bounds hold. A call of its own: the motion is off the stack when it is done.
+    /// Along a motion that is driven, as far as the bounds hold. A call of its own: the motion is off the stack when it returns.
     #[inline(never)]
     fn slip_driven(
         &mut self,
@@ -109,7 +110,7 @@ impl<R: Real> TwoVertex<R> {
         under_way: &mut Option<Slip<R>>,
     ) -> Option<Stretch<R>> {
         let contacts = (&self.pivot, self.other);
-        // It goes one way.
+        // It moves in one direction.
         let (senses, demand) = match under_way {
             Some(slip) => ([slip.sense.number(); 2], slip.demand),
             None => ([R::ONE, -R::ONE], Demand::Pressed),
@@ -119,7 +120,7 @@ impl<R: Real> TwoVertex<R> {
         Some(self.slip_along(scene, grip, (&trammel, false), under_way.take()))
     }
 
-    /// From a fold, where no balance ends it, likewise.
+    /// From a fold, where no balance ends it, in the same manner.
     #[inline(never)]
     fn slip_over_fold(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Stretch<R> {
         let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
@@ -169,7 +170,7 @@ impl<R: Real> TwoVertex<R> {
         Stretch { slip, run, ending }
     }
 
-    /// A slip in a sense of the twist that certainly ends in balance (STATICS 12.8), and nothing is reached on it.
+    /// A slip in a direction of the twist that certainly ends in balance (STATICS 12.8), if nothing is reached on it.
     #[inline(never)]
     fn slip_shortly<W: World<R>>(
         &mut self,
@@ -191,7 +192,7 @@ impl<R: Real> TwoVertex<R> {
         })
     }
 
-    /// What has come of a slip: its end, or it is under way.
+    /// The result of a stretch of a slip: its end, or that it is in progress.
     fn slip_on<W: World<R>>(
         &mut self,
         scene: &W,
@@ -235,7 +236,7 @@ impl<R: Real> TwoVertex<R> {
             *under_way = Some(slip);
             Moved::by(Trigger::GoesOn)
         } else {
-            // What has no end here does not get away from where it is.
+            // If it has no end here it makes no progress.
             let trigger = ends.unwrap_or(Trigger::Stopped);
             self.end_slip(scene, grip, &slip, (trigger, unbalanced))
         };
@@ -246,7 +247,7 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// What a slip leaves behind that goes no farther.
+    /// What a slip that goes no farther leaves behind.
     fn end_slip<W: World<R>>(
         &mut self,
         scene: &W,
@@ -264,7 +265,7 @@ impl<R: Real> TwoVertex<R> {
         if moved.trigger != Trigger::Stopped {
             return moved;
         }
-        // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
+        // If opposite surfaces clamp the body, a slip does not always end in balance.
         let fixed_pose = self.fixed_pose(scene);
         let is_at_rest = fixed_pose.is_at_rest(scene, grip);
         moved.work = fixed_pose.work();
@@ -277,7 +278,7 @@ impl<R: Real> TwoVertex<R> {
             }
         }
         if W::CORNERS && !moved.unbalanced {
-            // One that began with a contact that did not press may come to (E6) with one.
+            // A slip that began with a contact that did not press may come to (E6) with one that does not.
             let contacts = (&self.pivot, self.other);
             let slid = Trammel::in_sense(scene, contacts, grip, slip.sense.number());
             moved.unbalanced = !slid.presses_both();
@@ -289,12 +290,12 @@ impl<R: Real> TwoVertex<R> {
         moved
     }
 
-    /// In balance at the end of a slip from a place both stick or slide on.
+    /// In balance at the end of a slip from a position both stick or slide on.
     fn rests(&mut self, scene: &impl World<R>, (slip, begin): (&Slip<R>, &Pivot<R>)) {
         self.regime = Regime::after_slip(self.has_renewed(scene, begin), slip.sense.number());
     }
 
-    /// A contact has gone as far as its memory since a place, and regains stiction.
+    /// Returns whether a contact has moved as far as its memory length since a position, and so regains stiction.
     fn has_renewed(&self, scene: &impl World<R>, begin: &Pivot<R>) -> bool {
         let pairs = self.contacts();
         let surfaces = || pairs.iter().map(|pair| scene.surface(pair.surface));
@@ -306,8 +307,8 @@ impl<R: Real> TwoVertex<R> {
         has_stiction && pairs.iter().zip(surfaces()).any(renews)
     }
 
-    /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide; and what
-    /// that took, in units of work.
+    /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by a slide of that one; and the
+    /// cost of the test, in units of work.
     fn can_open(
         &self,
         scene: &impl World<R>,
@@ -333,7 +334,7 @@ pub(super) fn keep<R: Real>(lasts: usize, sliding: R) -> Trigger<R> {
 
 #[cfg(test)]
 impl<R: Real> TwoVertex<R> {
-    /// A slip to its end, in as many goes as it takes.
+    /// A slip to its end, in as many calls as it takes.
     pub(in crate::state) fn slip_to_the_end(
         &mut self,
         scene: &impl World<R>,

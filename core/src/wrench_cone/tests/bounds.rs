@@ -1,12 +1,12 @@
-//! At the bounds of what is borne: how exactly a facet is known, which way contacts without friction slide, what single contacts
-//! leave of a load.
+//! At the bounds of the loads that are borne: the accuracy of a facet, the direction in which contacts without friction slide, the residual
+//! of single contacts.
 
 use super::*;
 
 const ROUNDING: f64 = 1.0 / 1024.0;
 
-/// Two contacts without friction on a floor bear no pull along it. Forces are distinguished by more than the rounding, and as much
-/// less as the contacts are close together, since the facet is so much less sharp.
+/// Two contacts without friction on a floor bear no pull along it. Forces are distinguished if they exceed the rounding, and less
+/// accurately in proportion as the contacts are close together, since the facet is less sharp.
 #[test]
 fn facet_is_known_as_exactly_as_its_edges_are_apart() {
     for (span, sharp) in [
@@ -30,8 +30,8 @@ fn facet_is_known_as_exactly_as_its_edges_are_apart() {
     }
 }
 
-/// Where contacts without friction slide, the load moves the body: the twist that leaves both on their surfaces, in the sense in
-/// which the load does work.
+/// If contacts without friction slide, the load moves the body: by the twist that leaves both on their surfaces, in the direction in which
+/// the load does work.
 #[test]
 fn without_friction_contacts_slide_as_the_load_moves_them() {
     let mut count = 0;
@@ -67,7 +67,7 @@ fn without_friction_contacts_slide_as_the_load_moves_them() {
     assert!(cfg!(miri) || count > 100, "{count}");
 }
 
-/// A single contact leaves of a load what is across it, at whatever lever.
+/// The residual of a load after a single contact is its component across the contact, at any lever.
 #[test]
 fn single_contact_leaves_what_is_across() {
     for lever in [0.0, 0.5, 3.0] {
@@ -83,8 +83,8 @@ fn single_contact_leaves_what_is_across() {
     }
 }
 
-/// In a slot the bearable loads lie in one line, wherever along the slot the contacts are: what is off it by the rounding is borne,
-/// and so is a pull of that size.
+/// In a slot the loads that are borne are collinear, wherever along the slot the contacts are: a load that is off that line by the rounding
+/// is borne, and so is a pull of that size.
 #[test]
 fn slot_bears_to_within_the_rounding() {
     for lever in [0.0, 3.0, -8.0] {
@@ -112,7 +112,7 @@ fn load_is_scaled_in_all_parts() {
     }
 }
 
-/// Parts of edges that lie almost in a plane are hardly known; even so they leave almost nothing of a load that they bear.
+/// Components along edges that are almost coplanar are hardly known; even so they leave almost no residual of a load that they bear.
 #[test]
 fn blunt_edges_bear_to_the_rounding() {
     const LEAVES: f64 = 1e-14;
@@ -168,7 +168,7 @@ where
         assert_eq!(is_within, normal <= 64.0, "{normal}");
         assert!(cone.jams(load, little), "{normal}");
         assert_eq!(cone.exceeds_limit(load, little), !is_within, "{normal}");
-        // Nothing holds it against a pull along it.
+        // Nothing holds it against a pull along the line.
         assert!(!cone.jams(load.scaled(-R::ONE), little), "{normal}");
         found[usize::from(is_within)] += 1;
     }

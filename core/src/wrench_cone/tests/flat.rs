@@ -1,5 +1,5 @@
-//! Cones that are almost flat, in every number type: three edges of them bear a load to the rounding, though their parts are hardly
-//! known, and no load of which they leave more; parts beyond all numbers are not reported as small ones.
+//! Cones that are almost flat, in every number type: three edges of them bear a load to the rounding, although the components are hardly
+//! known, and no load of which more remains; components beyond all numbers are not reported as small ones.
 
 use super::*;
 use crate::fixtures::number;
@@ -24,12 +24,12 @@ where
     }
 }
 
-/// What is little, as in the solver: some times the rounding and what closes.
+/// What counts as small, as in the solver: a few times the rounding and the touch.
 fn little<R: Real>() -> R {
     R::EPSILON * R::from_int(64) + R::TOUCH
 }
 
-/// What parts of edges leave of a load.
+/// The residual of a load after components along edges.
 fn remainder<R: Real>(
     load: Wrench2<R>,
     parts: impl Iterator<Item = (Wrench2<R>, R)>,
@@ -40,7 +40,7 @@ fn remainder<R: Real>(
     })
 }
 
-/// Two contacts up to a distance apart, on surfaces of any angles.
+/// Two contacts up to a distance apart, on surfaces at any angles.
 fn two_contacts<R: Real>(random: &mut Random, distance: f64) -> WrenchCone<R>
 where
     R::Si: From<f32>,
@@ -52,7 +52,7 @@ where
     cone
 }
 
-/// Two contacts close together: what three edges of theirs add up to is borne on these and shared out.
+/// Two contacts close together: sums of three of their edges are borne on these edges and distributed.
 fn flat_cones_bear<R: Real>()
 where
     R::Si: From<f32>,
@@ -80,7 +80,7 @@ where
                 }
             },
         );
-        // Even flatter ones are refined by what is left alone.
+        // Even flatter ones are refined by the residual only.
         let is_refined = volume > R::in_plane() * R::from_int(64);
         assert!(
             !is_refined || cone.bears_on([0, 1, 2], load, little),
@@ -100,7 +100,7 @@ fn flat_cones_bear_to_the_rounding() {
     flat_cones_bear::<Fixed>();
 }
 
-/// What edges that are not flat are said to bear of a small load they bear to the parts of their rounding.
+/// If edges that are not flat are reported to bear a load, they bear it to fractions of its rounding, even if it is small.
 fn sharp_cones_bear_to_parts_of_a_rounding<R: Real>()
 where
     R::Si: From<f32>,
@@ -120,7 +120,7 @@ where
             };
             let edge = |k: usize| cone.edges[k].wrench;
             let remainder = remainder(load, solution.iter().map(|&(k, part)| (edge(k), part)));
-            // Three parts, each to 2^8 roundings.
+            // Three components, each to 2^8 roundings.
             let bound = R::EPSILON * R::from_int(64) * R::from_int(12);
             assert!(
                 remainder.size() <= bound,
@@ -139,7 +139,7 @@ fn sharp_cones_bear_small_loads() {
     sharp_cones_bear_to_parts_of_a_rounding::<Fixed>();
 }
 
-/// What flat cones are said to bear they bear, whatever the load: parts that press and leave little of it.
+/// If a flat cone is reported to bear a load, it does, whatever the load: with components that press and leave a small residual.
 fn flat_cones_bear_nothing_else<R: Real>()
 where
     R::Si: From<f32>,
@@ -171,7 +171,7 @@ where
                 solution.iter().all(|&(_, part)| part >= R::ZERO),
                 "{seed}: {solution:?}"
             );
-            // And what the rounding of the parts leaves.
+            // Plus the rounding residual of the components.
             let sum = solution.iter().fold(R::ZERO, |sum, &(_, part)| sum + part);
             assert!(
                 remainder.size() <= little + R::rounding(sum) * R::from_int(4),
@@ -196,9 +196,9 @@ fn flat_cones_bear_no_more_than_they_can() {
 struct Clamp {
     exact: WrenchCone<f64>,
     load: Wrench2<f64>,
-    /// Of each contact.
+    /// The reported reaction of each contact.
     told: Vec<f64, MAX_CONTACTS>,
-    /// What it leaves of the load.
+    /// The residual of the load.
     left: f64,
 }
 
@@ -212,7 +212,7 @@ fn clamp(seed: u64) -> Clamp {
         exact.add(&contact(lever, angle));
         cone.add(&contact(lever, angle));
     }
-    // A large one is borne by reactions that differ by as much.
+    // A large one is borne by reactions whose difference is as large.
     let size = if seed.is_multiple_of(2) { 2.0 } else { 12.0 };
     let [x, y, moment] = [size, size, 8.0].map(|most| (most * random.next()) as f32);
     let load = Wrench2 {
@@ -234,9 +234,9 @@ fn clamp(seed: u64) -> Clamp {
     }
 }
 
-/// What a clamp bears in `f64`: in fixed point what is reported balances the load, or the reaction of one contact at least is about as
-/// large as numbers are. Where some parts that bear the load are not large, it balances; where all are, no contact is reported to bear more
-/// than where it takes most of the load, nor, as far as numbers go, less than where it takes least.
+/// Loads that a clamp bears in `f64`: in fixed point the reported reactions balance the load, or the reaction of at least one contact is
+/// about as large as the numbers permit. If some components that bear the load are not large, they balance it; if all are, no contact is
+/// reported to bear more than where it takes most of the load, nor, as far as the numbers permit, less than where it takes least.
 #[test]
 fn parts_beyond_the_numbers_are_told_at_the_rail() {
     let balance = 2.0 * f64::from(little::<Fixed>().to_si(1.0));
@@ -290,7 +290,7 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
     );
 }
 
-/// Where a clamp does not bear a load by far, what is reported leaves no more than no reactions would.
+/// If a clamp is far from bearing a load, the residual of the reported reactions is no larger than the load itself.
 #[test]
 fn what_is_told_leaves_less_than_the_load() {
     let mut count = 0;

@@ -16,20 +16,20 @@ use stiction_firmware::line::{self, Line};
 
 use crate::work::{SharedClock, SharedServo};
 
-/// Of the serial line.
+/// Baud rate of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
-/// Of the processor and of TIMER0 (Hz), and in a µs.
+/// Clock of the processor and of TIMER0 (Hz), and per µs.
 pub(crate) const CLOCK: u32 = 16_000_000;
 const PER_US: u32 = 16;
 const TX: u32 = 24;
 const RX: u32 = 25;
-/// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
+/// A tick that does not come for this long ends in a reset, in ticks of 32 768 Hz: 50 ms.
 const PATIENCE: u32 = 1_638;
 
 /// This board has no device.
 pub(crate) type Device = (FromLine, NoActuators);
 
-/// What the tasks work with.
+/// The resources of the tasks.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) clock: SharedClock,
@@ -38,9 +38,9 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
+    /// Starts everything, with this many ticks per second.
     pub(crate) fn start(device: pac::Peripherals, rate: u16) -> Self {
-        // The crystal: the oscillator inside is too far off for a serial line.
+        // The crystal: the internal oscillator is too inaccurate for a serial line.
         let _ = Clocks::new(device.CLOCK).enable_ext_hfosc();
         Self {
             uart: Uart::new(device.UART0, &device.GPIO),
@@ -54,17 +54,17 @@ impl Board {
 /// Ticks and time, both from one counter that never stops.
 pub(crate) struct Clock {
     timer: TIMER0,
-    /// Ticks of a second.
+    /// Ticks per second.
     rate: u16,
     /// Counts between them.
     period: u32,
     /// The count of the next tick.
     next: u32,
     last: u32,
-    /// Counts that do not make a µs yet.
+    /// Counts that do not make up a µs yet.
     rest: u32,
     now_us: u32,
-    /// The count at the last look at [`Self::now_ns`].
+    /// The count at the last call of [`Self::now_ns`].
     looked: u32,
     now_ns: u32,
 }
@@ -104,7 +104,7 @@ impl Clock {
         self.timer.cc[1].read().bits()
     }
 
-    /// Ticks of a second from the present one on.
+    /// Sets the ticks per second, beginning with the next one.
     pub(crate) fn set_rate(&mut self, rate: u16) {
         if rate != self.rate {
             self.next = self.next.wrapping_sub(self.period);
@@ -115,9 +115,9 @@ impl Clock {
         }
     }
 
-    /// The next tick is a whole number of periods after the one before, and not before now: a compare value of the past would
-    /// come in 4 minutes.
-    // Flash is short.
+    /// The next tick is a whole number of periods after the previous one, and not before now: a compare value in the past would match only
+    /// after 4 minutes.
+    // Flash is limited.
     #[inline(never)]
     fn arm(&mut self, now: u32) {
         self.next = self.next.wrapping_add(self.period);
@@ -130,11 +130,11 @@ impl Clock {
         unsafe { self.timer.cc[0].write(|w| w.bits(self.next)) };
     }
 
-    /// A tick has come: what time it is (µs, wrapping).
+    /// A tick has come: returns the time (µs, wrapping).
     pub(crate) fn tick(&mut self) -> u32 {
         let now = self.count();
         self.arm(now);
-        // Last: as long as the compare value is the present one, QEMU lets a capture set the event again.
+        // Last: as long as the compare value is the present one, a capture in QEMU sets the event again.
         self.timer.events_compare[0].reset();
         let counts = now.wrapping_sub(self.last).saturating_add(self.rest);
         self.last = now;
@@ -186,7 +186,7 @@ impl Uart {
         }
     }
 
-    /// What came in, and a byte out.
+    /// Takes the bytes that arrived, and sends a byte.
     pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
         while let Some(byte) = self.read() {
             line.receive(byte);
@@ -194,7 +194,7 @@ impl Uart {
         self.send(line);
     }
 
-    /// The byte that came, if one did.
+    /// The byte that arrived, if any.
     fn read(&mut self) -> Option<u8> {
         if self.uart.events_rxdrdy.read().bits() == 0 {
             return None;
@@ -230,7 +230,7 @@ impl Watchdog {
                 watchdog.run_during_debug_halt(false);
                 Some(watchdog.activate::<wdt::count::One>().handles.0)
             }
-            // It runs since before a soft reset: with the same handle.
+            // It has been running since before a soft reset: use the same handle.
             Err(device) => match wdt::Watchdog::try_recover::<wdt::count::One>(device) {
                 Ok(parts) => Some(parts.handles.0),
                 Err(_) => None,
@@ -246,7 +246,7 @@ impl Watchdog {
     }
 }
 
-/// No pin drives anything any more, but the serial line.
+/// No pin except the serial line drives anything any more.
 pub(crate) fn actuators_off() {
     // SAFETY: one register, written once.
     unsafe { (*GPIO::ptr()).dirclr.write(|w| w.bits(!(1 << TX))) };

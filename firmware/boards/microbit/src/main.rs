@@ -20,7 +20,7 @@ mod stop;
 #[path = "../../work.rs"]
 mod work;
 
-/// This machine is none.
+/// Not for this machine.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!("an image for a board: type cargo run in firmware/boards/microbit");
@@ -40,9 +40,9 @@ mod app {
     use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
 
-    /// Ticks of a second.
+    /// Ticks per second.
     const RATE: u16 = 200;
-    /// Units of work of a second; half of its time is for the interrupts of the line and what else a tick does.
+    /// Units of work per second; half of the time is reserved for the interrupts of the line and the rest of a tick.
     const WORK_RATE: u32 = Processor::CORTEX_M0.work_rate(board::CLOCK, 4);
 
     static SETUP: Setup = Setup {
@@ -61,7 +61,7 @@ mod app {
         scene: SCENE,
     };
 
-    /// Bytes that wait, each way: 22 ms.
+    /// Bytes that wait, in each direction: 22 ms.
     const ROOM: usize = 256;
 
     static LINE: Line<ROOM> = Line::new();
@@ -91,7 +91,7 @@ mod app {
         (Shared { clock, servo }, Local { uart, work })
     }
 
-    /// What comes first is what must not wait.
+    /// The most urgent work first.
     #[task(binds = UART0, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
         cx.local.uart.serve(&LINE);
@@ -113,7 +113,7 @@ mod app {
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        // No sleep: during sleep a debugger receives no log, and the emulator's clock skips ticks.
         work::log(&SETUP, || LINE.lost(), || {})
     }
 }

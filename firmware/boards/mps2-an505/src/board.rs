@@ -19,18 +19,18 @@ use stiction_firmware::line::{self, Line};
 
 use crate::work::{SharedClock, SharedServo};
 
-/// Of the serial line that the Pico 2 has; this one has no rate.
+/// Baud rate of the serial line of the Pico 2; this one has no rate.
 pub(crate) const BAUD: u32 = 921_600;
-/// Of SysTick and the dual timer (Hz).
+/// Clock of SysTick and the dual timer (Hz).
 const COUNTS: u32 = 20_000_000;
 const PER_US: u32 = COUNTS / 1_000_000;
 const NS: u32 = 1_000_000_000 / COUNTS;
 
-/// What RTIC wants to know of a chip.
+/// What RTIC requires of a chip.
 pub(crate) mod chip {
     use cortex_m::interrupt::InterruptNumber;
 
-    /// Fewer than it has.
+    /// Fewer than the chip has.
     pub(crate) const NVIC_PRIO_BITS: u8 = 3;
 
     /// The interrupts that are used.
@@ -40,7 +40,7 @@ pub(crate) mod chip {
     pub(crate) enum Interrupt {
         /// Receiver and sender.
         UART0 = 42,
-        /// Of a line that is not used: for turns.
+        /// The interrupt of an unused line: for turns.
         SPARE = 43,
     }
 
@@ -53,11 +53,11 @@ pub(crate) mod chip {
         }
     }
 
-    /// Nothing that can be taken: registers are at their addresses.
+    /// No peripherals to take: registers are accessed by their addresses.
     pub(crate) struct Peripherals;
 
     impl Peripherals {
-        /// They are taken once, before anything runs.
+        /// Called once, before anything runs.
         pub(crate) const unsafe fn steal() -> Self {
             Self
         }
@@ -71,7 +71,7 @@ pub(crate) mod chip {
 
     const LAST: usize = Interrupt::SPARE as usize;
 
-    /// Where the processor finds the interrupts.
+    /// The table in which the processor finds the interrupts.
     #[unsafe(link_section = ".vector_table.interrupts")]
     #[unsafe(no_mangle)]
     static __INTERRUPTS: [unsafe extern "C" fn(); LAST + 1] = {
@@ -85,7 +85,7 @@ pub(crate) mod chip {
 /// This board has no device.
 pub(crate) type Device = (FromLine, NoActuators);
 
-/// What the tasks work with.
+/// The resources of the tasks.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) clock: SharedClock,
@@ -94,7 +94,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
+    /// Starts everything, with this many ticks per second.
     pub(crate) fn start(systick: SYST, rate: u16) -> Self {
         Self {
             uart: Uart::start(),
@@ -107,7 +107,7 @@ impl Board {
 
 /// Reads a register.
 fn read(at: usize) -> u32 {
-    // SAFETY: all addresses here are those of registers, whose reading changes at most what the register is there for.
+    // SAFETY: all addresses here are those of registers; reading one has only the side effects of that register.
     unsafe { with_exposed_provenance::<u32>(at).read_volatile() }
 }
 
@@ -117,13 +117,13 @@ fn write(at: usize, value: u32) {
     unsafe { with_exposed_provenance_mut::<u32>(at).write_volatile(value) };
 }
 
-/// Ticks, and time from a counter of its own: SysTick alone cannot tell how many ticks were missed.
+/// Ticks, and time from a counter of its own: SysTick alone does not show how many ticks were missed.
 pub(crate) struct Clock {
     systick: SYST,
-    /// Ticks of a second.
+    /// Ticks per second.
     rate: u16,
     last: u32,
-    /// Counts that do not make a µs yet.
+    /// Counts that do not make up a µs yet.
     rest: u32,
     now_us: u32,
 }
@@ -133,7 +133,7 @@ impl Clock {
     const TIMER: usize = 0x5000_2000;
     const VALUE: usize = Self::TIMER + 0x04;
     const CONTROL: usize = Self::TIMER + 0x08;
-    /// It counts, all 32 bits, and begins again by itself.
+    /// It counts with all 32 bits, and restarts by itself.
     const RUNS_WHOLE: u32 = 1 << 7 | 1 << 1;
 
     fn start(mut systick: SYST, rate: u16) -> Self {
@@ -157,7 +157,7 @@ impl Clock {
         !read(Self::VALUE)
     }
 
-    /// Ticks of a second from now on, at least 2.
+    /// Sets the ticks per second from now on, at least 2.
     pub(crate) fn set_rate(&mut self, rate: u16) {
         if rate != self.rate {
             self.rate = rate;
@@ -167,7 +167,7 @@ impl Clock {
         }
     }
 
-    /// A tick has come: what time it is (µs, wrapping). One comes in 200 s at least.
+    /// A tick has come: returns the time (µs, wrapping). There must be one within 200 s.
     pub(crate) fn tick(&mut self) -> u32 {
         let count = Self::count();
         let counts = count.wrapping_sub(self.last).saturating_add(self.rest);
@@ -191,15 +191,15 @@ impl Uart {
     const DATA: usize = 0x5020_0000;
     const STATE: usize = Self::DATA + 0x04;
     const CONTROL: usize = Self::DATA + 0x08;
-    /// Interrupts that are asked for; writing them ends that.
+    /// Pending interrupts; writing a bit clears it.
     const ASKED: usize = Self::DATA + 0x0C;
     const DIVIDER: usize = Self::DATA + 0x10;
-    /// In the state: bytes wait.
+    /// In the state register: bytes wait.
     const SENDS: u32 = 1 << 0;
     const RECEIVED: u32 = 1 << 1;
     /// Both directions, with an interrupt each.
     const BOTH: u32 = 0b1111;
-    /// The least that the line takes.
+    /// The smallest divider that the line accepts.
     const LEAST_DIVIDER: u32 = 16;
 
     fn start() -> Self {
@@ -208,7 +208,7 @@ impl Uart {
         Self
     }
 
-    /// A byte in, a byte out, after which the line asks again.
+    /// A byte in, a byte out, after which the line requests an interrupt again.
     pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
         write(Self::ASKED, read(Self::ASKED));
         let state = read(Self::STATE);
@@ -223,7 +223,7 @@ impl Uart {
     }
 }
 
-/// None: what is emulated needs no reset.
+/// None: an emulated board needs no reset.
 pub(crate) struct Watchdog;
 
 impl Watchdog {

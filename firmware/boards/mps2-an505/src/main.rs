@@ -1,5 +1,5 @@
-//! stiction in the place of a Raspberry Pi Pico 2: QEMU does not know its chip, but another one with the same processor, a Cortex-M33.
-//! It runs what the Pico 2 runs, as often; clock, line and pins are its own. In this folder `cargo emulate` starts it.
+//! stiction in place of a Raspberry Pi Pico 2: QEMU does not emulate its chip, but another one with the same processor, a Cortex-M33. It
+//! runs the same program as the Pico 2, at the same rate; clock, line and pins are its own. In this folder `cargo emulate` starts it.
 //!
 //! ```text
 //! priority 3  UART0    a byte in, a byte out, by bounded queues
@@ -24,7 +24,7 @@ mod stop;
 #[path = "../../work.rs"]
 mod work;
 
-/// This machine is none.
+/// Not for this machine.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!("an image for an emulator: type cargo emulate in firmware/boards/mps2-an505");
@@ -55,7 +55,7 @@ mod app {
         scene: SCENE,
     };
 
-    /// Bytes that wait, each way: 11 ms.
+    /// Bytes that wait, in each direction: 11 ms.
     const ROOM: usize = 1_024;
 
     static LINE: Line<ROOM> = Line::new();
@@ -85,7 +85,7 @@ mod app {
         (Shared { clock, servo }, Local { uart, work })
     }
 
-    /// What comes first is what must not wait.
+    /// The most urgent work first.
     #[task(binds = UART0, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
         cx.local.uart.serve(&LINE);
@@ -107,7 +107,7 @@ mod app {
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        // No sleep: during sleep a debugger receives no log, and the emulator's clock skips ticks.
         work::log(&SETUP, || LINE.lost(), || {})
     }
 }

@@ -6,7 +6,7 @@
 //! | ticks | SysTick |
 //! | clock | TIM5, 32 bits, 84 MHz |
 //!
-//! With the feature `pantograph`, 3.3 V all of them; left and right as the mechanism is drawn:
+//! With the feature `pantograph`, all of them at 3.3 V; left and right as in the drawing of the mechanism:
 //!
 //! | what | left | right | handle |
 //! |---|---|---|---|
@@ -14,8 +14,8 @@
 //! | PWM of the motor, 20 kHz, low: no torque | PA8 (TIM1) | PA9 (TIM1) | PA10 (TIM1) |
 //! | direction of the motor | PB12 | PB13 | PB14 |
 //!
-//! The hold switch is between PB15 and ground. In a reset all pins are inputs: the motors' drivers need resistors of
-//! their own that hold the PWM low.
+//! The hold switch is between PB15 and ground. In a reset all pins are inputs: the motors' drivers need resistors of their own that pull
+//! the PWM low.
 #![allow(unsafe_code)]
 
 #[cfg(feature = "pantograph")]
@@ -38,21 +38,21 @@ use stm32f4xx_hal::rcc::{Config, Enable};
 use stm32f4xx_hal::serial::{self, Rx, RxISR, RxListen, Tx, TxISR, TxListen};
 use stm32f4xx_hal::watchdog::IndependentWatchdog;
 
-/// Of the serial line.
+/// Baud rate of the serial line.
 pub(crate) const BAUD: u32 = 921_600;
-/// Of the core (Hz).
+/// Clock of the core (Hz).
 pub(crate) const CORE: u32 = 168_000_000;
-/// Counts of TIM5 in a µs: on the chip, and in QEMU, whose timers run at 1 GHz whatever their clock is.
+/// Counts of TIM5 per µs: on the chip, and in QEMU, whose timers run at 1 GHz regardless of their clock.
 const COUNTS: (u32, u32) = (84, 1_000);
-/// A tick that does not come for so long ends in a reset (ms), to a half more or less by the oscillator of the watchdog: the
-/// slowest tick is one of 10 ms. Reset is zero force: all pins are inputs then.
+/// A tick that does not come for this long ends in a reset (ms), within 50 % because of the watchdog's oscillator: the slowest tick is one
+/// of 10 ms. A reset means zero force: all pins are inputs then.
 const PATIENCE_MS: u32 = 20;
 
 /// The device of this board: none.
 #[cfg(not(feature = "pantograph"))]
 pub(crate) type Device = (FromLine, NoActuators);
 
-/// What the tasks work with.
+/// The resources of the tasks.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) clock: SharedClock,
@@ -61,7 +61,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second, and no motor driven.
+    /// Starts everything, with this many ticks per second, and no motor driven.
     pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u16) -> Self {
         prime(&device.RCC);
         let config = Config::hse(8.MHz())
@@ -78,7 +78,7 @@ impl Board {
 
         let a = device.GPIOA.split(&mut rcc);
         let config = serial::Config::default().baudrate(BAUD.bps());
-        // 42 MHz carries it.
+        // 42 MHz is fast enough for it.
         let Ok(line) = device.USART2.serial((a.pa2, a.pa3), config, &mut rcc) else {
             stop()
         };
@@ -117,8 +117,8 @@ impl Board {
     }
 }
 
-/// The emulator's clock control is plain memory, in which nothing ever becomes ready: ready from the beginning. On the
-/// chip these bits can only be read.
+/// The emulator's clock control is plain memory, in which nothing ever becomes ready: mark it as ready from the beginning. On the chip
+/// these bits are read-only.
 fn prime(rcc: &pac::RCC) {
     const HSIRDY_HSERDY_PLLRDY: u32 = 1 << 1 | 1 << 17 | 1 << 25;
     const SWS_PLL: u32 = 0b10 << 2;
@@ -130,24 +130,24 @@ fn prime(rcc: &pac::RCC) {
     }
 }
 
-/// Ticks, and time from a counter of its own: SysTick alone cannot tell how many ticks were missed.
+/// Ticks, and time from a counter of its own: SysTick alone does not show how many ticks were missed.
 pub(crate) struct Clock {
     systick: SYST,
-    /// Ticks of a second.
+    /// Ticks per second.
     rate: u16,
     timer: TIM5,
     per_us: u32,
     last: u32,
-    /// Counts that do not make a µs yet.
+    /// Counts that do not make up a µs yet.
     rest: u32,
     now_us: u32,
-    /// The count at the last look at [`Self::now_ns`].
+    /// The count at the last call of [`Self::now_ns`].
     looked: u32,
     now_ns: u32,
 }
 
 impl Clock {
-    /// Finds out which of the two speeds the counter has, within two ticks; then they become interrupts.
+    /// Determines which of the two speeds the counter has, within two ticks; then the ticks become interrupts.
     fn start(timer: TIM5, systick: SYST, rate: u16) -> Self {
         let mut clock = Self {
             systick,
@@ -183,7 +183,7 @@ impl Clock {
         self.timer.cnt().read().bits()
     }
 
-    /// Ticks of a second from now on, at least 11.
+    /// Sets the ticks per second from now on, at least 11.
     pub(crate) fn set_rate(&mut self, rate: u16) {
         if rate != self.rate {
             self.rate = rate;
@@ -193,7 +193,7 @@ impl Clock {
         }
     }
 
-    /// A tick has come: what time it is (µs, wrapping). One comes in 4 s at least.
+    /// A tick has come: returns the time (µs, wrapping). There must be one within 4 s.
     pub(crate) fn tick(&mut self) -> u32 {
         let count = self.count();
         let passed = count.wrapping_sub(self.last);
@@ -236,12 +236,12 @@ impl Uart {
         match self.rx.read() {
             Ok(byte) => line.receive(byte),
             Err(nb::Error::WouldBlock) => {}
-            // It came too fast.
+            // It arrived too fast.
             Err(nb::Error::Other(_)) => line.lose(),
         }
     }
 
-    /// Sends the next byte if the line is free, and asks to be called again as long as there are any.
+    /// Sends the next byte if the line is free, and requests another call as long as there are bytes.
     fn send<const N: usize>(&mut self, line: &Line<N>) {
         if !self.tx.is_tx_empty() {
             return self.tx.listen();
@@ -266,8 +266,8 @@ impl Watchdog {
     }
 }
 
-/// The outputs of the PWM obey their duties; turned off they are low, and stay off. The driver of the PWM leaves them to
-/// come on again by themselves with the next period.
+/// The outputs of the PWM follow their duties; when turned off they are low, and stay off. The driver of the PWM lets them come on again by
+/// themselves with the next period.
 #[cfg(feature = "pantograph")]
 fn actuators_on() {
     // SAFETY: the bits of the outputs alone, and no interrupt is on yet.
@@ -280,7 +280,7 @@ fn actuators_on() {
 
 /// No motor is driven any more, whatever else is going on.
 pub(crate) fn actuators_off() {
-    // SAFETY: bits of a timer that nothing else needs from now on: main output enable, by program and by itself.
+    // SAFETY: bits of a timer that nothing else needs from now on: main output enable, by program and automatic.
     unsafe {
         (*TIM1::ptr())
             .bdtr()

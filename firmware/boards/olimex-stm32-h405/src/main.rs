@@ -23,7 +23,7 @@ mod stop;
 #[path = "../../work.rs"]
 mod work;
 
-/// This machine is none.
+/// Not for this machine.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!("an image for a board: type cargo run in firmware/boards/olimex-stm32-h405");
@@ -51,7 +51,7 @@ mod app {
     use stiction_firmware::station::{SceneType, Setup};
     use stm32f4xx_hal::pac::Interrupt;
 
-    /// Units of work of a second; an eighth of its time is for the interrupts of the line.
+    /// Units of work per second; an eighth of the time is reserved for the interrupts of the line.
     const WORK_RATE: u32 = Processor::CORTEX_M4F.work_rate(board::CORE, 7);
 
     static SETUP: Setup = Setup {
@@ -66,7 +66,7 @@ mod app {
         scene: SCENE,
     };
 
-    /// Bytes that wait, each way: 11 ms.
+    /// Bytes that wait, in each direction: 11 ms.
     const ROOM: usize = 1_024;
 
     static LINE: Line<ROOM> = Line::new();
@@ -96,7 +96,7 @@ mod app {
         (Shared { clock, servo }, Local { uart, work })
     }
 
-    /// What comes first is what must not wait: a byte stays in the receiver for 11 µs.
+    /// The most urgent work first: a byte stays in the receiver for 11 µs.
     #[task(binds = USART2, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
         cx.local.uart.serve(&LINE);
@@ -118,7 +118,7 @@ mod app {
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        // No sleep: during sleep a debugger receives no log, and the emulator's clock skips ticks.
         work::log(&SETUP, || LINE.lost(), || {})
     }
 }

@@ -1,5 +1,5 @@
-//! The RP2040 of the board; its pins are those of `rp`.
-// The section of the second boot stage.
+//! The RP2040 of the board; its pins are defined in `rp`.
+// For the section of the second boot stage.
 #![allow(unsafe_code)]
 
 use crate::flash;
@@ -24,15 +24,15 @@ pub(crate) use crate::rp::{Device, Watchdog, actuators_off};
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
 
-/// Of the crystal (Hz).
+/// Frequency of the crystal (Hz).
 const CRYSTAL: u32 = 12_000_000;
-/// Of the processor (Hz).
+/// Clock of the processor (Hz).
 pub(crate) const CLOCK: u32 = 125_000_000;
 pub(crate) use stiction_firmware::usb::PICO as PRODUCT_ID;
-/// What the board is called on USB.
+/// The name of the board on USB.
 pub(crate) const PRODUCT: &str = "stiction on Pico";
 
-/// What the tasks work with.
+/// The resources of the tasks.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) usb: Usb,
@@ -42,7 +42,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
+    /// Starts everything, with this many ticks per second.
     pub(crate) fn start(mut device: pac::Peripherals, bus: &'static mut Bus, rate: u16) -> Self {
         let mut watchdog = crate::hal::Watchdog::new(device.WATCHDOG);
         let clocks = init_clocks_and_plls(

@@ -1,5 +1,5 @@
-//! The number that the flash of a board has as its own, 8 bytes: the flash is asked for it over its own line, from which no code runs
-//! meanwhile (RP2040 datasheet, 2.8.3 the ROM, 4.10 the line of the flash; W25Q16JV, 8.2.25 its number).
+//! The unique number of a board's flash, 8 bytes: it is read over the flash's own line, from which no code runs meanwhile (RP2040
+//! datasheet, 2.8.3 the ROM, 4.10 the line of the flash; W25Q16JV, 8.2.25 its number).
 #![allow(unsafe_code)]
 
 use core::arch::naked_asm;
@@ -7,10 +7,10 @@ use core::arch::naked_asm;
 use crate::hal::rom_data::{connect_internal_flash, flash_exit_xip};
 use crate::rp::usb::NUMBER;
 
-/// Bytes that the flash sends before it.
+/// Bytes that the flash sends before the number.
 const DUMMY: usize = 4;
 
-/// Code, one after the other: the flash obeys commands; it lets the chip run code again.
+/// Functions, called one after the other: they make the flash accept commands, and let the chip run code again.
 #[repr(C)]
 struct Calls {
     connect: unsafe extern "C" fn(),
@@ -18,18 +18,18 @@ struct Calls {
     resume: *const u8,
 }
 
-/// The second boot stage as code that may run elsewhere than in the flash.
+/// The second boot stage as code that may run outside of the flash.
 #[repr(align(4))]
 struct Stage([u8; 256]);
 
-/// The number; zeros where the chip has no ROM, which knows how to talk to the flash: in an emulator.
+/// The number; zeros if the chip has no ROM, which contains the functions for the flash: in an emulator.
 pub(crate) fn number(boot2: [u8; 256]) -> [u8; NUMBER] {
     /// "Mu", and a version.
     const ROM: (*const u16, u16) = (0x10 as *const u16, u16::from_le_bytes(*b"Mu"));
     let mut answer = [0; DUMMY + NUMBER];
     let stage = Stage(boot2);
-    // SAFETY: the address is one of the ROM; nothing else runs, from the flash or at all: no interrupt comes. The second boot stage
-    // begins with an instruction of Thumb code and returns to its caller.
+    // SAFETY: the address is one of the ROM; nothing else runs, from the flash or at all: no interrupt comes. The second boot stage begins
+    // with an instruction of Thumb code and returns to its caller.
     unsafe {
         if ROM.0.read_volatile() == ROM.1 {
             let calls = Calls {
@@ -44,7 +44,7 @@ pub(crate) fn number(boot2: [u8; 256]) -> [u8; NUMBER] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// Asks the flash for its number. In RAM: the flash gives no code meanwhile.
+/// Reads the number from the flash. In RAM: the flash supplies no code meanwhile.
 #[unsafe(naked)]
 #[unsafe(link_section = ".data.flash_number")]
 unsafe extern "C" fn read(calls: &Calls, answer: &mut [u8; DUMMY + NUMBER]) {
@@ -56,12 +56,12 @@ unsafe extern "C" fn read(calls: &Calls, answer: &mut [u8; DUMMY + NUMBER]) {
         "blx r4",
         "ldr r4, [r6, #4]",
         "blx r4",
-        // The line, SSI; off while it is set up.
+        // The line, SSI; off while it is being set up.
         "movs r4, #0x18",
         "lsls r4, r4, #24",
         "movs r5, #0",
         "str r5, [r4, #{enable}]",
-        // It sends what is written, and then receives so many bytes.
+        // It sends what is written, and then receives this many bytes.
         "movs r1, #3",
         "lsls r1, r1, #8",
         "ldr r0, [r4, #0]",
@@ -84,13 +84,13 @@ unsafe extern "C" fn read(calls: &Calls, answer: &mut [u8; DUMMY + NUMBER]) {
         "adds r7, #1",
         "subs r2, #1",
         "bne 2b",
-        // The second boot stage leaves the count as it is.
+        // The second boot stage leaves the count unchanged.
         "str r5, [r4, #{enable}]",
         "str r5, [r4, #{count}]",
         "ldr r4, [r6, #8]",
         "blx r4",
         "pop {{r3-r7, pc}}",
-        // Registers of SSI, and a bit of its status: a byte came.
+        // Registers of SSI, and a bit of its status: a byte has arrived.
         count = const 0x04,
         enable = const 0x08,
         status = const 0x28,

@@ -4,12 +4,12 @@
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
 //! priority 3  TIMER    the tick: hand measured -> safety -> force
 //! priority 2  RTC      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
-//! priority 1  USB      packets in and out, by bounded queues; the computer waits where a turn goes on
+//! priority 1  USB      packets in and out, by bounded queues; the computer waits during a turn
 //! idle                 logs
 //! ```
 //!
-//! One core does all: no tick waits for USB or the solver, as it interrupts them; nor does a turn wait for USB, whose interrupt stays asked
-//! for as long as a packet finds no room. The line is USB while a program has it open there, else UART.
+//! One core does everything: no tick waits for USB or the solver, as it interrupts them; nor does a turn wait for USB, whose interrupt
+//! stays pending as long as there is no room for a packet. The line is USB while a program has it open there, otherwise UART.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -31,7 +31,7 @@ mod work;
 #[cfg(target_os = "none")]
 use rp2040_hal as hal;
 
-/// This machine is none.
+/// Not for this machine.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!("an image for a board: type cargo run in firmware/boards/pico");
@@ -52,7 +52,7 @@ mod app {
     use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
 
-    /// Units of work of a second; a quarter of its time is for the interrupts of two lines and what else a tick does.
+    /// Units of work per second; a quarter of the time is reserved for the interrupts of two lines and the rest of a tick.
     const WORK_RATE: u32 = Processor::CORTEX_M0_PLUS.work_rate(board::CLOCK, 6);
 
     static SETUP: Setup = Setup {
@@ -67,7 +67,7 @@ mod app {
         scene: SCENE,
     };
 
-    /// Bytes that wait, each way: 11 ms.
+    /// Bytes that wait, in each direction: 11 ms.
     const ROOM: usize = 1_024;
 
     static UART: Line<ROOM> = Line::new();
@@ -100,7 +100,7 @@ mod app {
         (Shared { clock, servo }, Local { uart, usb, work })
     }
 
-    /// What comes first is what must not wait.
+    /// The most urgent work first.
     #[task(binds = UART0_IRQ, priority = 4, local = [uart])]
     fn serial(cx: serial::Context) {
         cx.local.uart.serve(&UART);
@@ -117,7 +117,7 @@ mod app {
         rtic::pend(Interrupt::RTC_IRQ);
     }
 
-    /// By the interrupt of the calendar, which nothing else uses. Those for programs alone, SW0 to SW5, are missing in the emulator.
+    /// By the interrupt of the calendar, which nothing else uses. Those for programs only, SW0 to SW5, are missing in the emulator.
     #[task(binds = RTC_IRQ, priority = 2, shared = [clock, servo], local = [work])]
     fn turn(cx: turn::Context) {
         let turn::SharedResources { clock, servo, .. } = cx.shared;
@@ -132,7 +132,7 @@ mod app {
     #[idle]
     fn idle(_: idle::Context) -> ! {
         let lost = || UART.lost().saturating_add(USB.lost());
-        // A debugger reads the memory of this chip in its sleep, too.
+        // A debugger can read the memory of this chip during sleep, too.
         work::log(&SETUP, lost, cortex_m::asm::wfi)
     }
 }

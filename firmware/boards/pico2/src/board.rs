@@ -1,5 +1,5 @@
-//! The RP2350 of the board, its Arm cores; its pins are those of `rp`.
-// The section of what the ROM looks for.
+//! The RP2350 of the board, its Arm cores; its pins are defined in `rp`.
+// For the section that the ROM looks for.
 #![allow(unsafe_code)]
 
 use crate::hal::block::ImageDef;
@@ -20,21 +20,21 @@ use crate::work::{SharedClock, SharedServo};
 pub(crate) use crate::rp::clock::Clock;
 pub(crate) use crate::rp::{Device, Watchdog, actuators_off};
 
-/// What the image is: the ROM of the chip runs no other (RP2350 datasheet, 5.9).
+/// The type of the image: the ROM of the chip runs no other (RP2350 datasheet, 5.9).
 #[unsafe(link_section = ".start_block")]
 #[used]
 static IMAGE: ImageDef = ImageDef::secure_exe();
 
-/// Of the crystal (Hz).
+/// Frequency of the crystal (Hz).
 const CRYSTAL: u32 = 12_000_000;
 pub(crate) use stiction_firmware::usb::PICO_2 as PRODUCT_ID;
-/// What the board is called on USB.
+/// The name of the board on USB.
 pub(crate) const PRODUCT: &str = "stiction on Pico 2";
 
 pub(crate) type Timer = crate::hal::Timer<CopyableTimer0>;
 pub(crate) type Alarm = Alarm0<CopyableTimer0>;
 
-/// The number of the chip as its maker prints it: first its wafer. Zeros where the ROM does not tell.
+/// The number of the chip as its maker prints it: first its wafer. Zeros if the ROM does not return it.
 fn chip_number() -> [u8; NUMBER] {
     let Ok(Some(chip)) = chip_info() else {
         return [0; NUMBER];
@@ -43,7 +43,7 @@ fn chip_number() -> [u8; NUMBER] {
     number.to_be_bytes()
 }
 
-/// What the tasks work with.
+/// The resources of the tasks.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) usb: Usb,
@@ -53,7 +53,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
+    /// Starts everything, with this many ticks per second.
     pub(crate) fn start(mut device: pac::Peripherals, bus: &'static mut Bus, rate: u16) -> Self {
         let mut watchdog = crate::hal::Watchdog::new(device.WATCHDOG);
         let clocks = init_clocks_and_plls(
@@ -66,7 +66,7 @@ impl Board {
             &mut watchdog,
         );
         let Ok(clocks) = clocks else { stop() };
-        // What the crate makes of the crystal is what the budget of a step counts on.
+        // The budget of a step relies on the frequency that the crate derives from the crystal.
         if clocks.system_clock.freq().to_Hz() != CLOCK {
             stop()
         }

@@ -4,12 +4,12 @@
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
 //! priority 3  TIMER0   the tick: hand measured -> safety -> force
 //! priority 2  SW0      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
-//! priority 1  USB      packets in and out, by bounded queues; the computer waits where a turn goes on
+//! priority 1  USB      packets in and out, by bounded queues; the computer waits during a turn
 //! idle                 logs
 //! ```
 //!
-//! One core does all: no tick waits for USB or the solver, as it interrupts them; nor does a turn wait for USB, whose interrupt stays asked
-//! for as long as a packet finds no room. The line is USB while a program has it open there, else UART.
+//! One core does everything: no tick waits for USB or the solver, as it interrupts them; nor does a turn wait for USB, whose interrupt
+//! stays pending as long as there is no room for a packet. The line is USB while a program has it open there, otherwise UART.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -32,7 +32,7 @@ mod work;
 #[cfg(target_os = "none")]
 use rp235x_hal as hal;
 
-/// This machine is none.
+/// Not for this machine.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!("an image for a board: type cargo run in firmware/boards/pico2");
@@ -65,7 +65,7 @@ mod app {
         scene: SCENE,
     };
 
-    /// Bytes that wait, each way: 11 ms.
+    /// Bytes that wait, in each direction: 11 ms.
     const ROOM: usize = 1_024;
 
     static UART: Line<ROOM> = Line::new();
@@ -98,7 +98,7 @@ mod app {
         (Shared { clock, servo }, Local { uart, usb, work })
     }
 
-    /// What comes first is what must not wait.
+    /// The most urgent work first.
     #[task(binds = UART0_IRQ, priority = 4, local = [uart])]
     fn serial(cx: serial::Context) {
         cx.local.uart.serve(&UART);
@@ -130,7 +130,7 @@ mod app {
     #[idle]
     fn idle(_: idle::Context) -> ! {
         let lost = || UART.lost().saturating_add(USB.lost());
-        // A debugger reads the memory of this chip in its sleep, too.
+        // A debugger can read the memory of this chip during sleep, too.
         work::log(&SETUP, lost, cortex_m::asm::wfi)
     }
 }

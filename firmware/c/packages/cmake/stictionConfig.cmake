@@ -1,5 +1,5 @@
-# find_package(stiction) gives a target for each variant of the library whose archive is there: stiction::float, stiction::fixed,
-# stiction::obstacles, stiction::fixed_obstacles. STICTION_TARGET: the chip, as a folder of lib/ is called; without it this computer.
+# find_package(stiction) defines a target for each variant of the library whose archive exists: stiction::float, stiction::fixed,
+# stiction::obstacles, stiction::fixed_obstacles. STICTION_TARGET: the chip, by its folder in lib/; the default is this computer.
 if(NOT STICTION_TARGET)
   if(NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     set(STICTION_TARGET x86_64-unknown-linux-gnu)

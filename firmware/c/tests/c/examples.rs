@@ -1,4 +1,4 @@
-//! The examples: the knob of the README on every chip, what it takes there; a pantograph; sketches for Arduino, and a project of CMake.
+//! The examples: the knob of the README on every chip, with its cost there; a pantograph; sketches for Arduino, and a project of CMake.
 
 use std::path::Path;
 use std::process::Command;
@@ -21,14 +21,14 @@ const FIXED: Library = Library {
     obstacles: false,
 };
 
-/// What the knob takes on a chip.
+/// The cost of the knob on a chip.
 struct Taken {
-    /// Of the whole program (bytes).
+    /// Size of the whole program (bytes).
     flash: u64,
     variables: u64,
     /// Instructions of the worst tick.
     worst: u32,
-    /// Units of work of the one with the most.
+    /// Units of work of the tick with the most.
     work: u32,
     clicks: u32,
 }
@@ -53,7 +53,7 @@ fn knob(machine: &Machine, library: &Library) -> Result<Taken, EmulatorError> {
     })
 }
 
-/// Ten turns to and fro.
+/// Ten turns back and forth.
 #[test]
 fn the_knob_clicks() {
     let computer = Machine::computer(Compiler::Gcc, &[]);
@@ -115,7 +115,7 @@ fn the_torques_of_the_pantograph_do_the_work_of_its_force() {
     }
 }
 
-/// The code with which the README begins.
+/// The code at the beginning of the README.
 #[test]
 fn the_first_lines_of_the_readme_run() {
     let readme = std::fs::read_to_string(folder().join("README.md")).expect("the README");
@@ -145,7 +145,7 @@ fn the_first_lines_of_the_readme_run() {
     }
 }
 
-/// With what they use of Arduino on this computer.
+/// With the subset of Arduino that they use, on this computer.
 fn sketch(name: &str, example: &str) -> Result<(), EmulatorError> {
     let out = tempfile::tempdir()?;
     let archive = FLOAT.archive("x86_64-unknown-linux-gnu")?;

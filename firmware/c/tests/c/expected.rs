@@ -1,4 +1,4 @@
-//! Ten scenes under the hand of `walk.c`, by the solver itself: a hash of all answers for each.
+//! Ten scenes with the hand of `walk.c`, by the solver itself: a hash of all answers for each.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use stiction_scene::{SceneFile, Source, c_source};
 
 use crate::library::{Library, folder};
 
-/// The room of the library for obstacles.
+/// The capacities of the library for obstacles.
 pub(crate) type Among = WithObstacles<8, 32>;
 
 pub(crate) const SCENES_BY_WALLS: [&str; 10] = [
@@ -61,14 +61,14 @@ pub(crate) fn scenes_header(library: &Library) -> String {
     code
 }
 
-/// Room for what a variant of the library has room for.
+/// The capacities of a variant of the library.
 pub(crate) trait Room: Model {
     fn scene<R: Real<Si = f32>>(
         description: &Description<'_, f32>,
         obstacles: &[ObstacleDescription<'_, f32>],
     ) -> Scene<R, 8, 4, Self>;
 
-    /// The contacts of a state: feature and other as the library numbers them, and what is in a contact besides.
+    /// The contacts of a state: feature and other as the library numbers them, and the rest of a contact.
     fn contacts<R: Real<Si = f32>>(
         solver: &Solver<R, 8, 4, Self>,
         state: &State<R>,

@@ -1,4 +1,4 @@
-/* Arguments that no caller should give: each is refused by its code, and nothing is written. Run under sanitizers. */
+/* Invalid arguments: each is refused with its code, and nothing is written. Run under sanitizers. */
 #include "stiction.h"
 
 #include <math.h>
@@ -85,7 +85,7 @@ static void in_a_run(stiction *solver)
     EXPECT(stiction_step(solver, &hand, outputs), STICTION_RESULT_OK);
 }
 
-/* A scene that is refused, the parameter that is named, and the same with every number replaced by what is not finite. */
+/* A scene that is refused, the parameter that is named, and the same with every number replaced by one that is not finite. */
 static void scenes(stiction *solver)
 {
     stiction_error error;

@@ -47,7 +47,7 @@ impl Library {
     /// # Errors
     /// The target is missing, or the archive cannot be built.
     pub(crate) fn archive(self, target: &str) -> Result<PathBuf, EmulatorError> {
-        /// One variant takes the place of another where cargo puts it.
+        /// cargo puts one variant in the place of another.
         static BUILDING: Mutex<()> = Mutex::new(());
         let _building = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("archives");

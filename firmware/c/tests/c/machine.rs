@@ -7,7 +7,7 @@ use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 
 use crate::library::{Library, folder};
 
-/// What every C program here is compiled with.
+/// Flags for every C program here.
 const OF_C: [&str; 6] = [
     "-std=c99",
     "-Wall",
@@ -27,19 +27,19 @@ pub(crate) enum Compiler {
 /// A machine.
 pub(crate) struct Machine {
     pub(crate) name: &'static str,
-    /// As rustc calls it.
+    /// Its name for rustc.
     target: &'static str,
     compiler: Compiler,
-    /// What the compiler is told of it.
+    /// Its flags for the compiler.
     flags: &'static [&'static str],
     chip: Option<Chip>,
 }
 
 /// An emulated chip.
 struct Chip {
-    /// What runs before the program.
+    /// The start-up code.
     startup: &'static str,
-    /// Where code and data are: values of the linker's script.
+    /// The locations of code and data: values for the linker's script.
     memory: [&'static str; 3],
     /// QEMU: program and machine.
     emulator: (&'static str, &'static [&'static str]),
@@ -135,11 +135,11 @@ impl Machine {
         }
     }
 
-    /// Compiles C sources, the first one that of the program, with the library: the file of it, in `out`, where they look for headers,
-    /// too.
+    /// Compiles C sources, the first one that of the program, with the library: writes its file to `out`, which is also searched for
+    /// headers.
     ///
     /// # Errors
-    /// A compiler or a target is missing, or does not like the program.
+    /// A compiler or a target is missing, or does not accept the program.
     pub(crate) fn build(
         &self,
         library: &Library,
@@ -194,7 +194,7 @@ impl Machine {
     /// What a program prints.
     ///
     /// # Errors
-    /// The emulator is missing, or the program does not end well.
+    /// The emulator is missing, or the program fails.
     pub(crate) fn run(&self, program: &Path) -> Result<String, EmulatorError> {
         match &self.chip {
             Some(chip) => chip.run(program, false),
@@ -202,7 +202,7 @@ impl Machine {
         }
     }
 
-    /// The same where the clock of a chip counts its instructions, which is slower to emulate.
+    /// The same with a clock that counts the instructions of the chip, which is slower to emulate.
     ///
     /// # Errors
     /// As above.

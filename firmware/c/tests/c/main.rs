@@ -1,6 +1,6 @@
 //! The library as C programs use it, compiled by gcc and clang with every warning an error: ten scenes have the bits of the solver on four
-//! kinds of processor, and what no caller should give is refused. What is not installed is skipped with the command that installs it; with
-//! CI=true it must be there.
+//! kinds of processor, and invalid arguments are refused. If something is not installed, the test is skipped and prints the command that
+//! installs it; with CI=true it must be there.
 
 mod examples;
 mod expected;
@@ -66,7 +66,7 @@ fn emulated_chips_have_the_bits_of_the_solver() {
     }
 }
 
-/// Under the sanitizers of addresses and of undefined behaviour.
+/// Under the sanitizers for addresses and undefined behaviour.
 #[test]
 fn what_no_caller_should_give_is_refused() {
     const SANITIZED: &[&str] = &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];

@@ -1,5 +1,5 @@
-/* Turns the knob of the examples ten times to and fro; prints how often it clicked, and of its worst tick instructions and units of
- * work; fails where it is behind the hand for more than two ticks. */
+/* Turns the knob of the examples back and forth ten times; prints how often it clicked, and the instructions and units of work of its
+ * worst tick; fails if it is behind the hand for more than two ticks. */
 #include "machine.h"
 #include "stiction.h"
 
@@ -33,7 +33,7 @@ int main(void)
             behind = output.status == STICTION_STATUS_BEHIND ? behind + 1 : 0;
             if (behind > 2 || output.status > STICTION_STATUS_BEHIND)
                 return 1;
-            /* The torque is against the turn, and less of it after a click. */
+            /* The torque opposes the turn, and is smaller after a click. */
             if (i > 0 && (float)step * (torque - before) > 0.0f)
                 clicks++;
             before = torque;

@@ -1,6 +1,6 @@
 /*
- * Ten scenes under a hand that walks at random; prints a hash of all answers for each. Nothing of the walk is rounded: places are whole
- * numbers of 2^-20 m and angles of 2^-20 rad.
+ * Ten scenes with a random walk of the hand; prints a hash of all answers for each. Nothing in the walk is rounded: positions are whole
+ * multiples of 2^-20 m and angles of 2^-20 rad.
  */
 #include "machine.h"
 #include "stiction.h"
@@ -17,7 +17,7 @@ static uint32_t random_bits(void)
     return seed;
 }
 
-/* From a place, at most `most` on, within `limit` of 0. */
+/* From a position, at most `most` farther, within `limit` of 0. */
 static int32_t walked(int32_t place, int32_t most, int32_t limit)
 {
     const int32_t to = place + (int32_t)(random_bits() % (2u * (uint32_t)most + 1u)) - most;

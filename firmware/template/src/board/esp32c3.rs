@@ -19,7 +19,7 @@ esp_bootloader_esp_idf::esp_app_desc!();
 
 static PORT: Mutex<RefCell<Option<Uart<'static, Blocking>>>> = Mutex::new(RefCell::new(None));
 
-/// All that works: the timer, and the watchdog, which is to be fed every 20 ms.
+/// Starts everything: the timer, and the watchdog, which must be fed every 20 ms.
 pub(crate) fn start() -> ((), Wdt<TIMG0<'static>>) {
     let chip = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max()));
     let Ok(port) = Uart::new(chip.UART0, Config::default().with_baudrate(BAUD)) else {
@@ -35,13 +35,13 @@ pub(crate) fn start() -> ((), Wdt<TIMG0<'static>>) {
     ((), watchdog)
 }
 
-/// The time (wrapping). Whoever asks for it has time to send: the line has no interrupt for that.
+/// The time (wrapping). The caller has time to send: the line has no interrupt for that.
 pub(crate) fn now_us(_: &()) -> u32 {
     wake();
     Instant::now().duration_since_epoch().as_micros() as u32
 }
 
-/// What came in, and as much out as the line has room for.
+/// Takes the bytes that arrived, and sends as many as the line has room for.
 pub(crate) fn wake() {
     critical_section::with(|cs| {
         if let Some(port) = PORT.borrow_ref_mut(cs).as_mut() {

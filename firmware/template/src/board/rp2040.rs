@@ -27,7 +27,7 @@ type Port = UartPeripheral<Enabled, UART0, (Out, In)>;
 
 static PORT: Mutex<RefCell<Option<Port>>> = Mutex::new(RefCell::new(None));
 
-/// All that works: the timer and the watchdog, which is to be fed every 20 ms.
+/// Starts everything: the timer and the watchdog, which must be fed every 20 ms.
 pub(crate) fn start() -> (Timer, Watchdog) {
     let Some(mut chip) = pac::Peripherals::take() else {
         loop {}
@@ -55,7 +55,7 @@ pub(crate) fn start() -> (Timer, Watchdog) {
     port.set_fifos(true);
     port.enable_rx_interrupt();
     critical_section::with(|cs| PORT.replace(cs, Some(port)));
-    // SAFETY: the handler shares nothing but what lies behind critical sections.
+    // SAFETY: the handler shares only data behind critical sections.
     unsafe { pac::NVIC::unmask(Interrupt::UART0_IRQ) };
     watchdog.start(20.millis());
     let timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);

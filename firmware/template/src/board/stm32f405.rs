@@ -23,7 +23,7 @@ static PORT: Mutex<RefCell<Option<Port>>> = Mutex::new(RefCell::new(None));
 
 pub(crate) type Timer = CounterUs<TIM5>;
 
-/// All that works: the timer and the watchdog, which is to be fed every 20 ms.
+/// Starts everything: the timer and the watchdog, which must be fed every 20 ms.
 pub(crate) fn start() -> (Timer, IndependentWatchdog) {
     let Some(chip) = pac::Peripherals::take() else {
         loop {}
@@ -40,7 +40,7 @@ pub(crate) fn start() -> (Timer, IndependentWatchdog) {
     let (tx, mut rx) = port.split();
     rx.listen();
     critical_section::with(|cs| PORT.replace(cs, Some((tx, rx))));
-    // SAFETY: the handler shares nothing but what lies behind critical sections.
+    // SAFETY: the handler shares only data behind critical sections.
     unsafe { NVIC::unmask(Interrupt::USART2) };
     let mut watchdog = IndependentWatchdog::new(chip.IWDG);
     watchdog.start(20.millis());
@@ -57,7 +57,7 @@ pub(crate) fn wake() {
     NVIC::pend(Interrupt::USART2);
 }
 
-/// A byte in, a byte out: this HAL speaks an older embedded-io, and so byte by byte.
+/// A byte in, a byte out: this HAL uses an older embedded-io, and therefore transfers byte by byte.
 #[interrupt]
 fn USART2() {
     critical_section::with(|cs| {

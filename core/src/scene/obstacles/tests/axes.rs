@@ -10,8 +10,8 @@ fn placed(points: &[[f64; 2]], [x, y, angle]: [f64; 3]) -> List<Vec2<f64>> {
     points.iter().map(place).collect()
 }
 
-/// The largest gap between two shapes along many directions: what the axes find is not less, as the best direction is one of them
-/// wherever the shapes overlap.
+/// The largest gap between two shapes along many directions: the axes find no less, as the best direction is one of them wherever the
+/// shapes overlap.
 fn by_many_directions(a: &[Vec2<f64>], b: &[Vec2<f64>]) -> f64 {
     const DIRECTIONS: u32 = if cfg!(miri) { 360 } else { 36_000 };
     let gaps = (0..DIRECTIONS).map(|k| {
@@ -30,7 +30,8 @@ const SHAPES: [&[[f64; 2]]; 4] = [
     &[[-0.5, -0.3], [0.5, -0.3], [0.5, 0.3], [-0.5, 0.3]],
 ];
 
-/// Overlapping shapes are as deep as they must be moved apart; shapes apart have a gap that is no larger than their distance.
+/// The separation of overlapping shapes is how far they must be moved apart; separate shapes have a gap that is no larger than their
+/// distance.
 #[test]
 fn separation_is_the_depth_of_shapes_that_overlap() {
     let mut random = Random(3);
@@ -63,7 +64,7 @@ fn separation_is_the_depth_of_shapes_that_overlap() {
     }
 }
 
-/// A rod in line with a wall, or beside its end: only the directions at their ends have a gap there.
+/// A rod collinear with a wall, or next to its end: only the directions at their ends have a gap there.
 #[test]
 fn rod_and_wall_have_axes_at_their_ends() {
     let from_wall = |body: &[[f64; 2]], start: [f64; 3]| {
@@ -75,7 +76,7 @@ fn rod_and_wall_have_axes_at_their_ends() {
     for turn in [0.0, core::f64::consts::PI] {
         for x in [1.75, -0.75] {
             let found = from_wall(SHAPES[1], [x, 0.0, turn + 0.2_f64.atan()]);
-            // The rod is 1.02 long, the largest gap that along the wall.
+            // The rod is 1.02 long, and so the largest gap is along the wall.
             assert!(found > 0.2, "{found}");
         }
         let found = from_wall(&[[-0.5, 0.0], [0.5, 0.0]], [1.75, 0.0, turn]);
@@ -86,7 +87,7 @@ fn rod_and_wall_have_axes_at_their_ends() {
     }
 }
 
-/// They are there in a scene that is made without obstacles, too: it is one among none.
+/// The normals exist in a scene that is made without obstacles, too: its body is among none.
 #[test]
 fn body_has_normals_among_no_obstacles() {
     fn check<R: Real<Si: SiFloat>>() {

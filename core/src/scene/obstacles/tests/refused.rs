@@ -22,7 +22,7 @@ fn refused<R: Real<Si: SiFloat>>(setup: &Setup, (parameter, text): (Parameter, &
         value: error.value.widen(),
         allowed: error.allowed,
     };
-    // Of a number that f32 does not hold the digits are others.
+    // A number that f32 does not represent has other digits.
     let exact =
         wide.value == wide.value as f32 as f64 || error.value.bits() == wide.value.to_bits();
     let message = wide.to_string();
@@ -100,7 +100,7 @@ fn corners_have_indices_beside_half_planes() {
     }
 }
 
-/// A contact counts the vertices of a body to 128.
+/// A contact can number 128 vertices of a body.
 #[test]
 fn number_of_vertices_among_obstacles() {
     let ring = |n: usize| {
@@ -148,7 +148,7 @@ fn corners_make_a_polygon() {
     refused_by_all(corner(0, 2), text, |s| {
         s.shapes[0].vertices = vec![[-1.0, -1.0], [1.0, -1.0], [1.0, -1.5]];
     });
-    // Without an area, by less than can be told, and dented.
+    // Without an area, to within less than is distinguished, and dented.
     for out in [0.0, 2e-6, -0.5] {
         let text = "corner 2 of obstacle 0 is 0.5, allowed: a corner of a strictly convex polygon";
         refused_by_all(corner(0, 2), text, |s| {
@@ -225,7 +225,7 @@ fn sides_are_not_too_short() {
     in_all_numbers!(accepted, &setup);
 }
 
-/// What is allowed is what the number type represents.
+/// The accepted range is what the number type represents.
 #[test]
 fn corners_are_in_the_range_of_the_number_type() {
     fn check<R: Real<Si: SiFloat>>() {
@@ -245,7 +245,7 @@ fn corners_are_in_the_range_of_the_number_type() {
     in_all_numbers!(check);
 }
 
-/// The deepest start that is accepted is 1e-5 L, and beside a thin wall or a pin there is room.
+/// The deepest start that is accepted is 1e-5 L, and next to a thin wall or a pin there is room.
 #[test]
 fn start_is_not_in_an_obstacle() {
     let text = "depth of the body in obstacle 0 at the start is 0.25, allowed: at most 1e-5";
@@ -262,7 +262,7 @@ fn start_is_not_in_an_obstacle() {
         assert!(at([0.0, -1.2e-5, 0.0]).is_err());
         assert_eq!(at([1.5 + 0.9e-5, 0.5, 0.0]), Ok(()));
         assert!(at([1.5 + 1.2e-5, 0.5, 0.0]).is_err());
-        // On the wall's end, in line with it, and across it: there it is in it by what is above the rod.
+        // On the wall's end, collinear with it, and across it: then its depth is the part above the rod.
         let upright = core::f64::consts::FRAC_PI_2;
         assert_eq!(at([2.0, 1.5, upright]), Ok(()));
         let error = at([2.0, 0.875, 0.0]).expect_err("across");

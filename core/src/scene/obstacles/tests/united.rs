@@ -1,4 +1,4 @@
-//! Several obstacles are one world: which sides are one line, which corners are covered; however the world is turned or mirrored.
+//! Several obstacles form one world: which sides are one line, which corners are covered; however the world is turned or mirrored.
 
 use super::*;
 use crate::Frictionless;
@@ -17,7 +17,7 @@ fn moved(setup: &Setup, mirrored: bool, turn: f64) -> Setup {
         [cos * x - sin * y, sin * x + cos * y]
     };
     let mut other = setup.clone();
-    // As far as fixed point has room.
+    // As far as fixed point permits.
     let shift = if turn == 0.0 { [0.0; 2] } else { [0.3, -0.7] };
     let place = |at: [f64; 2]| [turned(at)[0] + shift[0], turned(at)[1] + shift[1]];
     for shape in &mut other.shapes {
@@ -99,7 +99,7 @@ fn united(shapes: &[Shape], expected: Expected<'_>) {
 
 const UNIT: [f64; 2] = [1.0, 1.0];
 
-/// Bottoms and tops are one, of the corners between those of the first remain.
+/// Bottoms and tops are united; of the corners between them those of the first remain.
 #[test]
 fn boxes_side_by_side_are_one() {
     let lines: [(&[Of], f64); 2] = [(&[(0, 0), (1, 0)], 2.0), (&[(0, 2), (1, 2)], 2.0)];
@@ -119,7 +119,7 @@ fn boxes_side_by_side_are_one() {
     );
 }
 
-/// The outer ones are one by the inner one, whatever their order.
+/// The outer ones are united through the inner one, whatever their order.
 #[test]
 fn three_in_a_row_are_one() {
     let lines: [(&[Of], f64); 2] = [
@@ -135,7 +135,7 @@ fn three_in_a_row_are_one() {
     united(&[at(1.0), at(0.0), at(2.0)], (&lines, &last));
 }
 
-/// 1e-9 body sizes, or what counts as a touch, are no step and no gap; more is one.
+/// 1e-9 body sizes, or a touch, is no step and no gap; more is one.
 #[test]
 fn near_is_what_the_number_type_does_not_tell_apart() {
     fn steps<R: Real<Si: SiFloat>>() {
@@ -156,7 +156,7 @@ fn near_is_what_the_number_type_does_not_tell_apart() {
         check::<R>(&beside(0.0, more), (&[], &[(0, 2), (1, 0)]));
         check::<R>(&beside(0.0, -more), (&[], &[(0, 1), (1, 3)]));
         check::<R>(&beside(more, 0.0), (&[], &[]));
-        // One upon the other, not quite flush.
+        // One on top of the other, not quite flush.
         let upon = |x: f64| Setup::of(&[block([0.0, 0.0], UNIT), block([x, 1.0], UNIT)]);
         check::<R>(&upon(more), (&[], &[(0, 2), (1, 0)]));
         let lines: [(&[Of], f64); 2] = [(&[(0, 1), (1, 1)], 2.0), (&[(0, 3), (1, 3)], 2.0)];
@@ -172,7 +172,7 @@ fn pieces_of_an_angle_are_one() {
     united(&[foot, upright], (&lines, &[(1, 0), (1, 1)]));
 }
 
-/// Lines of sides that turn into each other are not one, nor are those that face each other.
+/// Lines of sides at an angle to each other are not united, nor are those that face each other.
 #[test]
 fn sides_that_turn_or_face_away_are_not_one() {
     let roof = shape(&[[1.0, 0.0], [2.0, 0.5], [2.0, 1.0], [1.0, 1.0 + 1e-4]]);
@@ -180,14 +180,14 @@ fn sides_that_turn_or_face_away_are_not_one() {
     let below = block([1.0, -1.0], UNIT);
     // Between their sides less than a half-plane is free.
     united(&[block([0.0, 0.0], UNIT), below], (&[], &[(0, 1), (1, 3)]));
-    // A wall on a box: its upper side is a part of the box's, its lower one is nowhere.
+    // A wall on a box: its upper side is a part of the box's, its lower one is inside the box.
     let lines: [(&[Of], f64); 1] = [(&[(0, 2), (1, 1)], 1.0)];
     let wall = shape(&[[0.25, 1.0], [0.75, 1.0]]);
     united(
         &[block([0.0, 0.0], UNIT), wall],
         (&lines, &[(1, 0), (1, 1)]),
     );
-    // Two walls in line, on both of their sides; two that cross.
+    // Two collinear walls, united on both of their sides; two that cross.
     let wall = |from: [f64; 2], to: [f64; 2]| shape(&[from, to]);
     let lines: [(&[Of], f64); 2] = [(&[(0, 0), (1, 0)], 2.0), (&[(0, 1), (1, 1)], 2.0)];
     let straight = wall([0.0, 0.0], [1.0, 0.0]);
@@ -211,7 +211,7 @@ fn friction_parts_sides() {
     united(&with([0.5, 0.3], Some(1.0 / 1024.0)), (&[], &covered));
     united(&with([0.5, 0.4], None), (&[], &covered));
     united(&with([0.6, 0.3], None), (&[], &covered));
-    // What a model does not have parts nothing.
+    // Parameters that a model does not have separate nothing.
     let mut smooth = with([0.0; 2], Some(0.1));
     smooth[0].mu = [0.0; 2];
     type Smooth = WithObstacles<6, 24, Frictionless>;
@@ -244,13 +244,13 @@ fn pins_are_covered() {
     for pin in [[0.5, 1.0 + 1.5e-5], [-1.5e-5, 0.25]] {
         united(&with(pin), (&[], &[]));
     }
-    // The first one at a place remains.
+    // The first corner at a point remains.
     let [corner, pin] = with([1.0, 1.0]);
     united(&[pin.clone(), corner], (&[], &[(1, 2)]));
     united(&[pin.clone(), pin], (&[], &[(1, 0)]));
 }
 
-/// A thin tip ends where it does: lines of its sides go on to a hundred times farther.
+/// A thin tip ends at its corner, although the lines of its sides extend a hundred times farther.
 #[test]
 fn nothing_is_covered_beyond_a_tip() {
     let tip = shape(&[[0.0, 0.0], [-2.0, 0.005], [-2.0, -0.005]]);

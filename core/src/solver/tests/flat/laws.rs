@@ -1,10 +1,10 @@
-//! Flat bodies on random ways: the laws that hold in every frame.
+//! Flat bodies on random paths: the laws that hold in every frame.
 
 use super::*;
 use crate::fixtures::sampled;
 
-/// Boxes above tables, posts and gaps, led about: wherever a body lies flat its contacts are closed and on their sides, what they bear
-/// balances the load and is in the cones, and it is in no obstacle.
+/// Boxes above tables, posts and gaps, moved about: wherever a body lies flat its contacts are closed and on their sides, their reactions
+/// balance the load and are in the cones, and it is in no obstacle.
 #[test]
 fn flat_bodies_obey_the_laws() {
     fn lawful<R: Real>(tolerance: f64)

@@ -1,4 +1,4 @@
-//! The moments about the ends of an edge, the ends of its sides, and what follows, from the balance itself.
+//! The moments about the ends of an edge, the ends of its sides, and what follows, derived from the balance itself.
 
 extern crate std;
 
@@ -14,7 +14,7 @@ use crate::verb::Moved;
 
 type Among = Scene<f64, 4, 1, WithObstacles<2, 8>>;
 
-/// A box 0.8 wide and 0.6 high, so that its size is 1, and a table from one place to another, or two posts; mu_s = 0.5, mu_d = 0.25.
+/// A box 0.8 wide and 0.6 high, so that its size is 1, and a table that spans an interval, or two posts; mu_s = 0.5, mu_d = 0.25.
 fn scene(obstacles: &[&[[f64; 2]]], weight: f64) -> Among {
     let list: std::vec::Vec<_> = obstacles
         .iter()
@@ -61,7 +61,7 @@ fn c(corner: u8) -> Pair {
     Pair::of_corner(corner, 0)
 }
 
-/// Tables and what the box lies on with its middle at 0.
+/// Tables and the contacts on which the box lies with its middle at 0.
 type Lies = (std::vec::Vec<[[f64; 2]; 4]>, [Pair; 2]);
 
 fn lies() -> [Lies; 5] {
@@ -85,7 +85,7 @@ fn grip(random: &mut Random) -> Grip<f64> {
     }
 }
 
-/// M_1 and M_2 of a body at a place, written out.
+/// M_1 and M_2 of a body at a position, written out.
 fn balance(scene: &Among, x: f64, ends: [f64; 2], grip: &Grip<f64>) -> [f64; 2] {
     let held = Vec2::new(x, 0.3) + grip.holding_point;
     let force = grip.hand - held;
@@ -96,7 +96,7 @@ fn balance(scene: &Among, x: f64, ends: [f64; 2], grip: &Grip<f64>) -> [f64; 2] 
     })
 }
 
-/// The moments about the ends, on a slide with the hand, are those of the body where it has come to.
+/// The moments about the ends, on a slide with the hand, are those of the body in its new position.
 #[test]
 fn moments_are_those_on_the_way() {
     for (tables, contacts) in lies() {
@@ -140,8 +140,8 @@ fn moments_are_those_on_the_way() {
     }
 }
 
-/// A slide with the hand ends where the balance says that an end lifts, or where a side ends; the order of the contacts is of no
-/// account. Looked for in small steps.
+/// A slide with the hand ends where the balance says that an end lifts, or where a side ends; the order of the contacts does not matter.
+/// Found by small steps.
 #[test]
 fn slide_ends_where_the_balance_says() {
     const STEPS: i32 = 20_000;
@@ -193,7 +193,7 @@ fn slide_ends_where_the_balance_says() {
                 if begin[0] < 1e-3 || begin[1] < 1e-3 {
                     continue;
                 }
-                // What happens first.
+                // The first event.
                 let happens = |part: f64| {
                     let [n1, n2, span] = state(part);
                     let off = edge.contacts().iter().any(|&pair| {
@@ -246,7 +246,7 @@ fn slide_ends_where_the_balance_says() {
                         }
                     }
                 }
-                // The foot has gone as far as the balance says.
+                // The foot has moved as far as the balance says.
                 let foot = after.pivot.foot - edge.pivot.foot;
                 assert!((foot - way(moved.part)).abs() < 1e-12);
             }
@@ -268,7 +268,7 @@ impl Places for crate::contact::Pairs {
     }
 }
 
-/// A parabola falls to zero at its smallest root, in fixed point as well, however large its parts.
+/// A parabola falls to zero at its smallest root, in fixed point as well, however large its terms.
 #[test]
 fn parabola_falls_at_its_first_root() {
     let mut count = 0;
@@ -302,7 +302,7 @@ fn parabola_falls_at_its_first_root() {
                 rounding: number(1e-6),
             };
             let zero = fixed.first_zero().map(|x| x.to_si(1.0));
-            // Where it only just reaches zero the digits decide.
+            // If it only just reaches zero the digits decide.
             let discriminant = along * along - 4.0 * start * square.0 * square.1;
             if discriminant.abs() > 1e-3 && start > 1e-3 && until < 20.0 {
                 let zero = f64::from(zero.expect("a zero"));

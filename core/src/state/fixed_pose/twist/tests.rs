@@ -1,5 +1,5 @@
-//! Velocities of the motions that can begin: contacts that stick rest, those that slide go along their surfaces, the load
-//! drives, and what opens shows in the rates of the gaps.
+//! Velocities of the motions that can begin: sticking contacts rest, sliding ones move along their surfaces, the load drives, and an
+//! opening shows in the rates of the gaps.
 
 use super::*;
 use crate::fixtures::{Random, sampled};
@@ -53,7 +53,7 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f
 
 const STEP: f64 = 1e-6;
 
-/// While one contact slides alone the body turns such that the moment about it stays, to the first order.
+/// While one contact slides alone the body turns so that the moment about it is constant, to first order.
 #[test]
 fn lasting_contacts_stay_on_their_surfaces() {
     let mut seen = [0; 3];
@@ -128,7 +128,7 @@ fn lasting_contacts_stay_on_their_surfaces() {
     );
 }
 
-/// A block that is clamped across its diagonal slides along a slot: that opens and closes no gap.
+/// A block that is clamped across its diagonal slides along a slot: no gap opens or closes.
 #[test]
 fn slide_along_a_slot_neither_opens_nor_closes() {
     let mut count = 0;

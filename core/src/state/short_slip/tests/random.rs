@@ -1,4 +1,4 @@
-//! Random slips: where one ends, nothing is left but the rounding, however its sizes compare; and what hardly presses has none.
+//! Random slips: where one ends, only the rounding is left, whatever the ratio of its magnitudes; a vertex that hardly presses has none.
 
 use super::*;
 use crate::fixtures::{self, Random, sampled};
@@ -34,7 +34,7 @@ fn short_slip_ends_in_balance() {
         let case = Random(seed).slip();
         let Ok(slip) = case.find() else { continue };
         let (force, moment) = case.load(slip.slide * case.sign, slip.turn);
-        // A rounding of the slide is so much of them.
+        // The effect on them of a rounding of the slide.
         let [_, _, _, decay] = beginning(&case);
         let size = 1.0 + case.force.length_bound() + case.stiffness + decay;
         let [left, excess] = [moment, case.excess(force)].map(|x| x.abs() / size);
@@ -47,7 +47,7 @@ fn short_slip_ends_in_balance() {
     assert!(cfg!(miri) || count > 1000, "{count}");
 }
 
-/// What presses by no more than the rounding of its force may just as well be lifted: no slip of it is certain.
+/// A vertex that presses by no more than the rounding of its force may just as well be lifted: no slip of it is certain.
 #[test]
 fn slip_without_pressure_is_not_certain() {
     const ROUNDING: f64 = 4.0 * <f64 as Real>::EPSILON;
@@ -69,8 +69,8 @@ fn slip_without_pressure_is_not_certain() {
     }
 }
 
-/// A vertex that is held at itself and pulled to exactly (E3) slides by nothing, and by what it is pulled beyond that; one that is
-/// off balance by more than 2^-19, or not driven, has no slip to speak of.
+/// A vertex that is held at itself and pulled exactly to (E3) slides by nothing, and otherwise by what it is pulled beyond that; one that
+/// is out of balance by more than 2^-19, or not driven, has no slip worth mentioning.
 #[test]
 fn slip_begins_at_the_balance() {
     let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
@@ -79,7 +79,7 @@ fn slip_begins_at_the_balance() {
     let micro = <f64 as Real>::MICRO;
     for sign in [1.0, -1.0] {
         let drive = (surface.friction).drive(surface.normal, surface.tangent * sign);
-        // Across the drive.
+        // Perpendicular to the drive.
         let balanced = Vec2::new(drive.y * sign, -drive.x * sign);
         for (more, turn, slips) in [
             (0.0, 0.0, true),

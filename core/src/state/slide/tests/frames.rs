@@ -3,7 +3,7 @@
 use super::*;
 use crate::work::Work;
 
-/// A certified frame ends where the search ends, and on its way is nothing that ends a slide; what is not certified has not moved.
+/// A certified frame ends where the search ends, and nothing on its path ends a slide; a frame that is not certified has not moved.
 fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
     let mut seen = [0; 2];
     for seed in sampled(0..1000, 97) {
@@ -25,7 +25,7 @@ fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
             assert!(near < digits, "{seed}: {near}");
             let mut searched = begin.clone();
             let moved = searched.advance_sliding(&scene, (&from, &to), sign);
-            // What all but rests may halt.
+            // A foot that almost rests may halt.
             let rests = (at.foot - case.foot).abs() < digits;
             let halts = moved.trigger == Trigger::Halts && rests;
             let balanced = moved.trigger == Trigger::Balanced;
@@ -37,7 +37,7 @@ fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
             let [n, t] = state.reactions(&scene, &load)[0].map(Plain::plain);
             let edge = t + case.sign * case.bench.friction[1] * n;
             assert!(n > 0.0 && edge.abs() < digits * (1.0 + n), "{seed} {n} {t}");
-            // No vertex is nearer than what is remembered of it.
+            // No vertex is closer than the stored room.
             assert!(at.gap > state.room.plain() - digits, "{seed} {at:?}");
         }
     }
@@ -54,8 +54,8 @@ fn certified_slide_is_the_searched_one_in_every_number_type() {
     certified_slide_is_the_searched_one::<Fixed>(1e-4);
 }
 
-/// Frame by frame on one path: what is left of the room between two looks is never more than there is, and the end does not depend on
-/// how the way was cut.
+/// Frame by frame on one path: the remaining room between two evaluations is never more than the actual room, and the end does not depend
+/// on how the path was divided.
 #[test]
 fn slide_does_not_depend_on_the_frames() {
     const FRAMES: i32 = 32;

@@ -1,5 +1,5 @@
-//! The certified frame of two contacts among obstacles that slide with the hand, and their certified slip (STATICS 12.8): that nothing else
-//! happens on a short way follows from what both bear at its ends, and from bounds of how that changes.
+//! The certified frame of two contacts among obstacles that slide with the hand, and their certified slip (STATICS 12.8): the loads on both
+//! at the ends of a short displacement, and bounds of how these change, prove that nothing else happens.
 
 use super::super::CertifiedSlide;
 use super::super::slide::per_memory;
@@ -10,11 +10,11 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::world::World;
 
-/// What friction does on a short way.
+/// The effect of friction on a short displacement.
 struct Memory<R> {
     /// No reaction is larger.
     sizes: [R; 2],
-    /// What a friction is worth of (E6), and a velocity, change by no more.
+    /// The contribution of a friction to (E6), and a velocity, change by no more than this.
     change: R,
     slows: R,
     /// The slide is nowhere less stable.
@@ -22,14 +22,15 @@ struct Memory<R> {
 }
 
 impl<R: Real> Pairing<R> {
-    /// The memory of each contact, and |v_i·t_i|.
+    /// The memory length of each contact, and |v_i·t_i|.
     fn slips(&self) -> impl Iterator<Item = (R, R)> {
         let memories =
             (self.twist.surfaces).map(|surface| surface.friction.memory() * per_memory::<R>());
         memories.into_iter().zip(self.twist.velocities.map(R::abs))
     }
 
-    /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be: such a slide goes on.
+    /// True if no slip that began on the path would be as long as the memory length (E14), or one that began here would be: such a slide
+    /// goes on.
     fn goes_on(&self, memory: &Memory<R>, (here, standing): ([R; 2], R)) -> bool {
         let counted = |edge| edge * per_memory();
         let most = |worth: R| worth.abs() + memory.change;
@@ -41,8 +42,8 @@ impl<R: Real> Pairing<R> {
     }
 }
 
-/// The slide in a direction of the unit twist as the hand goes a path, if that is all that can happen, but for a touch and the end of a
-/// side.
+/// The slide in a direction of the unit twist as the hand moves along a path, provided that nothing else can happen except a touch and the
+/// end of a side.
 pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
     scene: &W,
     contacts: (&Pivot<R>, Pair),
@@ -58,7 +59,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
         ..
     } = &way;
     let (reach, spread) = (*reach, way.spread());
-    // On the way the hand drives it on.
+    // On the path the hand drives it on.
     let hand = way.displacement.hand.length_bound();
     let couple = after.stiffness * way.displacement.turn.abs();
     let edge = sizes.edge;
@@ -72,7 +73,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
         return None;
     }
     let begin = pairing.twist.sizes(after.force - way.displacement.hand);
-    // By so much a reaction strays with the part of the displacement that is done and with the directions of both.
+    // The deviation of a reaction with the fraction of the displacement that is done and with the directions of both.
     let uneven = way.bend * way.newton + drive_falls / way.drive;
     let turns = edge * sizes.turn * reach + way.spread_falls / spread;
     let bent = edge * hand * (uneven + turns);
@@ -91,8 +92,8 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
     lasts.then(|| way.to(end.pivot))
 }
 
-/// The slip in a direction of the unit twist at a frozen hand, if it ends in balance with both contacts pressed all along, but for a
-/// touch and the end of a side.
+/// The slip in a direction of the unit twist at a frozen hand, provided that it ends in balance with both contacts pressed throughout,
+/// except for a touch and the end of a side.
 pub(crate) fn certified_slip<R: Real, W: World<R>>(
     scene: &W,
     contacts: (&Pivot<R>, Pair),
@@ -103,11 +104,11 @@ pub(crate) fn certified_slip<R: Real, W: World<R>>(
     let (twist, sizes, reach) = (&way.pairing.twist, &way.sizes, way.reach);
     let [v1, v2] = twist.velocities;
     let [first, second] = twist.surfaces;
-    // What the drive exceeds friction by goes into a drag against both velocities: so many times this force.
+    // The excess of the drive over friction is taken up by a drag against both velocities: a multiple of this force.
     let drag = first.tangent * v1 + second.tangent * v2;
     let resistance = R::sum_of_products(twist.frictions[0], v1.abs(), twist.frictions[1], v2.abs());
     let excess = way.drive / resistance;
-    // Of which these change by no more, with the velocities and the directions of both contacts.
+    // The most by which these change, with the velocities and the directions of both contacts.
     let speed = v1.abs() + v2.abs();
     let turns = sizes.turn * reach;
     let worth = way.worth_changes();

@@ -15,7 +15,7 @@ use crate::thresholds::Thresholds;
 use crate::world::World;
 use core::cell::Cell;
 
-/// A value of which the slope is not known: where it is zero is told by its sign.
+/// A value with unknown slope: its sign shows on which side of its zero it is.
 fn value_of<R: Real>(of: Sloped<R>) -> Sloped<R> {
     Sloped {
         slope: R::ZERO,
@@ -24,7 +24,7 @@ fn value_of<R: Real>(of: Sloped<R>) -> Sloped<R> {
 }
 
 impl<R: Real, W: World<R>> Course<'_, R, W> {
-    /// The slide at a place.
+    /// The slide at a point.
     fn progress(
         &self,
         spot: &Spot<R>,
@@ -47,7 +47,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
 }
 
 impl<R: Real> Slides<R> {
-    /// Along a course, of a trammel whose load is that at the beginning of a displacement.
+    /// Along a course, for a trammel whose load is that at the beginning of a displacement.
     pub(crate) fn along<W: World<R>>(
         course: &Course<'_, R, W>,
         trammel: Trammel<R>,
@@ -66,7 +66,8 @@ impl<R: Real> Slides<R> {
         })
     }
 
-    /// Follows the hand on a course to the first ending: where the pivot comes to, how far, and the part of the displacement that is done.
+    /// Follows the hand on a course to the first ending: returns the new pivot, the distance, and the fraction of the displacement that is
+    /// done.
     pub(crate) fn follow<W: World<R>>(
         &self,
         course: &Course<'_, R, W>,
@@ -79,7 +80,7 @@ impl<R: Real> Slides<R> {
         if let Some(ending) = self.ends_at_once() {
             return here(R::ZERO, ending);
         }
-        // A slide that is pressed when it begins goes on (rule 10).
+        // A slide that is pressed at its beginning goes on (rule 10).
         let start = self.start.map(|of: Bounded<R>| Sloped {
             value: of.value,
             slope: of.slope,
@@ -142,7 +143,7 @@ impl<R: Real> Slides<R> {
         (pivot, run, part, ending)
     }
 
-    /// What falls to zero where the slide ends.
+    /// The functions that fall to zero where the slide ends.
     fn falls<W: World<R>>(
         &self,
         course: &Course<'_, R, W>,

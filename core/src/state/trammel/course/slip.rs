@@ -1,5 +1,5 @@
-//! The slip of two contacts among obstacles: along a piece of their motion, the hand frozen, to the first of (E6), N_i = 0, a contact
-//! that turns back or leaves its side, and touch.
+//! The slip of two contacts among obstacles: along a piece of their motion, the hand frozen, to the first of (E6), N_i = 0, a contact that
+//! turns back or leaves its side, and touch.
 
 use super::super::{Demand, Ending, LOOK, RUN, Run};
 use super::{Course, SPOT, Spot, sloped};
@@ -14,10 +14,10 @@ use crate::thresholds::Thresholds;
 use crate::world::World;
 use core::cell::Cell;
 
-/// The end of the growth of (E6) beyond a fold is looked for in so many halves of a piece at most.
+/// The end of the growth of (E6) beyond a fold is searched for by halving a piece at most this many times.
 const MAX_HALVINGS: usize = 20;
 
-/// A function that falls, counted in a direction.
+/// A function that falls, measured in a direction.
 pub(super) fn level<R: Real>(of: Sloped<R>, sign: R, rounding: R) -> Level<R> {
     Level {
         value: along(sign, of.value),
@@ -26,25 +26,25 @@ pub(super) fn level<R: Real>(of: Sloped<R>, sign: R, rounding: R) -> Level<R> {
     }
 }
 
-/// What the moment about a contact is known to, in units of the load, where (E6) is known to a rounding.
+/// The uncertainty of the moment about a contact, in units of the load, if (E6) is known to a rounding.
 fn moment_known_to<R: Real>(rounding: R) -> R {
     rounding.max(R::of_sums(R::ONE))
 }
 
-/// Of a slip: the sign and the rounding of (E6), and who may turn back.
+/// For a slip: the sign and the rounding of (E6), and which contacts may turn back.
 #[derive(Clone, Copy)]
 struct Falls<R> {
     sense: R,
     rounding: R,
     turns: [bool; 2],
-    /// Both reactions are to press on all of it.
+    /// Both reactions must press throughout.
     presses: bool,
-    /// Which contacts the moment about the other one presses.
+    /// Which contacts are pressed by the moment about the other one.
     pressed: [bool; 2],
 }
 
 impl<R: Real, W: World<R>> Course<'_, R, W> {
-    /// Slips to the first ending, of which the balance is not before `clear`; where the pivot comes to.
+    /// Slips to the first ending, where a balance before `clear` does not count; returns the new pivot.
     pub(crate) fn slip(
         &self,
         (sense, rounding): (R, R),
@@ -56,7 +56,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         let falls = Falls {
             sense,
             rounding,
-            // Who has just turned does not turn again within a piece.
+            // A contact that has just turned back does not turn again within a piece.
             turns: [(v1, s1), (v2, s2)]
                 .map(|(v, sign)| sign != R::ZERO && v.value.abs() > R::standstill()),
             presses: demand == Demand::Pressed,
@@ -112,7 +112,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         (pivot, run, ending)
     }
 
-    /// What is touched up to a place, and what it took to find it, in units of work.
+    /// What is touched up to a point, and the cost of finding it, in units of work.
     pub(super) fn reached(&self, x: R) -> (Option<Reached<R>>, u32) {
         if x <= R::ZERO {
             return (None, 0);
@@ -126,7 +126,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         first_reached(self.scene, (known, Among::All), x, (&at, SPOT))
     }
 
-    /// How far it has gone.
+    /// The result of a run to `x`.
     pub(super) fn run_to(&self, x: R, (unsure, work): (bool, u32)) -> (Pivot<R>, Run<R>) {
         let pivot = self.spot(x).pivot;
         let run = Run {
@@ -138,7 +138,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         (pivot, run)
     }
 
-    /// How much the moment about the other contact presses each of them: where that falls to zero it presses none any more.
+    /// How strongly the moment about the other contact presses each of them: where that falls to zero it no longer presses any.
     fn pressing(&self, spot: &Spot<R>) -> [Sloped<R>; 2] {
         let (_, [(force, moment), _]) = self.terms(spot, (Vec2::ZERO, R::ZERO));
         let arm = sloped(spot.arm, self.swing(spot));
@@ -152,8 +152,8 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         ]
     }
 
-    /// What is zero where the slip ends: (E6) where it is asked for, N_1, N_2, both velocities, the ends of both sides; where reactions
-    /// are looked at in balance only, what presses each contact.
+    /// The functions that are zero where the slip ends: (E6) if requested, N_1, N_2, both velocities, the ends of both sides; if reactions
+    /// are examined at balance only, what presses each contact.
     fn falls(&self, spot: &Spot<R>, falls: &Falls<R>, is_asked: bool) -> [Option<Level<R>>; 9] {
         let (place, [load, _]) = self.terms(spot, (Vec2::ZERO, R::ZERO));
         let [n1, n2] = place.normals(load);
@@ -183,6 +183,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         ]
     }
 
+    /// The ending of a slip for the function that fell to zero, in the order of [`Self::falls`].
     fn ending(&self, which: usize) -> Ending<R> {
         let [s1, s2] = self.signs;
         match which {
@@ -207,7 +208,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         }
     }
 
-    /// At a fold of (E6), where it and its slope are zero: up to here it grows.
+    /// At a fold of (E6), where it and its slope are zero: it grows up to here.
     pub(crate) fn clear_of_fold(&self, (sense, rounding): (R, R)) -> R {
         let mut clear = self.longest();
         for _ in 0..MAX_HALVINGS {

@@ -97,7 +97,7 @@ fn case<R: Digits>(seed: u64, corners: [bool; 2]) -> Case<R> {
         let normal = -rotation.apply(mixed.over(mixed.length()));
         let [from, to] = [-3.0, 3.0].map(|x| at(place) + normal.turned() * x);
         walls[i] = [[from.x, from.y], [to.x, to.y]];
-        // Outward is to the right of the way from corner to corner.
+        // Outwards is to the right of the direction from corner to corner.
         Kind::Vertex(vertex, -(to - from).turned().over(6.0), at(place))
     });
     let walls = walls.map(|wall| wall.map(|p| p.map(si)));
@@ -160,7 +160,7 @@ fn case<R: Digits>(seed: u64, corners: [bool; 2]) -> Case<R> {
 
 const KINDS: [[bool; 2]; 4] = [[false, false], [false, true], [true, false], [true, true]];
 
-/// All that are driven, of many of all kinds.
+/// All cases that are driven, of many of all kinds.
 fn driven<R: Digits>(
     demand: Demand,
     count: u64,
@@ -185,7 +185,7 @@ fn course<'a, R: Real>(case: &'a Case<R>, trammel: &Trammel<R>) -> Course<'a, R,
     Course::of(&case.scene, contacts, &case.grip, trammel)
 }
 
-/// A contact at a pose: its point, its normal, the gap, and where the body's material there is in the body frame.
+/// A contact at a pose: its point, its normal, the gap, and the position of the body's material there in the body frame.
 fn contact(kind: Kind, pose: &Pose<f64>) -> (Vec2<f64>, Vec2<f64>, f64, Vec2<f64>) {
     let rotation = pose.orientation.rotation();
     match kind {
@@ -219,8 +219,8 @@ fn wrench(case: &Case<f64>, grip: &Grip<f64>, pose: &Pose<f64>) -> (Vec2<f64>, f
     (pull + weight, moment)
 }
 
-/// What two reactions on the edges of the dynamic cones, against velocities of some signs, leave of a load: N_1, N_2 by the forces, and the
-/// moment that is left.
+/// The residual of a load after two reactions on the edges of the dynamic cones, against velocities with given signs: N_1, N_2 from the
+/// forces, and the moment that is left.
 fn left(case: &Case<f64>, grip: &Grip<f64>, pose: &Pose<f64>, signs: [f64; 2]) -> ([f64; 2], f64) {
     let (force, moment) = wrench(case, grip, pose);
     let [(c1, f1), (c2, f2)] = from_fn(|i| {
@@ -237,7 +237,7 @@ fn pose_of(case: &Case<f64>, pivot: &Pivot<f64>) -> Pose<f64> {
     pivot.placed(&case.scene).pose()
 }
 
-/// Conchoids, limaçons and the trammel: both gaps stay closed, the rates are those of the poses, and rates of rates.
+/// Conchoids, limaçons and the trammel: both gaps stay closed, and the rates are the derivatives of the poses, also to second order.
 #[test]
 fn contacts_stay_and_rates_are_derivatives() {
     let counts = driven::<f64>(Demand::AtTheEnd, 400, |case, trammel| {
@@ -303,7 +303,7 @@ fn contacts_stay_and_rates_are_derivatives() {
     );
 }
 
-/// A slip ends at the first place at which the statics written out say so, and not before.
+/// A slip ends at the first point at which the statics written out say so, and not before.
 #[test]
 fn slip_ends_at_the_first_of_balance_and_opening() {
     let mut stopped = 0;
@@ -345,7 +345,7 @@ fn slip_ends_at_the_first_of_balance_and_opening() {
     assert!(cfg!(miri) || stopped > 100, "{stopped}");
 }
 
-/// On whole slips, piece by piece, no gap opens or closes, and what ends in balance is so.
+/// On whole slips, piece by piece, no gap opens or closes, and slips that end in balance are in balance.
 #[test]
 fn whole_slips_end_in_balance_with_both_gaps_closed() {
     let mut balanced = [0; 4];
@@ -377,8 +377,8 @@ fn whole_slips_end_in_balance_with_both_gaps_closed() {
     );
 }
 
-/// Between two places of a piece the body goes no farther than 2 sqrt(2) times what lies between them along the twist: a piece ends before
-/// the motion turns back, and leads to no other branch.
+/// Between two points of a piece the body moves no farther than 2 sqrt(2) times the distance between them along the twist: a piece ends
+/// before the motion turns back, and leads to no other branch.
 fn is_one_branch<W: World<f64>>(course: &Course<'_, f64, W>, case: u64) {
     let longest = course.longest();
     let mut last = course.spot(0.0);
@@ -399,8 +399,8 @@ fn a_piece_is_one_branch() {
     });
 }
 
-/// A rod stands in a slit, its end on one wall, its side at a pin close to that. While the end slides down the wall the rod hardly turns;
-/// across the twist at the beginning lies the end of the rod above the pin.
+/// A rod stands in a slit, its end on one wall, its side at a pin close to that wall. While the end slides down the wall the rod hardly
+/// turns; across the twist at the beginning lies the position with the end of the rod above the pin.
 #[test]
 fn a_piece_in_a_slit_is_one_branch() {
     let mut count = 0;

@@ -1,6 +1,6 @@
-//! A short way of two contacts among obstacles along their unit twist (STATICS 12.8): as for two vertices (E15), but the normal of a corner
-//! turns with the body, and the corner stays. From the loads at both ends of the hand's path on the body as it is, and bounds of how all
-//! of it changes on a short way, it follows that there is one balance within reach, and where.
+//! A short displacement of two contacts among obstacles along their unit twist (STATICS 12.8): as for two vertices (E15), except that the
+//! normal of a corner turns with the body, and the corner stays. The loads at both ends of the hand's path on the body in its present pose,
+//! and bounds of the changes on a short displacement, prove that there is one balance within reach, and locate it.
 
 use super::super::CertifiedSlide;
 use super::super::certified::{MAX_CORRECTIONS, Twist, gradient};
@@ -15,20 +15,20 @@ use crate::thresholds::Thresholds;
 use crate::verb::seat_sliding;
 use crate::world::World;
 
-/// Both contacts at a place, and how their unit twist changes along it.
+/// Both contacts at a point, and the rate at which their unit twist changes along it.
 pub(super) struct Pairing<R> {
     pub(super) twist: Twist<R>,
-    /// How fast c_1 and r change.
+    /// The rates of change of c_1 and r.
     pub(super) foot_rate: Vec2<R>,
     pub(super) arm_rate: Vec2<R>,
     /// How fast the directions of the reactions turn.
     pub(super) turning: [Vec2<R>; 2],
-    /// A bound of how fast the twist changes.
+    /// A bound of the rate of change of the twist.
     pub(super) bend: R,
 }
 
-/// The largest values on a short way: of the speed of a contact and the turn, of what the twist changes by, and of |f|, |r|, |F|, |M|, the
-/// lever, and the hand's place from contact 1.
+/// The largest values on a short displacement: of the speed of a contact and the turn, of the change of the twist, and of |f|, |r|, |F|,
+/// |M|, the lever, and the hand's distance from contact 1.
 pub(super) struct Sizes<R> {
     pub(super) speed: R,
     pub(super) turn: R,
@@ -42,7 +42,7 @@ pub(super) struct Sizes<R> {
 }
 
 impl<R: Real> Pairing<R> {
-    /// Nothing where there is no such twist.
+    /// `None` if there is no such twist.
     pub(super) fn at<W: World<R>>(
         scene: &W,
         placed: &Placed<R>,
@@ -73,7 +73,7 @@ impl<R: Real> Pairing<R> {
         })
     }
 
-    /// -dE/dx at the frozen hand, the hand going back by `less` before.
+    /// -dE/dx at the frozen hand, after the hand has moved back by `less`.
     pub(super) fn stability<W: World<R>>(
         &self,
         scene: &W,
@@ -99,7 +99,7 @@ impl<R: Real> Pairing<R> {
         -slope * twist.sense
     }
 
-    /// Within a distance from here, the force and the moment at its beginning no larger than these.
+    /// Within a distance from here, if the force and the moment at its beginning are no larger than these.
     pub(super) fn within(&self, load: &Load<R>, reach: R, (force, moment): (R, R)) -> Sizes<R> {
         let bend = self.bend + (self.bend / R::from_int(4));
         let swing = bend * reach;
@@ -126,45 +126,45 @@ impl<R: Real> Pairing<R> {
 }
 
 impl<R: Real> Sizes<R> {
-    /// Of |dr/dx|, and of the lever.
+    /// A bound of |dr/dx|, and of the same for the lever.
     pub(super) fn parts(&self, arm: R) -> R {
         self.speed.doubled() + arm * self.turn
     }
 
-    /// Of the second derivative of such a length.
+    /// A bound of the second derivative of such a length.
     pub(super) fn bends(&self, arm: R) -> R {
         self.bend * (R::TWO + arm) + self.turn * self.parts(arm)
     }
 
-    /// Of |dF/dx|.
+    /// A bound of |dF/dx|.
     pub(super) fn force_rate(&self) -> R {
         self.speed + self.lever * self.turn
     }
 
-    /// Of |d(r×f_2)/dx|.
+    /// A bound of |d(r×f_2)/dx|.
     pub(super) fn second_rate(&self) -> R {
         self.edge * (self.parts(self.arm) + self.arm * self.turn)
     }
 
-    /// Of |d(f_1×f_2)/dx|.
+    /// A bound of |d(f_1×f_2)/dx|.
     pub(super) fn spread_rate(&self) -> R {
         (self.edge * self.edge * self.turn).doubled()
     }
 
-    /// Of |d²(f_1×F)/dx²|.
+    /// A bound of |d²(f_1×F)/dx²|.
     pub(super) fn across_bend(&self) -> R {
         let spin = self.turn * self.turn + self.bend;
         let rates = self.bends(self.lever) + (self.turn * self.force_rate()).doubled();
         self.edge * (rates + self.force * spin)
     }
 
-    /// Of |d²(f_1×f_2)/dx²|.
+    /// A bound of |d²(f_1×f_2)/dx²|.
     pub(super) fn spread_bend(&self) -> R {
         let spin = self.turn * self.turn + self.bend;
         (self.edge * self.edge * (spin + self.turn * self.turn)).doubled()
     }
 
-    /// Of |d²E/dx²|; `falls`: the moment of the weight, at most.
+    /// A bound of |d²E/dx²|; `falls`: a bound of the moment of the weight.
     pub(super) fn curvature(&self, stiffness: R, (spread, weight, falls): (R, R, R)) -> R {
         let (turn, edge) = (self.turn, self.edge);
         let spin = turn * turn + self.bend;
@@ -189,42 +189,43 @@ impl<R: Real> Sizes<R> {
     }
 }
 
-/// A way along the twist as the hand goes a path, so short that there is one balance within reach for every part of it (E15).
+/// A displacement along the twist as the hand moves along a path, so short that there is one balance within reach for every fraction of the
+/// path (E15).
 pub(super) struct Way<'a, R, W> {
     pub(super) scene: &'a W,
     pub(super) contacts: (Pivot<R>, Pair),
     pub(super) direction: R,
     pub(super) to: &'a Grip<R>,
     pub(super) pairing: Pairing<R>,
-    /// The load at the hand's end on the body as it is.
+    /// The load at the hand's end on the body in its present pose.
     pub(super) after: Load<R>,
     pub(super) displacement: Displacement<R>,
-    /// The stability on the body as it is with the hand at its beginning, at its end, and the lesser one.
+    /// The stability of the body in its present pose with the hand at its beginning, at its end, and the smaller one.
     pub(super) standing: R,
     pub(super) stability: R,
     pub(super) least: R,
-    /// (E6) with the hand at its end, on the body as it is; and the way that this asks for at the least stability.
+    /// (E6) with the hand at its end, for the body in its present pose; and the displacement that this requires at the least stability.
     pub(super) drive: R,
     pub(super) newton: R,
     pub(super) reach: R,
     pub(super) sizes: Sizes<R>,
     /// The curvature of (E6) over the least stability.
     pub(super) bend: R,
-    /// By so much f_1×f_2 and the velocities of the contacts change at most.
+    /// The most by which f_1×f_2 and the velocities of the contacts change.
     pub(super) spread_falls: R,
     pub(super) slows: R,
 }
 
-/// Where a way ends in balance.
+/// Where a displacement ends in balance.
 pub(super) struct End<R> {
     pub(super) pivot: Pivot<R>,
-    /// Both reactions, but for a last correction of the place, and what that changes of them at most.
+    /// Both reactions, before a last correction of the position, and the most by which that changes them.
     pub(super) reactions: [R; 2],
     pub(super) last: R,
 }
 
 impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
-    /// In a direction of the unit twist; nothing where that is not certain, or a contact may turn back.
+    /// In a direction of the unit twist; `None` if that is not certain, or a contact may turn back.
     pub(super) fn of(
         scene: &'a W,
         (pivot, other): (&Pivot<R>, Pair),
@@ -290,7 +291,7 @@ impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
         })
     }
 
-    /// The balance where the hand ends, by Newton's steps from the body as it is.
+    /// The balance where the hand ends, by Newton's steps from the present pose of the body.
     pub(super) fn end(&self) -> Option<End<R>> {
         let (mut place, other) = self.contacts;
         let (scene, sizes) = (self.scene, &self.sizes);
@@ -306,13 +307,13 @@ impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
             step =
                 here.twist.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
             (slide, turn) = (here.twist.slide, here.twist.turn);
-            // What a step of Newton's leaves.
+            // The residual of a Newton step.
             if (self.bend * step * step).halved() > R::EPSILON {
                 continue;
             }
             let force_rate = sizes.force_rate() + sizes.force * sizes.turn;
             place = place.moved(slide * step, turn * step);
-            // By less than a rounding no gap opens.
+            // No gap opens by more than a rounding.
             if self.pairing.bend * step * step > R::EPSILON {
                 place = seat_sliding(scene, place, other);
             }
@@ -330,7 +331,7 @@ impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
         self.pairing.twist.spread.abs()
     }
 
-    /// What a friction is worth of (E6) changes by no more.
+    /// The contribution of a friction to (E6) changes by no more than this.
     pub(super) fn worth_changes(&self) -> R {
         let sizes = &self.sizes;
         let edges = sizes.edge * sizes.edge;
@@ -338,8 +339,8 @@ impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
         (worth + (edges * sizes.turn * sizes.arm).doubled()) * self.reach
     }
 
-    /// By so much a reaction of a size strays from the straight line between its values at both ends, with the way, besides what
-    /// `bent` adds over the spread.
+    /// The deviation of a reaction of a given size from the straight line between its values at both ends, due to the displacement, in
+    /// addition to what `bent` contributes over the spread.
     pub(super) fn strays(&self, size: R, bent: R) -> R {
         let square = self.reach * self.reach;
         let bent = (bent + self.sizes.across_bend() * square) / self.spread();
@@ -347,7 +348,7 @@ impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
         bent.doubled() + spins.doubled() + self.after.rounding()
     }
 
-    /// To a place.
+    /// The result at a position.
     pub(super) fn to(&self, pivot: Pivot<R>) -> CertifiedSlide<R> {
         let turn_bound = self.sizes.turn * self.reach;
         CertifiedSlide {

@@ -11,7 +11,7 @@ use ladder::{Case, Ladder};
 mod ladder;
 mod rules;
 
-/// A slide of two contacts, in balance, and where the hand goes.
+/// A slide of two contacts, in balance, and the displacement of the hand.
 struct Sliding {
     ladder: Ladder,
     case: Case,
@@ -26,7 +26,7 @@ impl Sliding {
         Self::with_memory(seed, None)
     }
 
-    /// One that soon sticks: a slip that began at once would be nearly as long as the memory.
+    /// One that soon sticks: a slip that began immediately would be nearly as long as the memory length.
     fn nearly_pressed(seed: u64) -> Option<Self> {
         let sliding = Self::random(seed)?;
         let (length, _) = sliding.length(sliding.ladder.theta);
@@ -56,7 +56,7 @@ impl Sliding {
             normals,
             direction,
         };
-        // Mostly on, not back.
+        // Mostly onward, not back.
         if sliding.drive() < 0.0 && random.next() > -0.6 {
             let (way, turn) = sliding.way;
             sliding.way = (-way, -turn);
@@ -71,13 +71,13 @@ impl Sliding {
         Slides::new(trammel, &Displacement { hand, turn })
     }
 
-    /// The part of the way that is done where the body has turned to an angle: (E6) is linear in it.
+    /// The fraction of the path that is done when the body has turned to an angle: (E6) is linear in it.
     fn part(&self, theta: f64) -> f64 {
         let drive = |part: f64| self.ladder.balance(&self.hand.on(self.way, part), theta).1;
         drive(0.0) / (drive(0.0) - drive(1.0))
     }
 
-    /// How fast the hand drives the motion on.
+    /// How strongly the hand drives the motion on.
     fn drive(&self) -> f64 {
         let hand = self.hand.on(self.way, 1.0);
         self.ladder.balance(&hand, self.ladder.theta).1
@@ -87,7 +87,7 @@ impl Sliding {
         self.ladder.stability(&self.hand, self.ladder.theta)
     }
 
-    /// The longest way of a slip that would begin at an angle, per memory; N_1, N_2 there.
+    /// The longest displacement of a slip that would begin at an angle, per memory length; N_1, N_2 there.
     fn length(&self, theta: f64) -> (f64, [f64; 2]) {
         let hand = self.hand.on(self.way, self.part(theta));
         let (normals, _) = self.ladder.balance(&hand, theta);
@@ -96,7 +96,7 @@ impl Sliding {
     }
 }
 
-/// On the way tau is where (E6) holds, and N_i are those that bear the load, both to the digits.
+/// On the path tau is where (E6) holds, and the N_i are those that bear the load, both to the digits.
 #[test]
 fn slide_is_in_balance_all_along() {
     let mut count = 0;
@@ -137,7 +137,7 @@ fn slide_is_in_balance_all_along() {
 }
 
 impl Sliding {
-    /// By small steps to an angle: tau grows to a part of the way, and nothing ends the slide before by more than a rounding.
+    /// By small steps to an angle: tau grows to a fraction of the path, and nothing ends the slide earlier by more than a rounding.
     #[track_caller]
     fn lasts(&self, turn: f64, part: f64, seed: u64) {
         let ladder = &self.ladder;
@@ -161,7 +161,7 @@ impl Sliding {
         assert!((last - part).abs() < 1e-7, "{seed}: {last} {part}");
     }
 
-    /// What there is left of what ended it.
+    /// The margin that is left of what ended it.
     #[track_caller]
     fn left(&self, ending: &SlideEnding<f64>, turn: f64) -> f64 {
         let ladder = &self.ladder;
@@ -190,7 +190,8 @@ impl Sliding {
     }
 }
 
-/// A run passes neither an opening nor a halt, a fold, a touch, a place where the hand would have to go back; at its end is what ended it.
+/// A run passes neither an opening nor a halt, a fold, a touch, or a position where the hand would have to move back; its end has the
+/// reported cause.
 #[test]
 fn run_lasts_to_its_first_ending() {
     let mut seen = [0; 5];
@@ -233,7 +234,7 @@ fn run_lasts_to_its_first_ending() {
     );
 }
 
-/// The whole of a slide, run after run: to the end of the hand's way or to the first thing that ends it.
+/// A whole slide, run after run: to the end of the hand's path or to the first event that ends it.
 #[test]
 fn slide_of_two_lasts_to_its_first_ending() {
     let mut seen = [0; 7];
@@ -250,7 +251,7 @@ fn slide_of_two_lasts_to_its_first_ending() {
             let moved = state.advance(&sliding.case.scene, &at, &to);
             part += (1.0 - part) * moved.part;
             at = at.lerp(&to, moved.part);
-            // So far nothing has ended it: towards a fold the runs become short.
+            // Nothing has ended it so far: towards a fold the runs become short.
             if !moved.unsure && moved.trigger != Trigger::GoesOn {
                 break moved;
             }
@@ -293,8 +294,8 @@ fn slide_of_two_lasts_to_its_first_ending() {
     );
 }
 
-/// A certified frame: nothing ends the slide before the end of the hand's way, and there it is in balance. Short ways are certified
-/// unless something is near.
+/// A certified frame: nothing ends the slide before the end of the hand's path, and there it is in balance. Short displacements are
+/// certified unless an event is near.
 #[test]
 fn certified_slide_is_all_that_happens() {
     let (mut certified, mut driven) = (0, 0);

@@ -1,9 +1,9 @@
-//! How far a slip goes: what is driven moves, and what leads nowhere leaves the body where it was.
+//! The extent of a slip: a driven slip moves, and one that leads nowhere leaves the body where it was.
 
 use super::*;
 use crate::real::Fixed;
 
-/// However near to where it stops: what drives it is not nothing to the search.
+/// However close it is to where it stops: its drive is not zero to the search.
 #[test]
 fn what_is_driven_moves() {
     let mut count = 0;
@@ -36,7 +36,7 @@ fn what_is_driven_moves() {
     assert!(cfg!(miri) || count > 900, "{count}");
 }
 
-/// Where a slip does not get away, the body stays to the bit.
+/// If a slip makes no progress, the body stays to the bit.
 #[test]
 fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
     let mut count = 0;
@@ -54,7 +54,7 @@ fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
     assert!(cfg!(miri) || count > 10, "{count}");
 }
 
-/// Across surfaces almost in line the path bends by more than the number type represents; both contacts stay on their surfaces.
+/// Across almost collinear surfaces the path bends by more than the number type represents; both contacts stay on their surfaces.
 #[test]
 fn contacts_stay_on_surfaces_that_are_almost_in_line() {
     let number = |x: f64| Fixed::from_si(x as f32, 1.0);
@@ -101,8 +101,8 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
     }
 }
 
-/// Of a body that stands upright between parallel surfaces the gap does not change with a small turn, nor with a slide: what rounding
-/// leaves of both does not make it turn.
+/// For a body that stands upright between parallel surfaces the gap does not change with a small turn, nor with a slide: the rounding of
+/// both does not make it turn.
 #[test]
 fn upright_between_parallel_surfaces_it_slides_without_a_turn() {
     for (quarter, rounding) in [(-0.25, 0.0), (0.25, 1e-7), (0.25, -1e-7)] {

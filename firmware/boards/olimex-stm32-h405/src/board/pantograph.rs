@@ -11,7 +11,7 @@ use stm32f4xx_hal::qei::Qei;
 use stm32f4xx_hal::rcc::Rcc;
 use stm32f4xx_hal::timer::PwmChannel;
 
-/// Above what a hand feels and an ear hears (Hz).
+/// Above the range that a hand feels and an ear hears (Hz).
 const PWM: u32 = 20_000;
 
 /// The device of this board.
@@ -22,7 +22,7 @@ type Motors = (
     Motor<PwmChannel<TIM1, 2>, PB14<Output>>,
 );
 
-/// What it is made of: left, right, handle each time.
+/// Its parts: left, right, handle in each tuple.
 pub(super) struct Parts {
     pub(super) counters: (TIM2, TIM3, TIM4),
     /// Both tracks of each encoder.
@@ -33,13 +33,13 @@ pub(super) struct Parts {
     pub(super) directions: (PB12, PB13, PB14),
 }
 
-/// Three counters that follow their encoders by themselves, and the hold switch.
+/// Three counters that follow their encoders in hardware, and the hold switch.
 pub(crate) struct Encoders {
     left: Qei<TIM2>,
     right: Qei<TIM3>,
     handle: Qei<TIM4>,
     hold: PB15<Input>,
-    /// Otherwise nobody knows where the mechanism is, and it never gives force.
+    /// Otherwise the position of the mechanism is unknown, and it never outputs force.
     at_home: bool,
 }
 
@@ -56,10 +56,10 @@ impl Counters for Encoders {
 }
 
 impl Parts {
-    /// Counters that count, and motors without torque.
+    /// Starts the counters, and the motors without torque.
     ///
     /// # Errors
-    /// Of the numbers in `firmware/devices/pantograph.rs`.
+    /// An error in the numbers in `firmware/devices/pantograph.rs`.
     pub(super) fn start(self, rcc: &mut Rcc) -> Result<Device, GeometryError> {
         let (left, right, handle) = self.encoders;
         // A track that is not connected does not move.
@@ -87,8 +87,8 @@ impl Parts {
     }
 }
 
-/// It was switched on, or reset by hand, in its home position as `firmware/devices/pantograph.rs` has it. After a reset by the watchdog,
-/// which is remembered until the power goes, the mechanism may be anywhere.
+/// It was switched on, or reset by hand, in the home position defined in `firmware/devices/pantograph.rs`. After a reset by the watchdog,
+/// which is remembered until power is lost, the mechanism may be anywhere.
 fn is_at_home(rcc: &Rcc) -> bool {
     let at_home = rcc.csr().read().wdgrstf().bit_is_clear();
     if !at_home {
@@ -97,7 +97,7 @@ fn is_at_home(rcc: &Rcc) -> bool {
     at_home
 }
 
-/// Three channels of one PWM at duty 0, their pins low also where no channel drives them.
+/// Three channels of one PWM at duty 0, with their pins low even if no channel drives them.
 fn motors(
     pwm: TIM1,
     duties: (PA8, PA9, PA10),

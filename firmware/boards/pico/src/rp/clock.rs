@@ -1,4 +1,4 @@
-//! Ticks and time of a chip of Raspberry Pi.
+//! Ticks and time of a Raspberry Pi chip.
 
 use fugit::{ExtU32, MicrosDurationU32};
 use stiction_firmware::line;
@@ -36,7 +36,7 @@ impl Clock {
         (1_000_000 / u32::from(self.rate.max(1))).micros()
     }
 
-    /// The next tick is a whole number of periods after the one before, and not in the past.
+    /// The next tick is a whole number of periods after the previous one, and not in the past.
     fn arm(&mut self) {
         let (period, now) = (self.period(), self.timer.get_counter());
         self.next += period;
@@ -46,7 +46,7 @@ impl Clock {
         let _ = self.alarm.schedule_at(self.next);
     }
 
-    /// Ticks of a second from the present one on.
+    /// Sets the ticks per second, beginning with the next one.
     pub(crate) fn set_rate(&mut self, rate: u16) {
         if rate != self.rate {
             self.next -= self.period();
@@ -55,7 +55,7 @@ impl Clock {
         }
     }
 
-    /// A tick has come: what time it is (µs, wrapping).
+    /// A tick has come: returns the time (µs, wrapping).
     pub(crate) fn tick(&mut self) -> u32 {
         self.alarm.clear_interrupt();
         self.arm();

@@ -1,4 +1,4 @@
-//! Quadrature encoders, counted by state machines of the PIO: 10 million changes a second, without the processor.
+//! Quadrature encoders, counted by state machines of the PIO: 10 million changes per second, without the processor.
 #![allow(unsafe_code)]
 
 use pio::{
@@ -17,11 +17,11 @@ use crate::stop::stop;
 
 /// Words that the queue of a state machine holds.
 const QUEUE: usize = 4;
-/// A state machine puts its count into its queue once in 13 cycles at most, in which a loop turns twice at most.
+/// A state machine puts its count into its queue once in 13 cycles at most, in which a loop runs twice at most.
 const TURNS: usize = 4;
 
-/// Counts in Y. The first 16 instructions are one for each pair of states of both tracks, the former and the present one: a track that
-/// changes alone is a step up or down; both together are a step too fast to be seen.
+/// Counts in Y. The first 16 instructions are a jump table, one for each pair of states of both tracks, the previous and the present one: a
+/// track that changes alone is a step up or down; both together are a step that was too fast to be seen.
 fn counting() -> Program<RP2040_MAX_PROGRAM_SIZE> {
     pio_asm!(
         ".origin 0",
@@ -47,7 +47,7 @@ fn counting() -> Program<RP2040_MAX_PROGRAM_SIZE> {
         ".wrap_target",
         "    mov isr, y",
         "    push noblock",
-        // The former state is in OSR, the present one comes from the pins: the place to go on at.
+        // The previous state is in OSR, the present one comes from the pins: together they are the jump address.
         "    out isr, 2",
         "    in pins, 2",
         "    mov osr, isr",
@@ -63,7 +63,7 @@ fn counting() -> Program<RP2040_MAX_PROGRAM_SIZE> {
     .program
 }
 
-/// Makes Y the middle of all numbers, of which the lower half is 0, so that neither way leads through the end of the numbers: 1, its bits
+/// Sets Y to the middle of all numbers, whose lower half is 0, so that neither direction passes the end of the range: 1, with its bits
 /// reversed.
 const MIDDLE: [InstructionOperands; 2] = [
     InstructionOperands::SET {
@@ -77,9 +77,9 @@ const MIDDLE: [InstructionOperands; 2] = [
     },
 ];
 
-/// The program in the PIO, for all its state machines.
+/// Installs the program in the PIO, for all its state machines.
 pub(super) fn install(pio: &mut PIO<PIO0>) -> InstalledProgram<PIO0> {
-    // There is nothing else in it.
+    // The PIO contains nothing else.
     match pio.install(&counting()) {
         Ok(program) => program,
         Err(_) => stop(),
@@ -93,7 +93,7 @@ pub(crate) struct Encoder<M: StateMachineIndex> {
 }
 
 impl<M: StateMachineIndex> Encoder<M> {
-    /// Counts from 0 on. Track B is the pin after that of track A; one that is not connected does not move.
+    /// Counts from 0. Track B is the pin after that of track A; a track that is not connected does not change.
     pub(super) fn start<A, B>(
         program: &InstalledProgram<PIO0>,
         machine: UninitStateMachine<(PIO0, M)>,
@@ -126,9 +126,9 @@ impl<M: StateMachineIndex> Encoder<M> {
         }
     }
 
-    /// The count as it is now, its lower half; none where the state machine does not answer.
+    /// The lower half of the present count; `None` if the state machine does not respond.
     pub(super) fn count(&mut self) -> Option<u16> {
-        // What is in the queue is old: it takes nothing new when it is full.
+        // The contents of the queue are old: a full queue takes nothing new.
         for _ in 0..QUEUE {
             self.counts.read();
         }

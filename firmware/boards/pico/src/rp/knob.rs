@@ -1,5 +1,5 @@
-//! The knob at the pins of this board: an encoder in, the PWM and the direction of a motor out. The numbers of the knob are those of
-//! an example: put yours in their place. The tests of `stiction-firmware` read `knob_numbers.rs`, too, and say which cannot be used.
+//! The knob at the pins of this board: an encoder in, the PWM and the direction of a motor out. The numbers of the knob are those of an
+//! example: replace them with yours. The tests of `stiction-firmware` read `knob_numbers.rs`, too, and report which number cannot be used.
 
 use stiction_firmware::knob::{Counter, Knob};
 use stiction_firmware::pantograph::GeometryError;
@@ -20,10 +20,10 @@ impl Counter for Encoder<SM0> {
     }
 }
 
-/// A counter that counts, and a motor without torque.
+/// Starts the counter, and the motor without torque.
 ///
 /// # Errors
-/// Of the numbers.
+/// An error in the numbers.
 pub(crate) fn start(parts: Parts<'_>) -> Result<Device, GeometryError> {
     let Parts {
         pio,

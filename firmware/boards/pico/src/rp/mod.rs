@@ -1,6 +1,6 @@
-//! What the boards with a chip of Raspberry Pi have in common, RP2040 and RP2350: their crates are almost the same, and each board names
-//! its own `crate::hal`. What the chips differ in is each board's own: how they boot, clocks, the type of the timer, whose number is the
-//! board's.
+//! The common part of the boards with a Raspberry Pi chip, RP2040 and RP2350: their crates are almost the same, and each board names its
+//! own `crate::hal`. The differences of the chips are in each board's own files: boot, clocks, the type of the timer, and the source of the
+//! board's number.
 //!
 //! | what | where |
 //! |---|---|
@@ -49,7 +49,7 @@ pub(crate) use numbers::{LIMITS, PASSIVITY};
 #[cfg(feature = "pantograph")]
 pub(crate) use pantograph::{Device, start};
 
-/// What a device is made of.
+/// The parts of a device.
 #[cfg_attr(not(feature = "pantograph"), allow(dead_code))]
 pub(crate) struct Parts<'a> {
     pub(crate) pio: pac::PIO0,
@@ -60,22 +60,22 @@ pub(crate) struct Parts<'a> {
     pub(crate) was_reset: bool,
 }
 
-/// A tick that does not come for so long ends in a reset (ms).
+/// A tick that does not come for this long ends in a reset (ms).
 const PATIENCE: u32 = 20;
 
 /// Resets the chip unless it is fed.
 pub(crate) struct Watchdog(hal::Watchdog);
 
 impl Watchdog {
-    /// It has reset the board since that was switched on, or was reset by hand.
+    /// Returns whether it has reset the board since that was switched on, or was reset by hand.
     #[allow(unsafe_code)]
     pub(crate) fn has_reset() -> bool {
-        // SAFETY: a register that can only be read.
+        // SAFETY: a read-only register.
         let reason = unsafe { &*pac::WATCHDOG::ptr() }.reason().read();
         reason.bits() != 0
     }
 
-    /// From now on.
+    /// Starts it.
     pub(crate) fn start(mut watchdog: hal::Watchdog) -> Self {
         watchdog.start(PATIENCE.millis());
         Self(watchdog)
@@ -86,12 +86,12 @@ impl Watchdog {
     }
 }
 
-/// No pin drives anything any more, but the serial line.
+/// No pin except the serial line drives anything any more.
 #[allow(unsafe_code)]
 pub(crate) fn actuators_off() {
     // SAFETY: one field of each register, whatever a task was doing with it.
     let pins = unsafe { &*pac::IO_BANK0::ptr() };
-    // GP0 is the line's.
+    // GP0 belongs to the line.
     for pin in pins.gpio_iter().skip(1) {
         pin.gpio_ctrl().modify(|_, w| w.funcsel().null());
     }

@@ -1,4 +1,5 @@
-//! A motor's pins: a PWM of 20 kHz, above what a hand feels and an ear hears, and a direction.
+//! The pins of a motor: a PWM of 20 kHz, above the range that a hand feels and an ear hears, and a
+//! direction.
 
 use stiction_firmware::pantograph::{GeometryError, Motor, MotorConstants};
 
@@ -7,7 +8,7 @@ use crate::board::CLOCK;
 use crate::hal::gpio::{FunctionPwm, FunctionSioOutput, Pin, PinId, PullDown, ValidFunction};
 use crate::hal::pwm::{A, Channel, FreeRunning, Slice, SliceId, ValidPwmOutputPin};
 
-/// Of the PWM (Hz).
+/// Frequency of the PWM (Hz).
 const PWM: u32 = 20_000;
 /// Counts of a period, less one.
 const TOP: u16 = (CLOCK / PWM - 1) as u16;
@@ -16,10 +17,10 @@ const TOP: u16 = (CLOCK / PWM - 1) as u16;
 pub(super) type MotorAt<S, D> =
     Motor<Channel<Slice<S, FreeRunning>, A>, Pin<D, FunctionSioOutput, PullDown>>;
 
-/// A motor without torque. Its pins are pulled down by the chip only while it runs.
+/// A motor without torque. The chip pulls its pins down only while it runs.
 ///
 /// # Errors
-/// Of the constants.
+/// An error in the constants.
 pub(super) fn motor<S, P, D>(
     mut slice: Slice<S, FreeRunning>,
     duty: Free<P>,

@@ -1,4 +1,4 @@
-//! No device: samples come over the line, and the force is reported only.
+//! No device: samples come over the line, and the force is only reported.
 
 use stiction_firmware::device::{FromLine, NoActuators};
 use stiction_firmware::pantograph::GeometryError;
@@ -13,7 +13,7 @@ pub(crate) const PASSIVITY: Option<Passivity> = None;
 /// Leaves all pins as they are.
 ///
 /// # Errors
-/// None; those of a device are these.
+/// Never; the type is that of the devices.
 pub(crate) fn start(_: Parts<'_>) -> Result<Device, GeometryError> {
     Ok((FromLine, NoActuators))
 }

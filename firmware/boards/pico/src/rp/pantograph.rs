@@ -26,7 +26,7 @@ pub(crate) struct Encoders {
     right: Encoder<SM1>,
     handle: Encoder<SM2>,
     hold: Pin<Gpio22, FunctionSioInput, PullUp>,
-    /// Otherwise nobody knows where the mechanism is, and it never gives force.
+    /// Otherwise the position of the mechanism is unknown, and it never outputs force.
     at_home: bool,
 }
 
@@ -45,10 +45,10 @@ impl Counters for Encoders {
     }
 }
 
-/// Counters that count, and motors without torque. Where the watchdog has reset the board, the mechanism may be anywhere.
+/// Starts the counters, and the motors without torque. If the watchdog has reset the board, the mechanism may be anywhere.
 ///
 /// # Errors
-/// Of the numbers.
+/// An error in the numbers.
 pub(crate) fn start(parts: Parts<'_>) -> Result<Device, GeometryError> {
     let Parts {
         pio,

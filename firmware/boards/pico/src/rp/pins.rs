@@ -1,4 +1,4 @@
-//! Who has which pin. The drawings in `firmware/wiring` show the same, which a test drives and reads.
+//! The assignment of the pins. The drawings in `firmware/wiring` show the same; a test generates and reads them.
 
 use crate::hal::gpio::bank0::{
     Gpio0, Gpio1, Gpio2, Gpio3, Gpio4, Gpio5, Gpio6, Gpio7, Gpio16, Gpio17, Gpio18, Gpio19, Gpio20,
@@ -9,7 +9,7 @@ use crate::hal::gpio::{FunctionNull, FunctionUart, Pin, Pins, PullDown};
 /// A pin that drives nothing yet.
 pub(super) type Free<I> = Pin<I, FunctionNull, PullDown>;
 
-/// Those of the serial line: out, in.
+/// The pins of the serial line: out, in.
 pub(crate) type UartPins = (
     Pin<Gpio0, FunctionUart, PullDown>,
     Pin<Gpio1, FunctionUart, PullDown>,
@@ -18,7 +18,7 @@ pub(crate) type UartPins = (
 /// Tracks A and B of an encoder, next to each other.
 type Tracks<A, B> = (Free<A>, Free<B>);
 
-/// Those of a device: left joint, right joint, handle. A knob has what the left joint has.
+/// The pins of a device: left joint, right joint, handle. A knob uses those of the left joint.
 #[cfg_attr(not(feature = "pantograph"), allow(dead_code))]
 pub(crate) struct DevicePins {
     pub(super) encoders: (
@@ -33,7 +33,7 @@ pub(crate) struct DevicePins {
     pub(super) hold: Free<Gpio22>,
 }
 
-/// Gives every pin to whoever has it.
+/// Gives every pin to its owner.
 pub(crate) fn split(pins: Pins) -> (UartPins, DevicePins) {
     let line = (pins.gpio0.into_function(), pins.gpio1.into_function());
     let device = DevicePins {

@@ -1,4 +1,4 @@
-//! The serial line of a chip of Raspberry Pi.
+//! The serial line of a Raspberry Pi chip.
 
 use stiction_firmware::line::Line;
 
@@ -9,7 +9,7 @@ use crate::hal::uart::{DataBits, Disabled, Reader, StopBits, UartConfig, UartPer
 use crate::rp::pins::UartPins;
 use crate::stop::stop;
 
-/// Of the serial line.
+/// Baud rate of the serial line.
 pub(crate) const BAUD: u32 = 921_600;
 
 /// The serial line.
@@ -33,7 +33,7 @@ impl Uart {
         Self { reader, writer }
     }
 
-    /// What came in, and as much out as there is room for.
+    /// Takes the bytes that arrived, and sends as many as there is room for.
     pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
         let mut bytes = [0; 32];
         match self.reader.read_raw(&mut bytes) {

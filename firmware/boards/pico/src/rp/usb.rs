@@ -1,4 +1,4 @@
-//! The serial line of a chip of Raspberry Pi over USB.
+//! The serial line of a Raspberry Pi chip over USB.
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
@@ -14,7 +14,7 @@ use crate::board::{PRODUCT, PRODUCT_ID};
 use crate::hal::usb::UsbBus;
 use crate::stop::stop;
 
-/// Bytes of the number that every board has as its own.
+/// Bytes of the unique number of a board.
 pub(crate) const NUMBER: usize = 8;
 /// Bytes of a packet.
 const PACKET: usize = 64;
@@ -27,10 +27,11 @@ pub(crate) fn is_open() -> bool {
     IS_OPEN.load(Ordering::Relaxed)
 }
 
-/// What stays where it is as long as the line over USB is there: empty until [`Usb::start`].
+/// The memory that must stay in place as long as the line over USB exists: empty until
+/// [`Usb::start`].
 pub(crate) struct Bus {
     allocator: Option<UsbBusAllocator<UsbBus>>,
-    /// Of the board, as text.
+    /// The serial number of the board, as text.
     serial_number: [u8; 2 * NUMBER],
 }
 
@@ -50,7 +51,7 @@ pub(crate) struct Usb {
 }
 
 impl Usb {
-    /// The line of a board that has this number as its own.
+    /// The line of a board with this unique number.
     pub(crate) fn start(place: &'static mut Bus, bus: UsbBus, number: [u8; NUMBER]) -> Self {
         write_hex(number, &mut place.serial_number);
         let serial_number = core::str::from_utf8(&place.serial_number).unwrap_or_default();
@@ -71,14 +72,14 @@ impl Usb {
         Self { device, port }
     }
 
-    /// What came in, as much as there is room for, and out likewise.
+    /// Takes the bytes that arrived, as many as there is room for, and sends likewise.
     pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
         self.device.poll(&mut [&mut self.port]);
         // A pulled plug closes nothing: the bus falls silent.
         let is_there = self.device.state() == UsbDeviceState::Configured;
         IS_OPEN.store(is_there && self.port.dtr(), Ordering::Relaxed);
         let mut bytes = [0; PACKET];
-        // What is not read stays with the computer.
+        // Bytes that are not read stay with the computer.
         while line.room() >= PACKET
             && let Ok(count @ 1..) = self.port.read(&mut bytes)
         {

@@ -1,4 +1,4 @@
-// stiction, in the number type of the archive for this board: single precision with a floating point unit, fixed point without.
+// stiction, in the number type of the archive for this board: single precision with a floating-point unit, fixed point without.
 #ifndef STICTION_ARDUINO_H
 #define STICTION_ARDUINO_H
 

@@ -1,4 +1,4 @@
-// What the sketches use of Arduino, on a computer.
+// The subset of Arduino that the sketches use, on a computer.
 #ifndef ARDUINO_H
 #define ARDUINO_H
 

@@ -1,4 +1,4 @@
-// A sketch with encoders that turn to and fro, ten seconds long: whether its motors ever give a torque, and no more than all of it.
+// A sketch with encoders that turn back and forth, ten seconds long: checks that its motors output a torque at some time, and never more than the maximum.
 #include "Arduino.h"
 
 #include SKETCH

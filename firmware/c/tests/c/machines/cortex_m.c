@@ -12,7 +12,7 @@ static void call(int operation, const void *argument)
     __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
 }
 
-/* SysTick, which QEMU ties to the instructions with -icount shift=SHIFT: each takes 2^SHIFT ns. */
+/* SysTick, which QEMU derives from the instructions with -icount shift=SHIFT: each takes 2^SHIFT ns. */
 #define SYST_CSR (*(volatile uint32_t *)0xE000E010)
 #define SYST_RVR (*(volatile uint32_t *)0xE000E014)
 #define SYST_CVR (*(volatile uint32_t *)0xE000E018)
@@ -35,7 +35,7 @@ static void reset(void)
     uint32_t *to = data_begin;
     const uint32_t *from = data_kept;
 #ifdef __ARM_FP
-    /* The floating point unit is off after a reset. */
+    /* The floating-point unit is off after a reset. */
     *(volatile uint32_t *)0xE000ED88 |= 0xFu << 20;
     __asm__ volatile("dsb\n isb" ::: "memory");
 #endif
@@ -55,7 +55,7 @@ static void fault(void)
     }
 }
 
-/* Where it begins: reset, and two faults. */
+/* The entry points: reset, and two faults. */
 __attribute__((section(".vectors"), used)) static const struct {
     void *stack;
     void (*handlers[3])(void);

@@ -1,4 +1,4 @@
-/* What a test needs of the machine that it runs on. */
+/* The functions that a test needs of the machine that it runs on. */
 #ifndef MACHINE_H
 #define MACHINE_H
 

@@ -1,4 +1,4 @@
-/* Calls of the machine that holds the emulator, without a C library: what is printed, and the end. */
+/* Calls to the host of the emulator, without a C library: printing, and the exit. */
 #ifndef SEMIHOSTING_H
 #define SEMIHOSTING_H
 
@@ -6,7 +6,7 @@
 
 enum { WRITE = 4, EXIT = 24, EXITED = 0x20026, FAILED = 0x20023 };
 
-/* As the processor asks for it. */
+/* With the instruction of the processor. */
 static void call(int operation, const void *argument);
 
 void say(const char *text, uint32_t number)

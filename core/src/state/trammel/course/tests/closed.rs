@@ -1,4 +1,4 @@
-//! Motions of closed form: a peg in its hole, a rod over a step, a rod whose sides slide past two pins, and the ends of sides.
+//! Motions with a closed form: a peg in its hole, a rod over a step, a rod whose sides slide past two pins, and the ends of sides.
 
 use super::*;
 
@@ -49,8 +49,8 @@ fn along<W: World<f64>>(
     look(&Course::of(scene, (&pivot, other), &grip, &trammel));
 }
 
-/// A peg of width d, one tip on the wall of a hole of width D at a depth z, the mouth of the other wall on its far side:
-/// D cos(theta) - z sin(theta) = d, wherever it goes.
+/// A peg of width d, one tip on the wall of a hole of width D at a depth z, the mouth of the other wall on its far side: D cos(theta) - z
+/// sin(theta) = d, wherever it moves.
 #[test]
 fn peg_keeps_the_relation_of_depth_and_tilt() {
     let (hole, width) = (0.3, 0.28);
@@ -98,7 +98,7 @@ fn peg_keeps_the_relation_of_depth_and_tilt() {
 }
 
 /// The sides of a wedge slide past two pins: in its frame the pins move as a trammel, so that the pins' distance and the angle between the
-/// sides hold its tip on a circle through both pins.
+/// sides keep its tip on a circle through both pins.
 #[test]
 fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
     let body = [[0.0, 0.0], [0.28, 0.96], [-0.28, 0.96]];
@@ -106,7 +106,7 @@ fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
         &body,
         &[obstacle(&[[-0.1, 0.0]], 0.0), obstacle(&[[0.1, 0.0]], 0.0)],
     );
-    // Half of the tip's angle has a tangent of 28/96.
+    // Half of the tip's angle has the tangent 28/96.
     let depth = 0.1 * 0.96 / 0.28;
     let pose = Pose {
         position: Vec2::new(0.0, -depth),
@@ -127,7 +127,7 @@ fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
                 let turn = spot.pivot.orientation.angle().radians();
                 let off = (tip - centre).length() - radius;
                 assert!(off.abs() < 1e-14, "{k} {off}");
-                // The angle at the circle is half of that at its centre.
+                // The inscribed angle is half of the central angle.
                 let arm = tip - centre;
                 let round = libm::atan2(arm.x, -arm.y);
                 assert!((round - 2.0 * turn).abs() < 1e-14, "{round} {turn}");
@@ -164,7 +164,7 @@ fn bar_in_a_gap_shifts_without_a_turn() {
     }
 }
 
-/// Two walls that end at one place are no obstacle to a side that slides past it.
+/// Two walls that end at one point are no obstacle to a side that slides past it.
 #[test]
 fn side_slides_past_a_place_that_two_walls_share() {
     let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];
@@ -197,7 +197,7 @@ fn side_slides_past_a_place_that_two_walls_share() {
     }
 }
 
-/// A slip along a gap ends where a side of the bar ends at a pin: at the pin that is met first.
+/// A slip along a gap ends where a side of the bar ends at a pin: at the pin that is reached first.
 #[test]
 fn slip_ends_where_a_contact_leaves_its_side() {
     let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];

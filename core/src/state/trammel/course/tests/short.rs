@@ -1,11 +1,11 @@
-//! Short slips that are certified (STATICS 12.8): all along both contacts press and the load drives them, and they end in balance, where
+//! Short slips that are certified (STATICS 12.8): throughout, both contacts press and the load drives them, and they end in balance, where
 //! a search ends.
 
 use super::slides::begun;
 use super::*;
 
-/// What the hand drives two contacts with at a pose, and both reactions: (N_1, N_2, delta) of [w_1 w_2 -sum v_i w_ti] = -w (STATICS 5), by
-/// Cramer's rule.
+/// How strongly the hand drives two contacts at a pose, and both reactions: (N_1, N_2, delta) of [w_1 w_2 -sum v_i w_ti] = -w (STATICS 5),
+/// by Cramer's rule.
 fn driven_by(
     case: &Case<f64>,
     grip: &Grip<f64>,
@@ -59,7 +59,7 @@ fn certified_slips_press_on_their_way_and_end_in_balance() {
             let course = Course::of(&case.scene, contacts, &grip, &trammel);
             let (pivot, _, ending) = course.slip(trammel.falls(), (0.0, Demand::Pressed));
             if let Ending::Off { .. } = ending {
-                // That it stays on both sides is looked at besides.
+                // That it stays on both sides is tested separately.
                 continue;
             }
             count[1] += 1;

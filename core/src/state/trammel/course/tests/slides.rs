@@ -1,9 +1,9 @@
-//! Slides of two contacts with the hand: in balance wherever they end, in every number type, and the same in one go or in many.
+//! Slides of two contacts with the hand: in balance wherever they end, in every number type, and the same in one call or in many.
 
 use super::*;
 use crate::contact::Regime;
 
-/// Where a slip has ended in balance the contacts slide on with the hand by a displacement, in so many goes.
+/// After a slip has ended in balance the contacts slide on with the hand by a displacement, in a number of calls.
 fn slide<R: Digits>(
     case: &Case<R>,
     state: &TwoVertex<R>,
@@ -33,10 +33,10 @@ fn slide<R: Digits>(
     (state, at, Trigger::Balanced)
 }
 
-/// The case of a slide, its state and the two places of the hand.
+/// The case of a slide, its state and the two positions of the hand.
 pub(super) type Begun<R> = (Case<R>, TwoVertex<R>, [Vec2<R>; 2]);
 
-/// Of many slips that end in balance one slide each.
+/// One slide for each of many slips that end in balance.
 pub(super) fn begun<R: Digits>((seed, way): (u64, f64), corners: [bool; 2]) -> Option<Begun<R>> {
     let case = case::<R>(seed, corners);
     let mut state = case.state.clone();
@@ -55,7 +55,7 @@ pub(super) fn begun<R: Digits>((seed, way): (u64, f64), corners: [bool; 2]) -> O
     Some((case, state, [hand, hand + by]))
 }
 
-/// What is left of the balance of a slide at a grip, in units of the load, and that it presses.
+/// The residual of the balance of a slide at a grip, in units of the load; asserts that it presses.
 fn off_balance<R: Real>(case: &Case<R>, state: &TwoVertex<R>, grip: &Grip<R>, sense: R) -> f64
 where
     R::Si: Into<f64>,
@@ -80,7 +80,7 @@ where
     left.to_si(R::Si::ONE).into()
 }
 
-/// Wherever a slide comes to by itself both reactions, on the edges of their dynamic cones, balance the load.
+/// Wherever a slide ends on its own, both reactions, on the edges of their dynamic cones, balance the load.
 #[track_caller]
 fn balances<R: Digits>(tolerance: f64)
 where
@@ -125,7 +125,7 @@ fn slides_are_in_balance_to_rounding_in_fixed_point() {
     balances::<Fixed>(4e-5);
 }
 
-/// Path evolution does not depend on the frames: a slide in one go ends as one in fifty.
+/// Path evolution does not depend on the frames: a slide in one call ends as one in fifty.
 #[test]
 fn slide_in_one_go_ends_as_in_fifty() {
     let mut counts = [0; 4];

@@ -9,7 +9,7 @@ use crate::pivot::Pivot;
 use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::TwoVertex;
 
-/// The same as the solver has it.
+/// The same in the solver's types.
 pub(super) struct Case {
     pub(super) scene: Scene<f64, 3, 2>,
     pub(super) state: TwoVertex<f64>,
@@ -37,7 +37,7 @@ fn rotated(turn: f64, [x, y]: [f64; 2]) -> Vec2<f64> {
 }
 
 impl Ladder {
-    /// At an angle between 40 and 140 degrees, none of its feet near a turning point.
+    /// At an angle between 40 and 140 degrees, with none of its feet near a turning point.
     pub(super) fn random(random: &mut Random) -> Option<Self> {
         let tilt = 0.5 * random.next();
         let ladder = Self {
@@ -66,7 +66,7 @@ impl Ladder {
         directions(self.planes[i].0)
     }
 
-    /// Where both contacts are at an angle.
+    /// The positions of both contacts at an angle.
     pub(super) fn contacts(&self, theta: f64) -> [Vec2<f64>; 2] {
         let [n1, t1] = self.axes(0);
         let [n2, _] = self.axes(1);
@@ -135,7 +135,7 @@ impl Ladder {
         ([n1, n2], moment + n2 * (c2 - c1).cross(f2))
     }
 
-    /// N_1, N_2 on the edges, and what drives the motion on: the couple over that of a drag along the motion.
+    /// N_1, N_2 on the edges, and the drive of the motion: the couple over that of a drag along the motion.
     pub(super) fn balance(&self, hand: &HandAt, theta: f64) -> ([f64; 2], f64) {
         let (normals, couple) = self.borne(self.load(hand, theta), theta);
         (normals, couple / self.resistance(theta))
@@ -148,7 +148,7 @@ impl Ladder {
         self.borne((d1 + d2, (c2 - c1).cross(d2)), theta).1
     }
 
-    /// -d/d(angle of the motion) of what drives it on, hand frozen.
+    /// -d/d(angle of the motion) of the drive, hand frozen.
     pub(super) fn stability(&self, hand: &HandAt, theta: f64) -> f64 {
         -self.sense * derivative(|theta| self.balance(hand, theta).1, theta)
     }

@@ -1,9 +1,9 @@
-//! What two contacts do that begin to slide, that go on sliding as one of them closes, that end a slip.
+//! The behaviour of two contacts that begin to slide, that go on sliding as one of them closes, that end a slip.
 
 use super::*;
 
-/// What is due at a yield without stiction: nothing where a contact would pull or the slide go back, a slip over the fold, stiction
-/// where a slip would be as long as the memory, else a slide.
+/// The consequence of a yield without stiction: none if a contact would pull or the slide move back, a slip over the fold, stiction if a
+/// slip would be as long as the memory length, otherwise a slide.
 #[test]
 fn what_begins_follows_from_statics() {
     let mut seen = [0; 4];
@@ -44,7 +44,7 @@ fn what_begins_follows_from_statics() {
     );
 }
 
-/// Where a contact has just closed: whether the slide goes on and presses it on, from the balances a little later.
+/// After a contact has just closed: whether the slide goes on and presses it on, from the balances slightly later.
 #[test]
 fn rates_are_those_of_the_balances() {
     const STEP: f64 = 1e-5;
@@ -80,7 +80,7 @@ fn rates_are_those_of_the_balances() {
         assert_eq!(advances > 0.0, turn * ladder.sense > 0.0, "{seed}");
         assert_eq!(presses > 0.0, rate > 0.0, "{seed}: {presses} {rate}");
         seen[usize::from(advances > 0.0) * 2 + usize::from(presses > 0.0)] += 1;
-        // Both go on together only so.
+        // Only then do both go on together.
         let mut state = sliding.case.state.clone();
         let to = ladder.grip(&sliding.hand.on(sliding.way, 1.0));
         let sign = (ladder.speeds(ladder.theta)[0] * ladder.sense).signum();
@@ -102,8 +102,8 @@ fn rates_are_those_of_the_balances() {
     );
 }
 
-/// A slip from the static cones is as long as it is said to be, to first order: at a memory a little shorter than it the contacts
-/// stick with stiction, at a longer one they slide on.
+/// A slip from the static cones has the predicted length, to first order: with a memory length slightly shorter than that the contacts
+/// stick with stiction, with a longer one they slide on.
 #[test]
 fn slip_is_as_long_as_it_is_said_to_be() {
     let mut count = 0;
@@ -115,7 +115,7 @@ fn slip_is_as_long_as_it_is_said_to_be() {
         ladder.drop = [5e-5, 5e-5 * random.next().abs()];
         let normals = [0.02, 0.02].map(|least| least + 0.3 * random.next().abs());
         let mu_s = [0, 1].map(|i| ladder.mu_d[i] + ladder.drop[i]);
-        // Beyond the edge by nothing that counts.
+        // Beyond the edge by a negligible amount.
         let hand = ladder.holding(normals, mu_s.map(|mu| mu * (1.0 + 1e-9)));
         let sliding = ladder.holding(normals, ladder.mu_d);
         if ladder.stability(&sliding, ladder.theta) < 0.05 {

@@ -12,7 +12,7 @@ const unsigned long TICK = 1000;  // us
 
 unsigned long next_tick;
 
-// The angle of the knob (rad); it goes on beyond a turn.
+// The angle of the knob (rad), unwrapped.
 float angle() {
     static int last = analogRead(ENCODER);
     static long turns = 0;
