@@ -1,7 +1,7 @@
 //! The log of a board as a user sees it, against `golden/BOARD.log`: power-up, a hand that presses once and is silent, damaged
 //! frames, a reset.
 //!
-//! What hangs on how fast this machine is, is left out: in counts, ticks, times and what was not sent are `#`; and counts
+//! Values that depend on the speed of this machine are left out: in counts, ticks, times and unsent frames are `#`; and counts
 //! are reported only where the client waits for them. A hand presses with one sample: its force is on until silence ends it.
 
 use crate::chip::{Chip, F405, MICROBIT};
@@ -14,8 +14,8 @@ use stiction_core::frame::{Command, Reset};
 
 /// The counts of a second.
 const COUNTS: &str = "ticks: ";
-/// In them, what stands before a number that hangs on how fast this machine is.
-const TIMED: [&str; 4] = ["ticks: ", " missed, ", " the longest, ", " faulty, "];
+/// The text before each number in them that depends on the speed of this machine.
+const TIMED: [&str; 4] = ["ticks: ", " missed, longest ", " longest turn ", " faulty, "];
 
 /// A session and its transcript.
 struct Told {
@@ -63,7 +63,7 @@ impl Told {
     }
 }
 
-/// Counts with a sign for each number that hangs on how fast this machine is.
+/// Counts with `#` in place of each number that depends on the speed of this machine.
 fn untimed(line: &str) -> String {
     let mut text = line.to_owned();
     for before in TIMED {
