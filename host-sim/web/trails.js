@@ -7,8 +7,16 @@ const POINTS = 600;
 const SPACING = 1.5;
 /** Slips that are marked. */
 const MARKS = 80;
-/** Parts of a trail that fade one after the other. */
+/** Parts of a trail, each fainter and thinner than the one after it. */
 const PARTS = 5;
+/** The oldest part and the oldest mark are so faint: every colour of theirs keeps 3:1 against what it stands on. */
+const FAINTEST = 0.68;
+/** Widths of a trail (px). */
+const THIN = 0.9;
+const THICK = 1.8;
+/** Length of the newest mark and of the oldest one (px). */
+const LONG = 9;
+const SHORT = 5;
 
 /** A ring of points. */
 class Ring {
@@ -60,7 +68,6 @@ export class Trails {
 
   /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
   draw(ctx, view) {
-    ctx.lineWidth = 1.6;
     ctx.lineJoin = "round";
     ctx.setLineDash([1.5, 4]);
     drawTrail(ctx, view, this.hand, colors["trail-hand"]);
@@ -69,7 +76,8 @@ export class Trails {
   }
 
   /**
-   * A mark at each slip: a small triangle below the surface that points at the place where it ended.
+   * A mark at each slip: a small triangle below the surface that points at the place where it ended; the older, the
+   * smaller.
    * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
    */
   drawSlips(ctx, view, surfaces) {
@@ -78,11 +86,13 @@ export class Trails {
       const normal = slip.direction ?? nearest(surfaces, slip.point);
       const nx = normal[0], ny = -normal[1];
       const x = view.px(slip.point[0]) - 4 * nx, y = view.py(slip.point[1]) - 4 * ny;
-      ctx.globalAlpha = 0.25 + (0.75 * (i + 1)) / this.slips.length;
+      const young = (i + 1) / this.slips.length;
+      const size = SHORT + (LONG - SHORT) * young;
+      ctx.globalAlpha = FAINTEST + (1 - FAINTEST) * young;
       ctx.beginPath();
       ctx.moveTo(x, y);
-      ctx.lineTo(x - 9 * nx + 4 * ny, y - 9 * ny - 4 * nx);
-      ctx.lineTo(x - 9 * nx - 4 * ny, y - 9 * ny + 4 * nx);
+      ctx.lineTo(x - size * nx + 0.45 * size * ny, y - size * ny - 0.45 * size * nx);
+      ctx.lineTo(x - size * nx - 0.45 * size * ny, y - size * ny + 0.45 * size * nx);
       ctx.closePath();
       ctx.fill();
     });
@@ -113,7 +123,9 @@ function drawTrail(ctx, view, ring, color) {
     const from = Math.floor((part * ring.length) / PARTS);
     const to = Math.min(ring.length - 1, Math.floor(((part + 1) * ring.length) / PARTS));
     if (to <= from) continue;
-    ctx.globalAlpha = (part + 1) / PARTS;
+    const young = part / (PARTS - 1);
+    ctx.globalAlpha = FAINTEST + (1 - FAINTEST) * young;
+    ctx.lineWidth = THIN + (THICK - THIN) * young;
     ctx.beginPath();
     for (let i = from; i <= to; i++) {
       const at = (first + i) % POINTS;
