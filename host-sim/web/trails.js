@@ -10,7 +10,7 @@ const MARKS = 80;
 /** Parts of a trail, each fainter and thinner than the one after it. */
 const PARTS = 5;
 /** The oldest part and the oldest mark are so faint: every colour of theirs keeps 3:1 against what it stands on. */
-const FAINTEST = 0.68;
+const FAINTEST = 0.8;
 /** Widths of a trail (px). */
 const THIN = 0.9;
 const THICK = 1.8;
