@@ -274,33 +274,6 @@ for (const theme of THEMES) {
   });
 }
 
-liveTest("every control is reached by the keyboard, and seen to be", async (bench) => {
-  const live = await bench.open();
-  const wanted = await live.page.evaluate(() =>
-    [...document.querySelectorAll("button, select, input, a[href], [tabindex='0']")]
-      .filter((element) => element.checkVisibility() && !element.matches(":disabled") && !element.closest("dialog"))
-      .map((element, k) => (element.id ||= `control-${k}`)),
-  );
-  assert.ok(wanted.length > 25, `${wanted.length} controls`);
-  /** @type {Map<string, boolean>} */
-  const reached = new Map();
-  for (let k = 0; k < 2 * wanted.length && !wanted.every((id) => reached.has(id)); k++) {
-    await live.page.keyboard.press("Tab");
-    const [id, isSeen] = await live.page.evaluate(() => {
-      const element = document.activeElement ?? document.body;
-      const { outlineStyle, outlineWidth } = getComputedStyle(element);
-      const { top, bottom, width } = element.getBoundingClientRect();
-      const isInside = bottom > 0 && top < window.innerHeight && width > 0;
-      return /** @type {const} */ ([element.id, isInside && outlineStyle !== "none" && parseFloat(outlineWidth) >= 2]);
-    });
-    reached.set(id, isSeen);
-  }
-  assert.deepEqual(
-    wanted.filter((id) => !reached.get(id)),
-    [],
-  );
-});
-
 liveTest("the page is light, and loads what talks to a board only when asked", async (bench) => {
   const context = await bench.browser.newContext();
   const page = await context.newPage();

@@ -49,24 +49,20 @@ export class Said {
     this.send(stateText(scene, parameters));
   }
 
-  /** Frames, until the newest one is drawn and told in words. @param {FrameMessage} message */
+  /** A frame; waits until it is drawn and told in words. @param {FrameMessage} message */
   async frame(message) {
-    // The second one is drawn after what the first one brought in was.
-    for (let k = 0; k < 2; k++) {
-      const tick = ++this.tick;
-      const [x, y, theta] = message.frame.pose;
-      const frame = { ...message.frame, t: tick / 1000, pose: [x, y, theta + (k === 0 ? 1e-12 : 0)] };
-      const strip = message.strip.map(([, ...forces]) => [frame.t, ...forces]);
-      const slips = message.slips.map((slip) => ({ ...slip, n: tick, t: frame.t }));
-      this.send(JSON.stringify({ ...message, tick, frame, strip, slips }));
-      await this.live.until((wanted) => window.stiction.frame?.tick === wanted, tick);
-      // Words come ten times a second, charts fifteen times: the longest pause of the page, and a drawing after it.
-      await this.live.page.evaluate(() => new Promise((done) => {
-        const begin = performance.now();
-        const wait = () => (performance.now() - begin > 150 ? done(null) : requestAnimationFrame(wait));
-        requestAnimationFrame(wait);
-      }));
-    }
+    const tick = ++this.tick;
+    const frame = { ...message.frame, t: tick / 1000 };
+    const strip = message.strip.map(([, ...forces]) => [frame.t, ...forces]);
+    const slips = message.slips.map((slip) => ({ ...slip, n: tick, t: frame.t }));
+    this.send(JSON.stringify({ ...message, tick, frame, strip, slips }));
+    await this.live.until((wanted) => window.stiction.frame?.tick === wanted, tick);
+    // Words come ten times a second, charts more often: all is shown in a drawing that comes later than that.
+    await this.live.page.evaluate(() => new Promise((done) => {
+      const begin = performance.now();
+      const wait = () => (performance.now() - begin > 150 ? done(null) : requestAnimationFrame(wait));
+      requestAnimationFrame(wait);
+    }));
   }
 }
 
