@@ -14,6 +14,8 @@ const FAINTEST = 0.8;
 /** Widths of a trail (px). */
 const THIN = 0.9;
 const THICK = 1.8;
+/** A step that is longer on the screen is left out: its dots, most of them out of sight, would hold up the drawing (px). */
+const LEAP = 10_000;
 /** Length of the newest mark and of the oldest one (px). */
 const LONG = 9;
 const SHORT = 5;
@@ -127,9 +129,13 @@ function drawTrail(ctx, view, ring, color) {
     ctx.globalAlpha = FAINTEST + (1 - FAINTEST) * young;
     ctx.lineWidth = THIN + (THICK - THIN) * young;
     ctx.beginPath();
+    let [lastX, lastY] = [NaN, NaN];
     for (let i = from; i <= to; i++) {
       const at = (first + i) % POINTS;
-      ctx.lineTo(view.px(ring.x[at]), view.py(ring.y[at]));
+      const x = view.px(ring.x[at]), y = view.py(ring.y[at]);
+      if (Math.hypot(x - lastX, y - lastY) <= LEAP) ctx.lineTo(x, y);
+      else ctx.moveTo(x, y);
+      [lastX, lastY] = [x, y];
     }
     ctx.stroke();
   }
