@@ -1,6 +1,8 @@
-// Strip charts of the last seconds: reactions between their limits of friction, slip lengths, time per step.
+// Strip charts of the last seconds: reactions between their limits of friction, slip lengths, time per step. They have one
+// axis of time, are drawn together, and a pointer over one of them shows the same moment in all.
 
-import { byId, digits, duration, setText } from "./dom.js";
+import { byId, digits, duration, setText, whole } from "./dom.js";
+import { unitsOf } from "./sizes.js";
 import { colors, onTheme } from "./theme.js";
 import { Strip } from "./strip.js";
 
@@ -15,8 +17,14 @@ const SLIPS = 2000;
 /** Steps' times that are kept; so many seconds lie between two of them. */
 const STEPS = 400;
 const STEP_SPACING = 0.05;
-/** Pause between two drawings of the same chart (ms). */
+/** Pause between two drawings (ms). */
 const PAUSE = 66;
+/** Name under which the charts share the place of the pointer. */
+const SHARED = "stiction-time";
+/** A slip belongs to a moment that is so near to it (px). */
+const NEAR = 4;
+/** Characters for which there is room at an axis. */
+const ROOM = 6;
 
 export class Charts {
   constructor() {
@@ -24,7 +32,7 @@ export class Charts {
     this.mu = { static: 0, dynamic: 0 };
     /** t, N, T, ± mu_s N, ± mu_d N */
     this.forces = new Strip(7, TICKS);
-    /** t, length in mm */
+    /** t, the longest of a tick (m) */
     this.slips = new Strip(2, SLIPS);
     /** t, median and worst in µs */
     this.steps = new Strip(3, STEPS);
@@ -33,11 +41,18 @@ export class Charts {
     this.window = WINDOW;
     this.picker = byId("chart-surface", HTMLSelectElement);
     this.picker.addEventListener("change", () => this.pick(Number(this.picker.value)));
-    this.plots = [forcePlot(), slipPlot(), stepPlot()];
+    /** Of the scene. @type {ReturnType<typeof unitsOf>} */
+    this.units = { length: { name: "mm", per: 1e3 }, force: { name: "N", per: 1 }, moment: { name: "N·m", per: 1 } };
+    this.plots = [forcePlot(() => this.units.force), slipPlot(() => this.units.length), stepPlot()];
     this.data = [this.forces, this.slips, this.steps];
-    this.drawn = [0, 0, 0];
-    /** There is something that a chart does not show yet. */
-    this.stale = [false, false, false];
+    this.moments = this.plots.map(({ over }) => over.appendChild(document.createElement("span")));
+    for (const moment of this.moments) moment.className = "moment";
+    for (const plot of this.plots) plot.hooks.setCursor = [() => this.tell()];
+    this.drawn = 0;
+    /** There is something that the charts do not show yet. */
+    this.stale = false;
+    /** @type {FrameMessage | null} */
+    this.message = null;
     /** Surfaces, then obstacles. @type {(Surface | Obstacle)[]} */
     this.solids = [];
     /** @type {StateMessage | null} */
@@ -48,6 +63,8 @@ export class Charts {
   /** A state: the surfaces and obstacles to choose from and their friction. @param {StateMessage} state */
   setState(state) {
     this.state = state;
+    this.units = unitsOf(state);
+    setText(byId("unit-slip"), this.units.length.name);
     this.window = WINDOW * Math.min(1, Math.max(0.01, state.speed));
     const solids = [...state.scene.surfaces, ...state.scene.obstacles ?? []];
     const names = solids.map(({ name }) => name);
@@ -87,7 +104,8 @@ export class Charts {
   take(message) {
     if (message.frame.t < this.time) this.clear();
     this.time = message.frame.t;
-    this.stale.fill(true);
+    this.message = message;
+    this.stale = true;
     const { static: mus, dynamic: mud } = this.mu;
     for (const tick of message.strip) {
       const n = tick[1 + 2 * this.surface] ?? 0, t = tick[2 + 2 * this.surface] ?? 0;
@@ -96,7 +114,7 @@ export class Charts {
     for (const slip of message.slips) {
       if (slip.n <= this.newestSlip) continue;
       this.newestSlip = slip.n;
-      this.slips.push(slip.t, slip.length * 1e3);
+      this.slips.push(slip.t, slip.length);
     }
     const last = this.steps.last(0);
     if (message.step && !(this.time < last + STEP_SPACING * this.window / WINDOW)) {
@@ -104,64 +122,97 @@ export class Charts {
     }
   }
 
-  /**
-   * Draws one of the charts: of those whose time it is, the one that was drawn first. True if others wait.
-   * @param {FrameMessage | null} message
-   */
-  draw(message) {
-    if (!message || !this.stale.includes(true)) return false;
+  /** Draws what is new, some fifteen times a second. True if it has to be called again to show the newest. */
+  draw() {
+    if (!this.stale) return false;
     const now = performance.now();
-    let i = -1;
-    this.stale.forEach((stale, k) => {
-      if (stale && now - this.drawn[k] >= PAUSE && (i < 0 || this.drawn[k] < this.drawn[i])) i = k;
-    });
-    if (i >= 0) this.drawOne(i, message, now);
-    return this.stale.includes(true);
-  }
-
-  /** @param {number} i @param {FrameMessage} message @param {number} now */
-  drawOne(i, message, now) {
-    this.drawn[i] = now;
-    this.stale[i] = false;
-    const plot = this.plots[i];
+    if (now - this.drawn < PAUSE) return true;
+    this.drawn = now;
+    this.stale = false;
     const from = Math.max(0, this.time - this.window);
-    plot.batch(() => {
+    this.plots.forEach((plot, i) => plot.batch(() => {
       plot.setData(this.data[i].since(from), false);
       plot.setScale("x", { min: from, max: from + this.window });
-      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 3 : 2));
+      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 3 : 2, this.units[i === 0 ? "force" : "length"]));
       else plot.setScale("y", logRange(this.data[i]));
-    });
-    this.tell(i, message);
+    }));
+    this.tell();
+    return false;
   }
 
-  /** The newest values beside the chart's title. @param {number} i @param {FrameMessage} message */
-  tell(i, { counts, step }) {
-    if (i === 0) {
-      setText(byId("now-n"), `N ${digits(this.forces.last(1) || 0)} N`);
-      setText(byId("now-t"), `T ${digits(this.forces.last(2) || 0)} N`);
-    } else if (i === 1) {
-      const last = digits(this.slips.last(1));
-      setText(byId("now-slip"), this.slips.length ? `last ${last}, ${counts.slips} in all` : "none yet");
-    } else if (step) {
-      setText(byId("now-median"), medianOf(step.median));
-      setText(byId("now-worst"), `worst ${duration(step.worst)}`);
+  /** The values next to the charts' titles: at the moment under the pointer, else the newest. */
+  tell() {
+    const [{ cursor }] = this.plots;
+    const at = cursor.left >= 0 ? this.plots[0].posToVal(cursor.left, "x") : null;
+    this.plots.forEach((plot, i) => showMoment(plot, this.moments[i], at));
+    this.tellForces(at);
+    this.tellSlips(at);
+    this.tellSteps(at);
+  }
+
+  /** A value of a strip at a moment that has been, or NaN. @param {Strip} strip @param {number} at s @param {number} column */
+  past(strip, at, column) {
+    return at > this.time ? NaN : strip.before(at, column);
+  }
+
+  /** @param {number | null} at s */
+  tellForces(at) {
+    const { name, per } = this.units.force;
+    for (const [id, letter, column] of /** @type {const} */ ([["now-n", "N", 1], ["now-t", "T", 2]])) {
+      const force = at === null ? this.forces.last(column) || 0 : this.past(this.forces, at, column);
+      setText(byId(id), `${letter} ${digits(force * per)} ${name}`);
     }
   }
+
+  /** @param {number | null} at s */
+  tellSlips(at) {
+    const { name, per } = this.units.length;
+    const all = this.message?.counts.slips ?? 0;
+    const near = NEAR * this.window / Math.max(1, this.plots[1].over.clientWidth);
+    const length = at === null ? this.slips.last(1) : this.slips.nearest(at, near);
+    const which = at === null ? "last" : "here";
+    const told = `${which} ${Number.isNaN(length) ? "none" : `${digits(length * per)} ${name}`}`;
+    setText(byId("now-slip"), all === 0 ? "none yet" : `${told}, ${whole(all)} in all`);
+  }
+
+  /** @param {number | null} at s */
+  tellSteps(at) {
+    const { step } = this.message ?? {};
+    if (!step) return;
+    const [median, worst] = at === null ? [step.median, step.worst]
+      : [1, 2].map((column) => this.past(this.steps, at, column) * 1e-6);
+    setText(byId("now-median"), medianOf(median));
+    setText(byId("now-worst"), `worst ${duration(worst)}`);
+  }
+}
+
+/**
+ * The moment under the pointer, next to its line.
+ * @param {UPlot} plot @param {HTMLElement} moment @param {number | null} at s
+ */
+function showMoment(plot, moment, at) {
+  moment.hidden = at === null;
+  if (at === null) return;
+  setText(moment, `${at.toFixed(3)} s`);
+  const { left } = plot.cursor;
+  const isLeft = left > plot.over.clientWidth / 2;
+  moment.style.left = `${left}px`;
+  moment.dataset.left = String(isLeft);
 }
 
 /** @param {number | null} median Of the steps (s): 0 where the solver runs in the page. */
 function medianOf(median) {
-  if (median === null) return "no median";
+  if (median === null || Number.isNaN(median)) return "no median";
   return median > 0 ? `median ${duration(median)}` : `median below ${duration(CLOCK)}`;
 }
 
 /**
- * The range of the first columns of a strip, with a little room, and 0 in it.
- * @param {Strip} strip @param {number} from @param {number} columns
+ * The range of the first columns of a strip, with a little room, and 0 in it; one unit where all are 0.
+ * @param {Strip} strip @param {number} from @param {number} columns @param {import("./sizes.js").Unit} unit
  */
-function range(strip, from, columns) {
+function range(strip, from, columns, { per }) {
   const [low, high] = strip.extent(from, columns);
-  const room = 0.08 * (high - low) || 1;
+  const room = 0.08 * (high - low) || 1 / per;
   return { min: low < 0 ? low - room : 0, max: high > 0 ? high + room : room };
 }
 
@@ -194,9 +245,13 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
   const target = byId(id);
   const plot = new uPlot({
     width: Math.max(100, target.clientWidth), height: Math.max(80, target.clientHeight),
-    legend: { show: false }, cursor: { show: false }, padding: [6, 8, 0, 0],
+    legend: { show: false }, padding: [6, 14, 0, 0],
+    cursor: {
+      y: false, points: { show: false }, drag: { x: false, y: false, setScale: false },
+      sync: { key: SHARED, scales: ["x", null] },
+    },
     scales: { x: { time: false }, y: { auto: false, range: [0, 1], ...y } },
-    axes: [axis({ size: 22, gap: 2, values: seconds }), axis({ size: 42, gap: 3, ...yAxis })],
+    axes: [axis({ size: 24, gap: 5, values: seconds }), axis({ size: 42, gap: 3, ...yAxis })],
     series: [{}, ...series],
   }, Array.from({ length: columns }, () => []), target);
   new ResizeObserver(() => {
@@ -214,8 +269,18 @@ const seconds = (_plot, ticks) => {
   return ticks.map((t, i) => t.toFixed(decimals) + (i === ticks.length - 1 ? " s" : ""));
 };
 
-/** N and T of a surface between the limits. */
-function forcePlot() {
+/**
+ * Values at the ticks of an axis, in a unit.
+ * @param {() => import("./sizes.js").Unit} unit @returns {(plot: UPlot, ticks: number[]) => string[]}
+ */
+const inUnit = (unit) => (_plot, ticks) => ticks.map((tick) => {
+  const value = Number((tick * unit().per).toPrecision(6));
+  const text = String(value);
+  return (text.length > ROOM ? value.toExponential().replace("+", "") : text).replaceAll("-", "−");
+});
+
+/** N and T of a surface between the limits. @param {() => import("./sizes.js").Unit} unit */
+function forcePlot(unit) {
   /** @param {"limit-static" | "limit-dynamic"} color @param {number[]} dash @returns {UPlotSeries} */
   const limit = (color, dash) => ({ stroke: () => colors[color], width: 1.2, dash, points: { show: false } });
   return plotIn("chart-forces", 7, [
@@ -223,15 +288,15 @@ function forcePlot() {
     { stroke: () => colors.friction, width: 2, points: { show: false } },
     limit("limit-static", [6, 3]), limit("limit-static", [6, 3]),
     limit("limit-dynamic", [1.8, 2.6]), limit("limit-dynamic", [1.8, 2.6]),
-  ]);
+  ], {}, { values: inUnit(unit) });
 }
 
-/** A stem for every slip. */
-function slipPlot() {
+/** A stem for every tick with a slip. @param {() => import("./sizes.js").Unit} unit */
+function slipPlot(unit) {
   return plotIn("chart-slips", 2, [{
     stroke: () => colors.slip, width: 1.6, paths: stems,
     points: { show: true, size: 5, fill: () => colors.slip, stroke: () => colors.slip },
-  }]);
+  }], {}, { values: inUnit(unit) });
 }
 
 /** Median and worst, on a scale of decades. */

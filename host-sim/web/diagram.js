@@ -69,8 +69,10 @@ export class Diagram {
     const { d, x, y, anchor } = route(from, to);
     const path = svg("path", { d, class: "link", "marker-end": "url(#head)" });
     const label = svg("text", { x, y, "text-anchor": anchor, "data-pair": key });
+    const meaning = `from ${from} to ${to}: ticks that ended in the one after a tick that ended in the other; what comes and `
+      + "goes within a tick is among the events alone";
     this.links.append(path);
-    this.labels.append(label);
+    this.labels.append(svg("g", {}, svg("title", {}, meaning), label));
     /** @type {Lane} */
     const lane = { path, label, count: 0, flashed: -Infinity };
     this.lanes.set(key, lane);

@@ -31,21 +31,52 @@ export function svg(name, attributes = {}, ...children) {
   return element;
 }
 
+/** A number takes no more places than this, its sign and point with it, so that it fits where there is room for it. */
+const PLACES = 7;
+
 /** A number with three digits that count, without an exponent where it can be read without. @param {number} value */
 export function digits(value) {
   if (value === 0) return "0";
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  if (size < 1e-4 || size >= 1e6) return minus(value.toExponential(1));
-  return minus(size >= 100 ? value.toFixed(0) : value.toPrecision(3));
+  if (size < 1e-3 || size >= 999_999.5) return exponential(value);
+  const text = size >= 99.95 ? value.toFixed(0) : value.toPrecision(3);
+  return minus(text.length <= PLACES ? text : value.toPrecision(2));
 }
 
-/** A number with so many decimals. @param {number} value @param {number} decimals */
-export const fixed = (value, decimals) =>
-  minus((Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals));
+/** A number with so many decimals, or fewer, or an exponent, where it is too long. @param {number} value @param {number} decimals */
+export function fixed(value, decimals) {
+  if (Math.abs(value) < 0.5 * 10 ** -decimals) return (0).toFixed(decimals);
+  for (let some = decimals; some >= 0; some--) {
+    const text = value.toFixed(some);
+    if (text.length <= PLACES) return minus(text);
+  }
+  return exponential(value);
+}
+
+/** With an exponent, and three digits where there is room for them. @param {number} value */
+function exponential(value) {
+  const texts = [2, 1, 0].map((decimals) => value.toExponential(decimals).replace("+", ""));
+  return minus(texts.find(({ length }) => length <= PLACES) ?? texts[2]);
+}
+
+/** Steps of a thousand. */
+const PREFIXES = ["p", "n", "µ", "m", "", "k", "M", "G", "T"];
+const PLAIN = PREFIXES.indexOf("");
+
+/**
+ * The unit, with its prefix, in which a size has one to three digits before its point.
+ * @param {number} size in the unit without a prefix, > 0 @param {string} unit
+ * @returns {import("./sizes.js").Unit}
+ */
+export function prefixed(size, unit) {
+  const thousands = Math.floor(Math.log10(size) / 3 + 1e-9);
+  const step = Math.min(PREFIXES.length - 1 - PLAIN, Math.max(-PLAIN, thousands));
+  return { name: PREFIXES[PLAIN + step] + unit, per: 1000 ** -step };
+}
 
 /** A proper minus sign. @param {string} text */
-const minus = (text) => text.replace("-", "−");
+const minus = (text) => text.replaceAll("-", "−");
 
 /** A whole number with thin spaces between thousands. @param {number} value */
 export const whole = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u2009");

@@ -2,6 +2,7 @@
 // tangent.
 
 import { digits } from "./dom.js";
+import { label } from "./labels.js";
 import { colors } from "./theme.js";
 import { step125 } from "./ground.js";
 
@@ -13,27 +14,24 @@ const CONE = 92;
 /** Size of the arrows of a slide, and how far under the contact they are (px). */
 const CHEVRON = 6;
 const BELOW = 14;
-/** Height of a line of text (px). */
-const LINE = 14;
 /** Part of the greatest force that is forgotten in a drawing. */
 const FORGET = 0.003;
-
-/** Where a text is (px). @typedef {{left: number, width: number, y: number}} Label */
 
 /** The scale of the bars: so that the greatest force lately fits, in steps of 1, 2, 5, and not to and fro. */
 export class ForceScale {
   constructor() {
     this.greatest = 0;
-    /** Pixels per N. */
-    this.perNewton = 10;
+    /** Pixels per N; 0 as long as there was no force. */
+    this.perNewton = 0;
   }
 
   /** Takes the forces of a frame in. @param {Contact[]} contacts */
   take(contacts) {
     let greatest = 0;
     for (const { normal, friction } of contacts) greatest = Math.max(greatest, normal, Math.abs(friction));
+    // While nothing presses there is nothing that a smaller scale would show better.
+    if (greatest === 0) return;
     this.greatest = Math.max(greatest, (1 - FORGET) * this.greatest);
-    if (this.greatest <= 0) return;
     const now = this.greatest * this.perNewton;
     if (now > LONGEST || now < 0.3 * LONGEST) this.perNewton = step125(LONGEST / this.greatest);
   }
@@ -41,6 +39,7 @@ export class ForceScale {
   /** Forgets the forces of the scene before. */
   reset() {
     this.greatest = 0;
+    this.perNewton = 0;
   }
 }
 
@@ -118,13 +117,14 @@ export function drawSliding(ctx, view, contact, surface) {
 }
 
 /**
- * The values of a contact's bars beside their ends.
+ * The values of a contact's bars next to their ends; none of what is not there or not in the window.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
- * @param {Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels those that are there already
  */
 export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  if (contact.normal === 0 || x < 0 || y < 0 || x > view.width || y > view.height) return;
   const n = contact.normal * perNewton, t = contact.friction * perNewton;
   const side = contact.friction > 0 ? -1 : 1;
   const away = 14;
@@ -136,31 +136,6 @@ export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const place = { text: `T ${digits(contact.friction)}`, x: x + along * tx - 16 * nx, y: y + along * ty - 16 * ny };
   label(ctx, place, sense * tx, colors.friction, labels);
 }
-
-/**
- * A text with a halo of paper, to the right or left of a place; where another one is, above or below that.
- * @param {Ink} ctx @param {{text: string, x: number, y: number}} place @param {number} toward
- * @param {string} color @param {Label[]} labels
- */
-export function label(ctx, { text, x, y }, toward, color, labels) {
-  const { width } = ctx.measureText(text);
-  const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
-  const down = labels.every((other) => y >= other.y) ? 1 : -1;
-  while (labels.some((other) => covers(other, { left, width, y }))) y += down;
-  labels.push({ left, width, y });
-  ctx.textAlign = "left";
-  ctx.textBaseline = "middle";
-  ctx.lineJoin = "round";
-  ctx.lineWidth = 4;
-  ctx.strokeStyle = colors.paper;
-  ctx.strokeText(text, left, y);
-  ctx.fillStyle = color;
-  ctx.fillText(text, left, y);
-}
-
-/** True if two labels are over one another. @param {Label} a @param {Label} b */
-const covers = (a, b) =>
-  a.left < b.left + b.width && b.left < a.left + a.width && Math.abs(a.y - b.y) < LINE;
 
 /**
  * A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour.

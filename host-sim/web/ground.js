@@ -1,5 +1,7 @@
 // What does not move: the grid, the surfaces with their hatching, and the scales of length and force.
 
+import { prefixed } from "./dom.js";
+import { LINE } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Spacing of the hatching and its depth (px). */
@@ -38,10 +40,14 @@ export function drawGrid(ctx, view) {
 /**
  * Every surface: its solid side tinted, its border with hatching, its name.
  * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
+ * @param {import("./labels.js").Label[]} labels those that are there already
  */
-export function drawSurfaces(ctx, view, surfaces) {
+export function drawSurfaces(ctx, view, surfaces, labels) {
   for (const surface of surfaces) fillSolid(ctx, view, surface);
-  for (const surface of surfaces) drawBorder(ctx, view, surface, surfaces);
+  for (const surface of surfaces) {
+    drawBorder(ctx, view, surface, surfaces);
+    nameSurface(ctx, view, surface, surfaces, labels);
+  }
 }
 
 /**
@@ -108,14 +114,14 @@ function drawBorder(ctx, view, surface, surfaces) {
   ctx.strokeStyle = colors.hatch;
   ctx.lineWidth = 1;
   ctx.stroke(hatch);
-  nameSurface(ctx, view, surface, surfaces);
 }
 
 /**
  * The surface's name behind its border, near the window's edge.
  * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
+ * @param {import("./labels.js").Label[]} labels
  */
-function nameSurface(ctx, view, surface, surfaces) {
+function nameSurface(ctx, view, surface, surfaces, labels) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   for (let s = reach; s > -reach; s -= 12) {
     const x = px + s * tx - 27 * nx, y = py + s * ty - 27 * ny;
@@ -131,24 +137,30 @@ function nameSurface(ctx, view, surface, surfaces) {
     ctx.textBaseline = "middle";
     ctx.fillText(surface.name, 0, 0);
     ctx.restore();
+    const length = ctx.measureText(surface.name).width;
+    const [width, height] = [length * Math.abs(tx) + LINE * Math.abs(ty), length * Math.abs(ty) + LINE * Math.abs(tx)];
+    labels.push({ left: x - width / 2, top: y - height / 2, width, height });
     return;
   }
 }
 
-/** A round number without the digits that rounding leaves. @param {number} value */
-const round = (value) => String(Number(value.toPrecision(1)));
+/** A round size in the unit that fits. @param {number} size @param {string} unit */
+function round(size, unit) {
+  const { name, per } = prefixed(size, unit);
+  return `${Number((size * per).toPrecision(1))} ${name}`;
+}
 
 /**
- * Two bars in the lower left corner: a round length, and a round force in the scale of the force bars.
+ * Two bars in the lower left corner: a round length, and a round force in the scale of the force bars, where there were
+ * forces.
  * @param {Ink} ctx @param {View} view @param {number} perNewton pixels per N
  */
 export function drawScales(ctx, view, perNewton) {
   const length = step125(110 / view.scale);
-  const [unit, name] = length >= 1 ? [1, "m"] : length >= 1e-3 ? [1e3, "mm"] : [1e6, "µm"];
-  const text = `${round(length * unit)} ${name}`;
-  drawScale(ctx, view, 16, length * view.scale, text);
+  drawScale(ctx, view, 16, length * view.scale, round(length, "m"));
+  if (perNewton === 0) return;
   const force = step125(80 / perNewton);
-  drawScale(ctx, view, 34 + length * view.scale, force * perNewton, `${round(force)} N`);
+  drawScale(ctx, view, 34 + length * view.scale, force * perNewton, round(force, "N"));
 }
 
 /** @param {Ink} ctx @param {View} view @param {number} x @param {number} width @param {string} text */

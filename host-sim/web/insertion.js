@@ -88,7 +88,7 @@ class InsertionPanel {
     if (!now && !this.now) return;
     this.now = now;
     this.stale = true;
-    push(this.trail, now && now.margin !== null ? this.load(now) : null, TRAIL);
+    push(this.trail, now && now.margin !== null && now.fz !== 0 ? this.load(now) : null, TRAIL);
     if (!now) return;
     this.deepest = Math.max(this.deepest, now.depth);
     const values = [now.fz, formulas?.one_point ?? null, formulas?.two_points ?? null];

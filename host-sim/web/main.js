@@ -10,6 +10,7 @@ import { Keys } from "./keys.js";
 import { Link } from "./link.js";
 import { Pointers } from "./pointer.js";
 import { Readout } from "./readout.js";
+import { asItCame, withoutNoise } from "./sizes.js";
 import { Stage } from "./stage.js";
 import { startTheme } from "./theme.js";
 import { Transport } from "./transport.js";
@@ -100,8 +101,9 @@ async function showPeg(scene) {
   insertion?.setScene(stage.state?.scene ?? scene);
 }
 
-/** @param {FrameMessage} message */
-function showFrame(message) {
+/** @param {FrameMessage} received */
+function showFrame(received) {
+  const message = withoutNoise(received, stage.state);
   framesReceived++;
   insertion?.take(message);
   charts.take(message);
@@ -136,7 +138,7 @@ stage.also.push(() => {
   if (!message) return;
   diagram.show(message);
   transport.take(message);
-  const words = readout.update(), lines = charts.draw(message), peg = insertion?.draw() ?? false;
+  const words = readout.update(), lines = charts.draw(), peg = insertion?.draw() ?? false;
   if (words || lines || peg) stage.ask();
 });
 
@@ -230,7 +232,7 @@ showBoardButton();
 
 Object.defineProperty(window, "stiction", {
   value: Object.freeze({
-    get frame() { return stage.message; },
+    get frame() { return asItCame(stage.message); },
     get state() { return stage.state; },
     get connected() { return connected; },
     get framesDrawn() { return stage.framesDrawn; },

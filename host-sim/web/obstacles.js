@@ -1,7 +1,7 @@
 // Obstacles: convex polygons, thin walls and pins. Their inside, their free sides with hatching, their names, and the
 // corners that touch the object.
 
-import { label } from "./forces.js";
+import { label } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Spacing and depth of the hatching, as of surfaces; width of a wall; radii of pins and of rings at corners (px). */
@@ -86,12 +86,16 @@ function within(heights) {
   return [from, to];
 }
 
-/** All obstacles with their names. @param {Ink} ctx @param {View} view @param {Scene} scene */
-export function drawObstacles(ctx, view, { obstacles, surfaces }) {
+/**
+ * All obstacles with their names.
+ * @param {Ink} ctx @param {View} view @param {Scene} scene
+ * @param {import("./labels.js").Label[]} labels those that are there already
+ */
+export function drawObstacles(ctx, view, { obstacles, surfaces }, labels) {
   if (!obstacles?.length) return;
   for (const { vertices } of obstacles) drawInside(ctx, view, vertices);
   freePieces(obstacles, surfaces).forEach((pieces, k) => drawSides(ctx, view, obstacles[k].vertices, pieces));
-  for (const obstacle of obstacles) drawName(ctx, view, obstacle);
+  for (const obstacle of obstacles) drawName(ctx, view, obstacle, labels);
 }
 
 /** @param {Ink} ctx @param {View} view @param {Vec[]} corners */
@@ -170,9 +174,9 @@ function seen(view, corners) {
 
 /**
  * The name in the middle of what is seen; of what is too small for it, beside it.
- * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle
+ * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Label[]} labels
  */
-function drawName(ctx, view, { name, vertices }) {
+function drawName(ctx, view, { name, vertices }, labels) {
   const points = seen(view, vertices);
   if (points.length === 0) return;
   const [xs, ys] = [0, 1].map((axis) => points.map((p) => p[axis]));
@@ -182,7 +186,7 @@ function drawName(ctx, view, { name, vertices }) {
   const beside = right + 8 + width < view.width ? right + 8 : left - 8 - width;
   const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x, y] = fits ? [mean(xs) - width / 2, mean(ys)] : [beside, (top + bottom) / 2];
-  label(ctx, { text: name, x, y }, 1, colors.muted, []);
+  label(ctx, { text: name, x, y }, 1, colors.muted, labels);
 }
 
 /** A ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */
@@ -201,7 +205,7 @@ export function drawCorners(ctx, view, contacts) {
 /**
  * Obstacle and number of every corner that touches the object, beside it in the obstacle.
  * @param {Ink} ctx @param {View} view @param {Contact[]} contacts
- * @param {import("./forces.js").Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels those that are there already
  */
 export function nameCorners(ctx, view, contacts, labels) {
   for (const { corner, obstacle, point, direction } of contacts) {

@@ -2,7 +2,8 @@
 // who holds the hand, and the connection.
 
 import { byId, digits, duration, fixed, quantile, setText, whole } from "./dom.js";
-import { EVENTS } from "./events.js";
+import { EVENTS, MEANINGS } from "./events.js";
+import { unitsOf } from "./sizes.js";
 
 /** Pause between two updates of the texts, and of what is read aloud (ms). */
 const PAUSE = 100;
@@ -61,7 +62,9 @@ export class Readout {
     this.showFrame(message);
     this.showTrade(message.reference);
     this.showHealth(message);
-    for (const name of EVENTS) this.showEvent(name, message.counts.events[name] ?? 0);
+    const { counts } = message;
+    // An event of several slips in one tick is one; here as everywhere on the page a slip is a slip.
+    for (const name of EVENTS) this.showEvent(name, name === "slip" ? counts.slips : counts.events[name] ?? 0);
     if (now - this.spokenAt > ALOUD && message.frame.state !== this.spoken) {
       this.spokenAt = now;
       this.spoken = message.frame.state;
@@ -76,10 +79,16 @@ export class Readout {
     const status = byId("status");
     setText(status, frame.status === "ok" ? "" : frame.status);
     status.hidden = frame.status === "ok";
-    setText(byId("hand-pose"), poseText(frame.hand) + (holding ? "" : ", open"));
-    setText(byId("body-pose"), poseText(frame.pose));
+    if (!this.state) return;
+    const { length, force, moment } = unitsOf(this.state);
+    const poseTexts = (/** @type {Pose} */ [x, y, angle]) =>
+      [fixed(x * length.per, 2), fixed(y * length.per, 2), fixed((angle * 180) / Math.PI, 2)];
+    const poseWords = [", ", ` ${length.name}, `];
+    setNumbers(byId("hand-pose"), poseTexts(frame.hand), [...poseWords, holding ? "°" : "°, open"]);
+    setNumbers(byId("body-pose"), poseTexts(frame.pose), [...poseWords, "°"]);
     const [fx, fy, m] = frame.wrench;
-    setText(byId("wrench"), `${fixed(Math.hypot(fx, fy), 2)} N, ${fixed(m * 1e3, 1)} mN·m`);
+    setNumbers(byId("wrench"), [fixed(Math.hypot(fx, fy) * force.per, 2), fixed(m * moment.per, 1)],
+      [` ${force.name}, `, ` ${moment.name}`]);
   }
 
   /** Errors against the reference, now and worst. @param {Reference | null} reference */
@@ -93,7 +102,7 @@ export class Readout {
     setText(byId("differ-now"), now ? "the same" : `reference: ${state}`);
     byId("differ-now").dataset.differs = String(!now);
     const part = fixed(since ? (100 * differ) / since : 0, 2);
-    setText(byId("differ"), `${whole(differ)} of ${whole(since)} ticks (${part} %)`);
+    setText(byId("differ"), `${whole(differ)} of ${whole(since)} (${part} %)`);
   }
 
   /** Time per step, ticks, frames lost, latency; of a board also its health. @param {FrameMessage} message */
@@ -134,6 +143,7 @@ export class Readout {
 function eventChip(name) {
   const count = document.createElement("b");
   const root = document.createElement("li");
+  root.title = `${name}: ${MEANINGS[name]}`;
   root.append(name, " ", count);
   byId("events").append(root);
   return { root, count };
@@ -153,9 +163,21 @@ function showError(name, now, worst, unit) {
   bar.style.setProperty("--worst", place(worst).toFixed(3));
 }
 
-/** A pose: millimetres and degrees. @param {Pose} pose */
-const poseText = ([x, y, angle]) =>
-  `${fixed(x * 1e3, 2)}, ${fixed(y * 1e3, 2)} mm, ${fixed((angle * 180) / Math.PI, 2)}°`;
+/**
+ * Numbers, each with the words after it, in places of a fixed width: none moves when another one becomes longer.
+ * @param {HTMLElement} element @param {string[]} numbers @param {string[]} words
+ */
+function setNumbers(element, numbers, words) {
+  if (element.children.length !== 2 * numbers.length) {
+    element.replaceChildren(...numbers.flatMap(() => [document.createElement("span"), document.createElement("span")]));
+  }
+  numbers.forEach((number, i) => {
+    const [place, after] = [element.children[2 * i], element.children[2 * i + 1]];
+    place.className = "number";
+    setText(place, number);
+    setText(after, words[i]);
+  });
+}
 
 /** Where the poses come from. @param {Source} source */
 function sourceText({ kind, name, number, where, emulated }) {

@@ -170,9 +170,11 @@ export class Stage {
     const { ctx, view, layers, trails, obstacles } = this;
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
+    /** @type {import("./labels.js").Label[]} */
+    const labels = [];
     drawGrid(ctx, view);
-    obstacles?.drawObstacles(ctx, view, scene);
-    drawSurfaces(ctx, view, scene.surfaces);
+    obstacles?.drawObstacles(ctx, view, scene, labels);
+    drawSurfaces(ctx, view, scene.surfaces, labels);
     if (layers.trails) {
       trails.draw(ctx, view);
       trails.drawSlips(ctx, view, scene.surfaces);
@@ -192,8 +194,6 @@ export class Stage {
     obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
-      /** @type {import("./forces.js").Label[]} */
-      const labels = [];
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
       obstacles?.nameCorners(ctx, view, frame.contacts, labels);
     }

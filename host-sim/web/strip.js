@@ -44,6 +44,27 @@ export class Strip {
     return low;
   }
 
+  /**
+   * The value of a column at a time: that of the last row not after it, or NaN.
+   * @param {number} time @param {number} column
+   */
+  before(time, column) {
+    const next = this.find(time);
+    const row = next < this.length && this.at(0, next) === time ? next : next - 1;
+    return row >= 0 ? this.at(column, row) : NaN;
+  }
+
+  /**
+   * The first value of the row that is nearest to a time, or NaN where none is so near.
+   * @param {number} time @param {number} most
+   */
+  nearest(time, most) {
+    const row = this.find(time);
+    const [best] = [row - 1, row].filter((k) => k >= 0 && k < this.length)
+      .sort((a, b) => Math.abs(this.at(0, a) - time) - Math.abs(this.at(0, b) - time));
+    return best !== undefined && Math.abs(this.at(0, best) - time) <= most ? this.at(1, best) : NaN;
+  }
+
   /** The columns from a time on, and one row before it; not copied. @param {number} time */
   since(time) {
     const first = Math.max(0, this.find(time) - 1);

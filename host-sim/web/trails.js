@@ -7,8 +7,18 @@ const POINTS = 600;
 const SPACING = 1.5;
 /** Slips that are marked. */
 const MARKS = 80;
-/** Parts of a trail that fade one after the other. */
+/** Parts of a trail, each fainter and thinner than the one after it. */
 const PARTS = 5;
+/** The oldest part and the oldest mark are so faint: every colour of theirs keeps 3:1 against what it stands on. */
+const FAINTEST = 0.8;
+/** Widths of a trail (px). */
+const THIN = 0.9;
+const THICK = 1.8;
+/** A step that is longer on the screen is left out: its dots, most of them out of sight, would hold up the drawing (px). */
+const LEAP = 10_000;
+/** Length of the newest mark and of the oldest one (px). */
+const LONG = 9;
+const SHORT = 5;
 
 /** A ring of points. */
 class Ring {
@@ -60,7 +70,6 @@ export class Trails {
 
   /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
   draw(ctx, view) {
-    ctx.lineWidth = 1.6;
     ctx.lineJoin = "round";
     ctx.setLineDash([1.5, 4]);
     drawTrail(ctx, view, this.hand, colors["trail-hand"]);
@@ -69,7 +78,8 @@ export class Trails {
   }
 
   /**
-   * A mark at each slip: a small triangle below the surface that points at the place where it ended.
+   * A mark at each slip: a small triangle below the surface that points at the place where it ended; the older, the
+   * smaller.
    * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
    */
   drawSlips(ctx, view, surfaces) {
@@ -78,11 +88,13 @@ export class Trails {
       const normal = slip.direction ?? nearest(surfaces, slip.point);
       const nx = normal[0], ny = -normal[1];
       const x = view.px(slip.point[0]) - 4 * nx, y = view.py(slip.point[1]) - 4 * ny;
-      ctx.globalAlpha = 0.25 + (0.75 * (i + 1)) / this.slips.length;
+      const young = (i + 1) / this.slips.length;
+      const size = SHORT + (LONG - SHORT) * young;
+      ctx.globalAlpha = FAINTEST + (1 - FAINTEST) * young;
       ctx.beginPath();
       ctx.moveTo(x, y);
-      ctx.lineTo(x - 9 * nx + 4 * ny, y - 9 * ny - 4 * nx);
-      ctx.lineTo(x - 9 * nx - 4 * ny, y - 9 * ny + 4 * nx);
+      ctx.lineTo(x - size * nx + 0.45 * size * ny, y - size * ny - 0.45 * size * nx);
+      ctx.lineTo(x - size * nx - 0.45 * size * ny, y - size * ny + 0.45 * size * nx);
       ctx.closePath();
       ctx.fill();
     });
@@ -113,11 +125,17 @@ function drawTrail(ctx, view, ring, color) {
     const from = Math.floor((part * ring.length) / PARTS);
     const to = Math.min(ring.length - 1, Math.floor(((part + 1) * ring.length) / PARTS));
     if (to <= from) continue;
-    ctx.globalAlpha = (part + 1) / PARTS;
+    const young = part / (PARTS - 1);
+    ctx.globalAlpha = FAINTEST + (1 - FAINTEST) * young;
+    ctx.lineWidth = THIN + (THICK - THIN) * young;
     ctx.beginPath();
+    let [lastX, lastY] = [NaN, NaN];
     for (let i = from; i <= to; i++) {
       const at = (first + i) % POINTS;
-      ctx.lineTo(view.px(ring.x[at]), view.py(ring.y[at]));
+      const x = view.px(ring.x[at]), y = view.py(ring.y[at]);
+      if (Math.hypot(x - lastX, y - lastY) <= LEAP) ctx.lineTo(x, y);
+      else ctx.moveTo(x, y);
+      [lastX, lastY] = [x, y];
     }
     ctx.stroke();
   }

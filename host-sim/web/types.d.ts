@@ -268,6 +268,13 @@ interface UPlotOptions {
 declare class UPlot {
   constructor(options: UPlotOptions, data: ArrayLike<number | null>[], target: HTMLElement);
   data: ArrayLike<number>[];
+  /** The area between the axes. */
+  over: HTMLElement;
+  /** Where the pointer is, or the moment that another plot shares with this one: negative where nowhere (CSS px). */
+  cursor: { left: number };
+  scales: { [name: string]: { min?: number | null; max?: number | null } };
+  hooks: { setCursor?: ((plot: UPlot) => void)[] };
+  posToVal(position: number, scale: string): number;
   width: number;
   height: number;
   setData(data: ArrayLike<number | null>[], rescale?: boolean): void;

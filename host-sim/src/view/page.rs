@@ -1,15 +1,46 @@
 //! The files of the page, built into the program.
 
 use std::borrow::Cow;
+use std::io::{self, Write as _};
+use std::sync::{LazyLock, OnceLock};
 
+use flate2::{Compression, write::GzEncoder};
 use stiction_tools::script::without_comments;
 
-/// Path, type and bytes.
-type File = (&'static str, &'static str, &'static [u8]);
+/// A file of the page.
+struct File {
+    path: &'static str,
+    kind: &'static str,
+    source: &'static [u8],
+    /// As it goes to browsers; made when the first one asks.
+    served: OnceLock<Served>,
+}
+
+/// What browsers get: scripts of the page without their comments.
+struct Served {
+    plain: Cow<'static, [u8]>,
+    /// The same by gzip, where that is shorter.
+    packed: Option<Vec<u8>>,
+}
+
+/// An answer to a request for a file.
+#[derive(Clone, Copy)]
+pub(super) struct Found {
+    /// The media type.
+    pub(super) kind: &'static str,
+    pub(super) bytes: &'static [u8],
+    /// The bytes are by gzip.
+    pub(super) is_packed: bool,
+}
 
 macro_rules! files {
     ($($name:literal: $kind:ident),* $(,)?) => {
-        &[$((concat!("/", $name), $kind, include_bytes!(concat!("../../web/", $name)))),*]
+        vec![$(File {
+            path: concat!("/", $name),
+            kind: $kind,
+            source: include_bytes!(concat!("../../web/", $name)),
+            served: OnceLock::new(),
+        }),*]
     };
 }
 
@@ -19,7 +50,8 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 const PICTURE: &str = "image/svg+xml";
 const TEXT: &str = "text/plain; charset=utf-8";
 
-const FILES: &[File] = files![
+static FILES: LazyLock<Vec<File>> = LazyLock::new(|| {
+    files![
     "address.js": SCRIPT,
     "alone.js": SCRIPT,
     "board-model.js": SCRIPT,
@@ -38,6 +70,7 @@ const FILES: &[File] = files![
     "insertion.css": CSS,
     "insertion.js": SCRIPT,
     "keys.js": SCRIPT,
+    "labels.js": SCRIPT,
     "link.js": SCRIPT,
     "main.js": SCRIPT,
     "object.js": SCRIPT,
@@ -46,6 +79,7 @@ const FILES: &[File] = files![
     "pointer.js": SCRIPT,
     "readout.js": SCRIPT,
     "samples.js": SCRIPT,
+    "sizes.js": SCRIPT,
     "stage.js": SCRIPT,
     "strip.js": SCRIPT,
     "style.css": CSS,
@@ -57,27 +91,70 @@ const FILES: &[File] = files![
     "uplot/uplot.min.css": CSS,
     "uplot/uplot.min.js": SCRIPT,
     "view.js": SCRIPT,
-];
+    ]
+});
 
-/// Type and bytes of the file at a path; scripts of the page without their comments.
-pub(super) fn find(path: &str) -> Option<(&'static str, Cow<'static, [u8]>)> {
+/// The file at a path, by gzip where the browser takes that and it is shorter.
+pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
     let path = match path {
         "/" => "/index.html",
         path => path,
     };
-    let (name, kind, bytes) = FILES.iter().find(|(known, ..)| *known == path)?;
-    let bytes = match str::from_utf8(bytes) {
-        Ok(script) if *kind == SCRIPT && !name.starts_with("/uplot/") => {
-            without_comments(script).into_bytes().into()
-        }
-        _ => Cow::Borrowed(*bytes),
+    let file = FILES.iter().find(|file| file.path == path)?;
+    let served = file.served.get_or_init(|| file.serve());
+    let packed = served.packed.as_deref().filter(|_| takes_gzip);
+    Some(Found {
+        kind: file.kind,
+        bytes: packed.unwrap_or(&served.plain),
+        is_packed: packed.is_some(),
+    })
+}
+
+impl File {
+    fn serve(&self) -> Served {
+        let plain = match str::from_utf8(self.source) {
+            Ok(script) if self.kind == SCRIPT && !self.path.starts_with("/uplot/") => {
+                without_comments(script).into_bytes().into()
+            }
+            _ => Cow::Borrowed(self.source),
+        };
+        let packed = pack(&plain)
+            .ok()
+            .filter(|packed| packed.len() < plain.len());
+        Served { plain, packed }
+    }
+}
+
+fn pack(bytes: &[u8]) -> io::Result<Vec<u8>> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes)?;
+    encoder.finish()
+}
+
+/// True where a browser that says `accepted` (Accept-Encoding, RFC 9110, 12.5.3) takes gzip.
+pub(super) fn takes_gzip(accepted: &str) -> bool {
+    // What is said of gzip itself goes before what is said of all others.
+    let weight_of = |names: &[&str]| {
+        accepted.split(',').find_map(|item| {
+            let (name, weight) = item.split_once(';').unwrap_or((item, "q=1"));
+            let is_one = names
+                .iter()
+                .any(|known| name.trim().eq_ignore_ascii_case(known));
+            let (_, weight) = weight.split_once('=')?;
+            is_one.then(|| weight.trim().parse().unwrap_or(0.0))
+        })
     };
-    Some((kind, bytes))
+    let weight: f32 = weight_of(&["gzip", "x-gzip"])
+        .or_else(|| weight_of(&["*"]))
+        .unwrap_or(0.0);
+    weight > 0.0
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use flate2::read::GzDecoder;
+    use std::io::Read as _;
     use std::path::Path;
 
     /// The files of a folder that a browser asks for.
@@ -107,7 +184,31 @@ mod tests {
             let path = file
                 .strip_prefix(&*folder.to_string_lossy())
                 .expect("a file in it");
-            assert!(find(path).is_some(), "{path}");
+            let plain = find(path, false).expect("a file of the page");
+            assert!(!plain.is_packed, "{path}");
+            let packed = find(path, true).expect("the same file");
+            assert!(packed.bytes.len() <= plain.bytes.len(), "{path}");
+            let mut unpacked = Vec::new();
+            if packed.is_packed {
+                let mut decoder = GzDecoder::new(packed.bytes);
+                decoder.read_to_end(&mut unpacked).expect("gzip");
+                assert!(unpacked == plain.bytes, "{path}");
+            }
+        }
+    }
+
+    #[test]
+    fn gzip_is_for_browsers_that_take_it() {
+        for accepted in [
+            "gzip",
+            "gzip, deflate, br, zstd",
+            "br;q=1.0, GZIP;q=0.8",
+            "*",
+        ] {
+            assert!(takes_gzip(accepted), "{accepted}");
+        }
+        for accepted in ["", "identity", "br", "gzip;q=0", "*, gzip; q=0.0", "*;q=0"] {
+            assert!(!takes_gzip(accepted), "{accepted}");
         }
     }
 }

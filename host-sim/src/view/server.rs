@@ -164,10 +164,20 @@ async fn socket(
 }
 
 async fn file(request: Request) -> Response {
-    match page::find(request.uri().path()) {
-        Some((kind, bytes)) => ([(header::CONTENT_TYPE, kind)], bytes).into_response(),
-        None => (StatusCode::NOT_FOUND, "not here\n").into_response(),
-    }
+    let accepted = request.headers().get(header::ACCEPT_ENCODING);
+    let accepted = accepted.and_then(|value| value.to_str().ok());
+    let takes_gzip = accepted.is_some_and(page::takes_gzip);
+    let Some(found) = page::find(request.uri().path(), takes_gzip) else {
+        return (StatusCode::NOT_FOUND, "not here\n").into_response();
+    };
+    let head = [
+        (header::CONTENT_TYPE, found.kind),
+        (header::VARY, "accept-encoding"),
+    ];
+    let packed = found
+        .is_packed
+        .then_some([(header::CONTENT_ENCODING, "gzip")]);
+    (head, packed, found.bytes).into_response()
 }
 
 async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Response {

@@ -5,30 +5,12 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { liveTest, newFolder, runProgram } from "./live.js";
+import { recordsOf, transitionsOf } from "./trace.js";
 
 /** Slips that a drag goes on for. */
 const SLIPS = 6;
 /** The box is pressed so deep below the height at which its edge touches (m). */
 const DEPTH = 0.01;
-
-/** The records of a trace. @param {string} text @returns {TraceFrame[]} */
-const recordsOf = (text) =>
-  text
-    .trim()
-    .split("\n")
-    .map((line) => JSON.parse(line))
-    .filter((record) => "t" in record);
-
-/** How often each state follows another one. @param {TraceFrame[]} records */
-function transitionsOf(records) {
-  /** @type {{[pair: string]: number}} */
-  const counts = {};
-  for (let k = 1; k < records.length; k++) {
-    const pair = `${records[k - 1].state}>${records[k].state}`;
-    if (records[k - 1].state !== records[k].state) counts[pair] = (counts[pair] ?? 0) + 1;
-  }
-  return counts;
-}
 
 /** The transitions that the diagram shows. @param {import("./live.js").Live} live */
 function transitionsShown(live) {

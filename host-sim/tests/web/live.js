@@ -423,9 +423,19 @@ export class Bench {
    * @param {import("playwright-core").BrowserContextOptions} [options]
    */
   async open(options) {
+    return this.openBy(options, async () => {});
+  }
+
+  /**
+   * Opens a page that something is done with before it asks for anything.
+   * @param {import("playwright-core").BrowserContextOptions | undefined} options
+   * @param {(page: import("playwright-core").Page) => Promise<void>} before
+   */
+  async openBy(options, before) {
     const context = await this.browser.newContext({ viewport: WINDOW, colorScheme: "light", ...options });
     const live = new Live(await context.newPage(), this.program.origin);
     this.pages.push(live);
+    await before(live.page);
     await live.page.goto(`${this.program.origin}/`);
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
     return live;

@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
+import { layoutFaults } from "./layout.js";
 import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
@@ -15,13 +16,13 @@ const WINDOWS = [
   { width: 1920, height: 1080, ratio: 1 },
 ];
 const THEMES = /** @type {const} */ (["light", "dark"]);
-/** No text is smaller (px), but for what stands below the line. */
-const SMALLEST = 11;
-const SMALLEST_INDEX = 9;
-/** Least contrast of text (WCAG 2.2, 1.4.3). */
+/** Least contrast of text (WCAG 2.2, 1.4.3), and of what is drawn and of the borders of controls (1.4.11). */
 const CONTRAST = 4.5;
-/** What the page may weigh (bytes). */
-const WEIGHT = 202_000;
+const SIGNS = 3;
+/** The oldest parts of trails and the oldest marks of slips are so faint, as in trails.js. */
+const FAINTEST = 0.8;
+/** What a browser may have to load (bytes). */
+const WEIGHT = 250_000;
 /** What has to have a name. */
 const ROLES = [
   "button",
@@ -49,85 +50,6 @@ async function inCorner(live) {
     return counts && frame && counts.slips > 3 && frame.contacts.length > 1;
   });
   await live.pause();
-}
-
-/** What is wrong with the layout. @param {Live} live */
-function layoutFaults(live) {
-  return live.page.evaluate(
-    ([smallest, smallestIndex]) => {
-      /** @type {string[]} */
-      const faults = [];
-      const wide = document.documentElement.clientWidth;
-      if (document.documentElement.scrollWidth > wide) faults.push(`${document.documentElement.scrollWidth} px wide`);
-      // A window that is wide enough for all beside one another does not scroll.
-      const tall = document.documentElement.scrollHeight - window.innerHeight;
-      if (window.matchMedia("(min-width: 901px)").matches && tall > 0) faults.push(`${tall} px too high`);
-      for (const key of document.querySelectorAll(".key")) {
-        const parent = /** @type {Element} */ (key.parentElement);
-        if (parent.getBoundingClientRect().height > 2 * parseFloat(getComputedStyle(parent).fontSize)) {
-          faults.push(`“${parent.textContent}” is on another line than its key`);
-        }
-      }
-      const name = (/** @type {Element} */ element) =>
-        element.id || `${element.tagName} “${element.textContent?.trim().slice(0, 30)}”`;
-      const shown = (/** @type {Element} */ element) =>
-        element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
-        !element.closest(".hidden, dialog:not([open])");
-
-      for (const element of document.body.querySelectorAll("*")) {
-        if (!shown(element) || element.closest("svg, .chart")) continue;
-        const { left, right, width } = element.getBoundingClientRect();
-        if (width > 0 && (left < -0.5 || right > wide + 0.5))
-          faults.push(`${name(element)} from ${left} to ${right} px`);
-        const clips = element.matches("button, select, p, dd, dt, td, th, label, figcaption, h1, h2, a, li, output");
-        if (clips && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0)
-          faults.push(`${name(element)} is cut`);
-      }
-      const ruler = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
-      for (const list of document.querySelectorAll("select")) {
-        if (!shown(list)) continue;
-        const style = getComputedStyle(list);
-        ruler.font = `${style.fontSize} ${style.fontFamily}`;
-        const room = list.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
-        const text = list.selectedOptions[0]?.text ?? "";
-        if (ruler.measureText(text).width > room) faults.push(`“${text}” is cut in ${name(list)}`);
-      }
-
-      /** @type {{text: string, box: DOMRect}[]} */
-      const texts = [];
-      const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-        const parent = node.parentElement,
-          text = node.textContent?.trim();
-        if (!parent || !text || !shown(parent) || parent.closest("option, script")) continue;
-        const scale = parent instanceof SVGGraphicsElement ? (parent.getScreenCTM()?.a ?? 1) : 1;
-        const size = scale * parseFloat(getComputedStyle(parent).fontSize);
-        if (size < (parent.closest("sub") ? smallestIndex : smallest) - 0.01) faults.push(`“${text}” has ${size} px`);
-        const range = document.createRange();
-        range.selectNodeContents(node);
-        for (const box of range.getClientRects()) if (box.width > 0) texts.push({ text, box });
-      }
-      texts.forEach(({ text, box }, i) => {
-        for (const other of texts.slice(i + 1)) {
-          const across = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
-          const down = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
-          // The lines of a text may touch; letters leave room above and below.
-          if (across > 1 && down > 0.35 * Math.min(box.height, other.box.height))
-            faults.push(`“${text}” is over “${other.text}”`);
-        }
-      });
-
-      for (const canvas of document.querySelectorAll("canvas")) {
-        const { width, height } = canvas.getBoundingClientRect();
-        const [across, down] = [width, height].map((size) => size * window.devicePixelRatio);
-        if (Math.abs(canvas.width - across) > 1 || Math.abs(canvas.height - down) > 1) {
-          faults.push(`a canvas of ${canvas.width} by ${canvas.height} on ${across} by ${down} pixels`);
-        }
-      }
-      return faults;
-    },
-    [SMALLEST, SMALLEST_INDEX],
-  );
 }
 
 /** Writes a picture, where they are wanted. @param {Live} live @param {string} name */
@@ -162,33 +84,40 @@ for (const { width, height, ratio } of WINDOWS) {
   });
 }
 
-liveTest("the values of forces are not over one another, in the smallest window", async (bench) => {
+liveTest("texts in the drawing are not over one another, in the smallest window", async (bench) => {
   const live = await bench.open({ viewport: { width: 360, height: 740 } });
-  await live.page.evaluate(() => {
+  await live.page.evaluate((height) => {
     const { prototype } = CanvasRenderingContext2D;
-    const { fillText } = prototype;
-    /** The values of the drawing that is under way. @type {{text: string, x: number, y: number, width: number}[]} */
-    const written = [];
-    const values = { most: 0, over: /** @type {string[]} */ ([]) };
-    Object.assign(window, { values });
+    const { fillText, fillRect } = prototype;
+    /** Texts of the drawing that is under way, in pixels of the canvas. @type {{text: string, xs: number[], ys: number[]}[]} */
+    let written = [];
+    const texts = { most: 0, corners: 0, over: /** @type {string[]} */ ([]) };
+    Object.assign(window, { texts });
+    prototype.fillRect = function (x, y, w, h) {
+      // A drawing begins with its ground.
+      if (this.canvas.id === "stage" && x === 0 && y === 0) written = [];
+      fillRect.call(this, x, y, w, h);
+    };
     prototype.fillText = function (text, x, y) {
       fillText.call(this, text, x, y);
       if (this.canvas.id !== "stage") return;
-      // The scales are the last in a drawing.
-      if (text.endsWith("m")) written.length = 0;
-      if (!/^[NT] /.test(text)) return;
       const { width } = this.measureText(text);
-      const before = { left: 0, right: width, center: width / 2, start: 0, end: width }[this.textAlign];
-      const mine = { text, x: x - before, y, width };
-      for (const other of written) {
-        const across = Math.min(mine.x + width, other.x + other.width) - Math.max(mine.x, other.x);
-        if (across > 0 && Math.abs(other.y - y) < 11) values.over.push(`${text} over ${other.text}`);
+      const left = x - { left: 0, right: width, center: width / 2, start: 0, end: width }[this.textAlign];
+      const middle = this.textBaseline === "middle" ? y : y - height / 2;
+      const [one, other] = [[left, middle - height / 2], [left + width, middle + height / 2]].map(([px, py]) =>
+        this.getTransform().transformPoint(new DOMPoint(px, py)),
+      );
+      const mine = { text, xs: [one.x, other.x].sort((p, q) => p - q), ys: [one.y, other.y].sort((p, q) => p - q) };
+      const apart = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p[0] >= q[1] || q[0] >= p[1];
+      for (const known of written) {
+        if (!apart(mine.xs, known.xs) && !apart(mine.ys, known.ys)) texts.over.push(`${text} over ${known.text}`);
       }
       written.push(mine);
-      values.most = Math.max(values.most, written.length);
+      texts.most = Math.max(texts.most, written.filter((known) => /^[NT] /.test(known.text)).length);
+      if (text.includes("corner")) texts.corners++;
     };
-  });
-  for (const scene of ["corner-stick-slip", "parallel-walls"]) {
+  }, 11);
+  for (const scene of ["corner-stick-slip", "parallel-walls", "peg-in-hole", "step"]) {
     await live.scene(scene);
     await live.page.selectOption("#replay", "scene");
     await live.until(() => {
@@ -196,9 +125,9 @@ liveTest("the values of forces are not over one another, in the smallest window"
       return state?.replay && (frame?.position ?? 0) >= Math.min(3, 0.99 * state.replay.seconds);
     });
   }
-  const { most, over } = await live.page.evaluate(() => /** @type {any} */ (window).values);
-  assert.ok(most >= 4, `${most} values at most`);
-  assert.deepEqual(over, []);
+  const { most, corners, over } = await live.page.evaluate(() => /** @type {any} */ (window).texts);
+  assert.ok(most >= 4 && corners > 10, `${most} values at most, corners named ${corners} times`);
+  assert.deepEqual([...new Set(over)], []);
 });
 
 liveTest("every control has a name", async (bench) => {
@@ -223,61 +152,159 @@ liveTest("every control has a name", async (bench) => {
   }
 });
 
-/** Texts by their role, and what they stand on. */
-const TEXTS = [
-  ["ink", "page"],
-  ["ink", "paper"],
-  ["ink", "panel"],
-  ["muted", "page"],
-  ["muted", "paper"],
-  ["muted", "panel"],
-  ["muted", "solid"],
+/** What is drawn, by its role, and what it stands on. */
+const DRAWN = [
+  ["body", "paper"],
+  ["ghost", "paper"],
+  ["hand", "paper"],
+  ["spring", "paper"],
+  ["normal", "paper"],
+  ["friction", "paper"],
+  ["friction", "solid"],
+  ["reaction", "paper"],
+  ["limit-static", "paper"],
+  ["limit-dynamic", "paper"],
+  ["hatch", "solid"],
+  ["trail-hand", "paper", FAINTEST],
+  ["trail-body", "paper", FAINTEST],
+  ["slip", "solid", FAINTEST],
+  ["edge", "panel"],
+  ["edge", "paper"],
   ["accent", "panel"],
-  ["on-accent", "accent"],
-  ["warn", "panel"],
-  ["warn", "paper"],
+  ["accent", "paper"],
+  ["accent", "page"],
+];
+/** Texts in the drawing. */
+const TEXTS = [
+  ["muted", "solid"],
+  ["muted", "paper"],
   ["normal", "paper"],
   ["friction", "paper"],
 ];
 
-for (const theme of THEMES) {
-  liveTest(`texts can be read in the ${theme} theme`, async (bench) => {
-    const live = await bench.open({ colorScheme: theme });
-    const faint = await live.page.evaluate(
-      ([texts, least]) => {
-        const probe = document.body.appendChild(document.createElement("i"));
-        const luminance = (/** @type {string} */ role) => {
-          probe.style.color = `var(--${role})`;
-          const [r, g, b] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map((text) => {
-            const part = Number(text) / 255;
-            return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
-          });
-          return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-        };
-        const pairs = /** @type {string[][]} */ (texts).map(([text, ground]) => {
-          const [a, b] = [luminance(text), luminance(ground)];
-          return { text, ground, contrast: (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) };
-        });
-        return pairs.filter(({ contrast }) => !(contrast >= Number(least)));
-      },
-      [TEXTS, CONTRAST],
+/** Puts `contrast(element or role, ground, alpha)` and `groundOf(element)` into the page (WCAG 2.2). @param {Live} live */
+const bringContrast = (live) =>
+  live.page.evaluate(() => {
+    const dot = /** @type {OffscreenCanvasRenderingContext2D} */ (
+      new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true })
     );
-    assert.deepEqual(faint, []);
+    /** Colours over one another, the lowest first, as the browser mixes them. @param {string[]} layers @param {number} alpha of the last one */
+    const mixed = (layers, alpha = 1) => {
+      layers.forEach((color, i) => {
+        dot.globalAlpha = i === layers.length - 1 ? alpha : 1;
+        dot.fillStyle = color;
+        dot.fillRect(0, 0, 1, 1);
+      });
+      return [...dot.getImageData(0, 0, 1, 1).data].slice(0, 3);
+    };
+    const luminance = (/** @type {number[]} */ rgb) => {
+      const [r, g, b] = rgb.map((value) => {
+        const part = value / 255;
+        return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+      });
+      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const contrast = (/** @type {string} */ color, /** @type {string[]} */ grounds, alpha = 1) => {
+      const [a, b] = [luminance(mixed([...grounds, color], alpha)), luminance(mixed(grounds))];
+      return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    };
+    const ofRole = (/** @type {string} */ role) => {
+      const probe = document.body.appendChild(document.createElement("i"));
+      probe.style.color = `var(--${role})`;
+      const { color } = getComputedStyle(probe);
+      probe.remove();
+      return color;
+    };
+    /** The grounds under an element, the lowest first. @param {Element | null} element @returns {string[]} */
+    const groundsOf = (element) => {
+      if (!element) return [ofRole("page")];
+      return [...groundsOf(element.parentElement), getComputedStyle(element).backgroundColor];
+    };
+    Object.assign(window, { contrast, ofRole, groundsOf });
+  });
+
+for (const theme of THEMES) {
+  liveTest(`all can be read and told apart from its ground in the ${theme} theme`, async (bench) => {
+    const live = await bench.open({ colorScheme: theme });
+    await inCorner(live);
+    await bringContrast(live);
+    const faint = await live.page.evaluate(
+      ([texts, drawn, ofText, ofSign]) => {
+        const { contrast, ofRole, groundsOf } = /** @type {any} */ (window);
+        /** @type {string[]} */
+        const faults = [];
+        const check = (/** @type {string} */ what, /** @type {number} */ ratio, /** @type {number} */ least) => {
+          if (!(ratio >= least)) faults.push(`${what}: ${ratio.toFixed(2)}`);
+        };
+        for (const [role, ground, alpha = 1] of drawn) {
+          check(`${role} on ${ground}`, contrast(ofRole(role), [ofRole(ground)], alpha), ofSign);
+        }
+        for (const [role, ground] of texts) check(`${role} on ${ground}`, contrast(ofRole(role), [ofRole(ground)]), ofText);
+        let count = 0;
+        for (const element of document.body.querySelectorAll("*")) {
+          const isOff = element.closest(":disabled, [aria-disabled=true], script, option, canvas, dialog");
+          if (isOff || !element.checkVisibility()) continue;
+          const style = getComputedStyle(element);
+          const name = element.id || `${element.tagName} “${element.textContent?.trim().slice(0, 20)}”`;
+          const says = [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim());
+          const isDrawn = element instanceof SVGElement;
+          if (says && !isDrawn) {
+            count++;
+            check(name, contrast(style.color, groundsOf(element)), ofText);
+          }
+          if (element.matches("button, select, input:not([type=range], [type=checkbox])")) {
+            check(`border of ${name}`, contrast(style.borderTopColor, groundsOf(element.parentElement)), ofSign);
+          }
+        }
+        // The diagram: its texts on their boxes, links and borders on the panel.
+        for (const node of document.querySelectorAll(".node")) {
+          const [box, text] = [node.querySelector("rect"), node.querySelector("text")].map((part) => getComputedStyle(/** @type {Element} */ (part)));
+          check(`${node.textContent}`, contrast(text.fill, [box.fill]), ofText);
+          check(`box of ${node.textContent}`, contrast(box.stroke, [ofRole("panel")]), ofSign);
+        }
+        for (const link of document.querySelectorAll(".link")) {
+          check("a link", contrast(getComputedStyle(link).stroke, [ofRole("panel")]), ofSign);
+        }
+        return { faults: [...new Set(faults)], count };
+      },
+      /** @type {const} */ ([TEXTS, DRAWN, CONTRAST, SIGNS]),
+    );
+    assert.deepEqual(faint.faults, []);
+    assert.ok(faint.count > 60, `${faint.count} texts`);
   });
 }
 
 liveTest("the page is light, and loads what talks to a board only when asked", async (bench) => {
   const context = await bench.browser.newContext();
   const page = await context.newPage();
-  /** @type {Map<string, Promise<Buffer>>} */
-  const bodies = new Map();
-  page.on("response", (response) => bodies.set(new URL(response.url()).pathname, response.body()));
+  /** @type {Promise<{path: string, plain: number, sent: number, encoding: string | undefined}>[]} */
+  const coming = [];
+  page.on("response", (response) =>
+    coming.push(
+      (async () => {
+        const headers = await response.allHeaders();
+        const path = new URL(response.url()).pathname;
+        return {
+          path,
+          plain: (await response.body()).length,
+          sent: Number(headers["content-length"]),
+          encoding: headers["content-encoding"],
+        };
+      })(),
+    ),
+  );
   await page.goto(`${bench.program.origin}/`, { waitUntil: "load" });
   await page.waitForFunction(() => window.stiction?.framesDrawn > 10);
-  const files = await Promise.all([...bodies].map(async ([path, body]) => ({ path, size: (await body).length })));
+  const files = await Promise.all(coming);
   await context.close();
-  const weight = files.reduce((sum, { size }) => sum + size, 0);
-  assert.ok(files.length > 10 && weight > 50_000, `${files.length} files`);
-  assert.ok(weight <= WEIGHT, `${weight} bytes`);
-  assert.ok(!files.some(({ path }) => path.includes("board")));
+  assert.ok(files.length > 10 && !files.some(({ path }) => path.includes("board")));
+  const sum = (/** @type {"plain" | "sent"} */ what) => files.reduce((total, file) => total + file[what], 0);
+  assert.ok(sum("plain") > 50_000 && sum("sent") <= WEIGHT, `${sum("sent")} of ${sum("plain")} bytes`);
+  // Texts become half as long at least, and a browser that takes no gzip gets them as they are.
+  assert.ok(files[0].encoding === "gzip" && sum("sent") < sum("plain") / 2, `${sum("sent")} of ${sum("plain")} bytes`);
+  const { path, plain } = files[0];
+  const bare = await fetch(`${bench.program.origin}${path}`, { headers: { "accept-encoding": "identity" } });
+  assert.equal(bare.headers.get("content-encoding"), null);
+  assert.equal(bare.headers.get("vary"), "accept-encoding");
+  assert.equal((await bare.arrayBuffer()).byteLength, plain);
 });

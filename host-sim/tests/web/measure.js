@@ -72,12 +72,15 @@ async function drawing() {
     latencies: window.stiction.latencies,
     drawTimes: window.stiction.drawTimes,
   }));
-  const weight = await live.page.evaluate(() =>
-    /** @type {PerformanceResourceTiming[]} */ ([
+  const [sent, plain] = await live.page.evaluate(() => {
+    const files = /** @type {PerformanceResourceTiming[]} */ ([
       ...performance.getEntriesByType("navigation"),
       ...performance.getEntriesByType("resource"),
-    ]).reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0),
-  );
+    ]);
+    const sum = (/** @type {(file: PerformanceResourceTiming) => number} */ size) =>
+      files.reduce((total, file) => total + size(file), 0);
+    return [sum(({ encodedBodySize }) => encodedBodySize), sum(({ decodedBodySize }) => decodedBodySize)];
+  });
   await bench.close();
   const [late, latest] = spread(last.latencies);
   const [script, longest] = spread(last.drawTimes);
@@ -85,7 +88,7 @@ async function drawing() {
     ["from a pointer event to the drawn pose, median / 99 %", `${late} ms / ${latest} ms`],
     ["frames drawn a second while dragging", ((1000 * (last.drawn - first.drawn)) / (last.at - first.at)).toFixed(0)],
     ["script time of a drawn frame, median / 99 %", `${script} ms / ${longest} ms`],
-    ["weight of the page", `${(weight / 1000).toFixed(1)} kB`],
+    ["weight of the page as it is sent, by gzip / unpacked", `${(sent / 1000).toFixed(1)} kB / ${(plain / 1000).toFixed(1)} kB`],
   ];
 }
 
