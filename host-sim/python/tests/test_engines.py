@@ -152,6 +152,7 @@ typedef double vrpn_float64;
 struct vrpn_Connection { int mainloop(const timeval *timeout = nullptr); };
 vrpn_Connection *vrpn_create_server_connection(int port = 3883);
 int vrpn_gettimeofday(timeval *time, void *zone);
+void vrpn_SleepMsecs(double milliseconds);
 struct vrpn_Tracker_Server {
     vrpn_Tracker_Server(const char *name, vrpn_Connection *c, int sensors = 1);
     int report_pose(int sensor, timeval t, const vrpn_float64 position[3], const vrpn_float64 quaternion[4], unsigned service = 1);
