@@ -41,7 +41,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Starts the page, waits until it is served, and ends it as Ctrl-C does.
+/// Starts the page, waits until it is served, and ends it; not by SIGINT, which programs in the background of a shell do not hear.
 fn page(folder: &Folder, arguments: &[&str]) {
     let mut child = Command::new(env!("CARGO_BIN_EXE_stiction"))
         .args(arguments)
@@ -55,7 +55,7 @@ fn page(folder: &Folder, arguments: &[&str]) {
     output.read_line(&mut line).expect("a line of text");
     assert!(line.starts_with("http://127.0.0.1:"), "{line}");
     #[cfg(unix)]
-    common::send(common::Signal::SIGINT, &child);
+    common::send(common::Signal::SIGTERM, &child);
     #[cfg(not(unix))]
     child.kill().expect("it runs");
     let status = child.wait().expect("it ends");
