@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds what is given away, without symbols and without a path of whoever builds it.
-#   host-sim/release.sh                      the program alone: target/shipped/release/stiction
+# Builds what is given away.
+#   host-sim/release.sh                      the program alone, without symbols and without a path of whoever builds it:
+#                                            target/shipped/release/stiction
 #   host-sim/release.sh --all DIR [PART ..]  all that a release holds, in DIR, with SHA256SUMS; or these parts of it:
 #     program   the program for this system, with both licences
 #     wheel     the Python package for this system
@@ -8,7 +9,8 @@
 #     c         the C library: archives of all chips, packages for CMake, Arduino, ESP-IDF and Zephyr
 #     images    the images of the boards: UF2 for their drives, ELF for a probe
 # Where a tool is missing, its part is left out, with the command to type, and the exit status is 1.
-# The paths in messages of panics begin at the folder of a crate. Fails where a path is left.
+# The paths in messages of panics begin at the folder of a crate. Fails where a path is left in the program, the library of the wheel, the
+# wasm, the page or an image for a drive. An ELF for a probe keeps its symbols, and the archives for C are not looked through.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -152,12 +154,14 @@ part_images() {
   }
   has_targets "${chips[@]}" || return 0
   [ -x "$program" ] || build_program
-  local image board device end
+  local image board device end file
   for image in pico.uf2 pico:knob.uf2 pico:pantograph.uf2 pico2.uf2 pico2:knob.uf2 pico2:pantograph.uf2 microbit.elf olimex-stm32-h405.elf; do
     end=${image##*.} board=${image%.*}
     device=${board#*:} board=${board%%:*}
     [ "$device" != "$board" ] || device=
-    "$program" image "$board" ${device:+--device "$device"} --out "$out/stiction-$version-$board${device:+-$device}.$end"
+    file=$out/stiction-$version-$board${device:+-$device}.$end
+    "$program" image "$board" ${device:+--device "$device"} --out "$file"
+    [ "$end" != uf2 ] || without_paths "$file"
   done
 }
 
