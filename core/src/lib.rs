@@ -15,52 +15,49 @@
 //! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate, the format of frames in
 //! `FRAME.md`; the documentation cites their sections and numbers, as (E3) or STATICS 3.2.
 //!
-//! All quantities of the public interface are in SI units, in a right-handed world frame, angles in radians and counter-clockwise. Forces
-//! are those on the body; the force that a device outputs to the hand is [`Wrench::feedback`].
-//!
-//! ```text
-//! TrackerSample --Projection--> Hand
-//!                                |  1 hand.rs        grasp, release, drop-outs
-//!                                v
-//!                              Grip                  the springs' other end (grip.rs)
-//!                                |  2 detect.rs      gaps, the first touch
-//!                                |  3 state/*.rs     each state: advance, relax, slide
-//!                                |  4 settle.rs      (state, trigger) -> state, to rest
-//!                                v
-//!                              Output                pose, events, status; forces on demand
-//!                                |  6 frame.rs       to bytes and back, board and client
-//!                                v
-//!                              frame::Report
-//! ```
-//!
-//! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails:
+//! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails. The crate uses no
+//! heap and no `unsafe`, and does not panic. The same input gives the same bits on every machine:
 //!
 //! ```
 //! use stiction_core::{Description, Evolution, Hand, Scene, Solver, StateKind, SurfaceDescription};
 //!
+//! // A box of 0.10 m x 0.06 m on a floor, in single precision, with room for 4 vertices and 1 surface.
 //! let scene: Scene<f32, 4, 1> = Scene::new(&Description {
-//!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-//!     start: [0.0, 0.03, 0.0],
-//!     weight: 0.0,
-//!     holding_point: Some([0.0, 0.02]),
-//!     reach: 0.0,
-//!     stiffness_translation: 500.0,
-//!     stiffness_rotation: 0.5,
+//!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]], // m
+//!     start: [0.0, 0.03, 0.0], // x, y (m), theta (rad)
+//!     weight: 0.0, // N
+//!     holding_point: Some([0.0, 0.02]), // m, in the body's frame
+//!     reach: 0.0, // m
+//!     stiffness_translation: 500.0, // N/m
+//!     stiffness_rotation: 0.5, // N·m/rad
 //!     surfaces: &[SurfaceDescription {
 //!         normal: [0.0, 1.0],
-//!         offset: 0.0,
+//!         offset: 0.0, // m
 //!         friction_static: 0.5,
 //!         friction_dynamic: 0.3,
 //!         memory: None,
 //!     }],
 //! })?;
 //! let solver = Solver::new(scene, Evolution::Path);
-//! let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0));
+//! let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0)); // x, y (m), phi (rad)
+//!
+//! // The hand goes down by 10 mm: the floor bears 500 N/m · 0.01 m.
 //! let output = solver.step(&mut state, Hand::new(0.0, 0.04, 0.0));
-//! assert_eq!(solver.contacts(&state).len(), 2);
 //! assert_eq!(output.state, StateKind::Edge);
+//! let contacts = solver.contacts(&state);
+//! let borne: f32 = contacts.iter().map(|contact| contact.normal).sum();
+//! assert!((borne - 5.0).abs() < 1e-4);
+//!
+//! // Along by 2 mm, and the box stays where it is: friction of 1 N is less than 0.5 · 5 N.
+//! let output = solver.step(&mut state, Hand::new(0.002, 0.04, 0.0));
+//! assert_eq!(output.position[0], 0.0); // m
+//! let felt = solver.wrench(&state).feedback().force[0]; // N, on the hand
+//! assert!((felt + 1.0).abs() < 1e-4);
 //! # Ok::<(), stiction_core::SceneError<f32>>(())
 //! ```
+//!
+//! All quantities of the public interface are in SI units, in a right-handed world frame, angles in radians and counter-clockwise.
+//! Forces are those on the body; the force that a device outputs to the hand is [`Wrench::feedback`].
 //!
 //! | To | see |
 //! |---|---|
@@ -80,9 +77,24 @@
 //!
 //! # Inside
 //!
+//! ```text
+//! TrackerSample --Projection--> Hand
+//!                                |  1 hand.rs        grasp, release, drop-outs
+//!                                v
+//!                              Grip                  the springs' other end (grip.rs)
+//!                                |  2 detect.rs      gaps, the first touch
+//!                                |  3 state/*.rs     each state: advance, relax, slide
+//!                                |  4 settle.rs      (state, trigger) -> state, to rest
+//!                                v
+//!                              Output                pose, events, status; forces on demand
+//!                                |  6 frame.rs       to bytes and back, board and client
+//!                                v
+//!                              frame::Report
+//! ```
+//!
 //! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
-//! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings: a vertex and a half-plane or a side of an obstacle, or a
-//! corner of an obstacle and a side of the body.
+//! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings: a vertex and a half-plane or a side of an
+//! obstacle, or a corner of an obstacle and a side of the body.
 
 /// The example in the README, as a test.
 #[cfg(doctest)]

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use common::{Folder, text};
 use serde_json::Value;
-use stiction_core::Event;
+use stiction_core::{Event, StateKind, Status};
 
 /// Flat on the floor, pressed 10 mm deep, dragged along +x and back. It sticks and slips where the memory length is less than
 /// 2 mm: 5 N = 500 N/m · 2 mm / (0.5 - 0.3).
@@ -185,7 +185,8 @@ fn a_trace_without_the_key_is_checked_all_the_same() {
     assert!(text(&output.stderr).contains("`sliding` of contact 0 is 2, allowed: -1, 0, 1"));
 }
 
-/// The README's table of columns has those of a trace of a run with a budget of a peg in its hole, with the names of all events.
+/// The README's table of columns has those of a trace of a run with a budget of a peg in its hole, with the names of all states, events
+/// and statuses.
 #[test]
 fn the_table_of_columns_is_that_of_a_trace() {
     let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
@@ -206,9 +207,10 @@ fn the_table_of_columns_is_that_of_a_trace() {
     let header = trace.lines().next().expect("a header");
     let columns: Vec<&str> = header.split(',').filter(|name| !later(name)).collect();
     assert_eq!(told, columns);
-    for event in Event::ALL {
-        let name = format!("`{}`", event.name());
-        assert!(table.contains(&name), "{name}");
+    let states = StateKind::ALL.map(StateKind::name);
+    let statuses = Status::ALL.map(Status::name);
+    for name in [&states[..], &Event::ALL.map(Event::name), &statuses].concat() {
+        assert!(table.contains(&format!("`{name}`")), "{name}");
     }
 }
 

@@ -15,7 +15,12 @@ use stiction_core::frame::{Command, Reset};
 /// The counts of a second.
 const COUNTS: &str = "ticks: ";
 /// The text before each number in them that depends on the speed of this machine.
-const TIMED: [&str; 4] = ["ticks: ", " missed, longest ", " longest turn ", " faulty, "];
+const TIMED: [&str; 4] = [
+    "ticks: ",
+    " missed, longest ",
+    " longest turn ",
+    " faulty, ",
+];
 
 /// A session and its transcript.
 struct Told {
