@@ -1,6 +1,7 @@
 // The page: what shows and what asks, put together around one feed, which is the server, a board on Web Serial, or, where no server
 // has the solver, the page itself.
 
+import { Away } from "./away.js";
 import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
 import { Diagram } from "./diagram.js";
@@ -33,6 +34,10 @@ let board = null;
 const server = { hello: null, state: null };
 /** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
+/** Sound and vibration, while they are wanted. @type {import("./felt.js").Felt | null} */
+let felt = null;
+/** The film that is being made. @type {import("./shown.js").Film | null} */
+let film = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -89,6 +94,8 @@ function showState(message) {
   controls.show(message);
   transport.show(message);
   readout.setState(message);
+  const { client } = message.hand;
+  byId("let-go", HTMLButtonElement).disabled = board !== null || client === null || client !== server.hello?.you;
   address?.setState(message);
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
@@ -107,6 +114,7 @@ function showFrame(message) {
   charts.take(message);
   transport.count();
   stage.setFrame(message);
+  if (stage.state) felt?.take(message, stage.state.scene);
   grip.take(message);
 }
 
@@ -180,18 +188,11 @@ function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go"]) {
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene"]) {
     /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
   }
   byId("no-serial").hidden = canSerial();
   byId("baud-label").hidden = !canSerial();
-}
-
-/** @param {number} factor */
-function zoom(factor) {
-  stage.adjusted = true;
-  stage.view.zoom(factor);
-  stage.ask();
 }
 
 /** @param {boolean} keep the hand stays closed when the pointer lets go */
@@ -200,19 +201,50 @@ function setKeep(keep) {
   byId("keep", HTMLInputElement).checked = keep;
 }
 
+/** Sound and vibration, on or off. */
+async function toggleSound() {
+  const button = byId("sound");
+  const isWanted = button.getAttribute("aria-pressed") !== "true";
+  button.setAttribute("aria-pressed", String(isWanted));
+  const { Felt } = await import("./felt.js");
+  felt?.end();
+  felt = button.getAttribute("aria-pressed") === "true" ? new Felt() : null;
+  felt?.resume();
+}
+
+/** Begins or ends a film. */
+async function toggleFilm() {
+  if (film) {
+    film.end();
+    return;
+  }
+  const { Film } = await import("./shown.js");
+  film ??= new Film(stage, (why) => {
+    film = null;
+    byId("film").setAttribute("aria-pressed", "false");
+    if (why) note(why);
+  });
+  byId("film").setAttribute("aria-pressed", "true");
+}
+
 const help = byId("help", HTMLDialogElement);
 const toggleHelp = () => (help.open ? help.close() : help.showModal());
+new Away(stage);
 new Pointers(stage, grip);
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
   "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(),
-  "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM),
-  "t": () => byId("theme").click(), "?": toggleHelp, "h": toggleHelp,
+  "+": () => stage.zoom(ZOOM), "=": () => stage.zoom(ZOOM), "-": () => stage.zoom(1 / ZOOM),
+  "t": () => byId("theme").click(), "m": () => toggleSound(), "?": toggleHelp, "h": toggleHelp,
 });
 byId("keep").addEventListener("change", () => setKeep(byId("keep", HTMLInputElement).checked));
-byId("zoom-in").addEventListener("click", () => zoom(ZOOM));
-byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
+byId("zoom-in").addEventListener("click", () => stage.zoom(ZOOM));
+byId("zoom-out").addEventListener("click", () => stage.zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
+byId("sound").addEventListener("click", () => toggleSound());
+byId("picture").addEventListener("click", async () => (await import("./shown.js")).takePicture(stage, note));
+byId("film").hidden = typeof MediaRecorder === "undefined";
+byId("film").addEventListener("click", () => toggleFilm());
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
