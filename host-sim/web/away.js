@@ -18,20 +18,16 @@ export class Away {
       stage.fit();
     });
     stage.also.push(() => this.show());
+    stage.ask();
   }
 
   /** With every drawing. */
   show() {
     const { view, magnify, state, message } = this.stage;
     if (!state || !message) return;
-    const [x, y, theta] = message.frame.pose;
-    const c = Math.cos(theta), s = Math.sin(theta);
-    const columns = state.scene.body.map(([a, b]) => view.px(x + c * a - s * b));
-    const rows = state.scene.body.map(([a, b]) => view.py(y + s * a + c * b));
-    const isOut = Math.max(...columns) < 0 || Math.min(...columns) > view.width
-      || Math.max(...rows) < 0 || Math.min(...rows) > view.height;
-    this.button.hidden = !isOut;
-    if (!isOut) return;
+    this.button.hidden = view.shows(state.scene.body, message.frame.pose);
+    if (this.button.hidden) return;
+    const [x, y] = message.frame.pose;
     const middle = { x: (magnify * view.width) / 2, y: (magnify * view.height) / 2 };
     const dx = magnify * view.px(x) - middle.x, dy = magnify * view.py(y) - middle.y;
     const across = dx < 0 ? middle.x - INSET.left : middle.x - INSET.right;

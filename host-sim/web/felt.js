@@ -29,6 +29,19 @@ const SPREAD = 0.05;
 const BUZZ = 8;
 const MORE = 40;
 
+/**
+ * Begins, or ends what there is; the button shows which.
+ * @param {Felt | null} felt @param {HTMLElement} button @returns {Felt | null}
+ */
+export function toggle(felt, button) {
+  button.setAttribute("aria-pressed", String(felt === null));
+  felt?.end();
+  if (felt) return null;
+  const begun = new Felt();
+  begun.resume();
+  return begun;
+}
+
 export class Felt {
   /** @param {BaseAudioContext} context */
   constructor(context = new AudioContext()) {

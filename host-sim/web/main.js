@@ -1,7 +1,6 @@
 // The page: what shows and what asks, put together around one feed, which is the server, a board on Web Serial, or, where no server
 // has the solver, the page itself.
 
-import { Away } from "./away.js";
 import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
 import { Diagram } from "./diagram.js";
@@ -36,8 +35,8 @@ const server = { hello: null, state: null };
 let insertion = null;
 /** Sound and vibration, while they are wanted. @type {import("./felt.js").Felt | null} */
 let felt = null;
-/** The film that is being made. @type {import("./shown.js").Film | null} */
-let film = null;
+/** Points to an object that is out of the window, once it has been. @type {Promise<import("./away.js").Away> | null} */
+let away = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -140,8 +139,11 @@ function note(text) {
 let noteTimer = 0;
 
 stage.also.push(() => {
-  const { message } = stage;
-  if (!message) return;
+  const { message, state } = stage;
+  if (!message || !state) return;
+  if (!stage.view.shows(state.scene.body, message.frame.pose)) {
+    away ??= import("./away.js").then(({ Away }) => new Away(stage));
+  }
   diagram.show(message);
   transport.take(message);
   const words = readout.update(), lines = charts.draw(message), peg = insertion?.draw() ?? false;
@@ -203,33 +205,12 @@ function setKeep(keep) {
 
 /** Sound and vibration, on or off. */
 async function toggleSound() {
-  const button = byId("sound");
-  const isWanted = button.getAttribute("aria-pressed") !== "true";
-  button.setAttribute("aria-pressed", String(isWanted));
-  const { Felt } = await import("./felt.js");
-  felt?.end();
-  felt = button.getAttribute("aria-pressed") === "true" ? new Felt() : null;
-  felt?.resume();
-}
-
-/** Begins or ends a film. */
-async function toggleFilm() {
-  if (film) {
-    film.end();
-    return;
-  }
-  const { Film } = await import("./shown.js");
-  film ??= new Film(stage, (why) => {
-    film = null;
-    byId("film").setAttribute("aria-pressed", "false");
-    if (why) note(why);
-  });
-  byId("film").setAttribute("aria-pressed", "true");
+  const { toggle } = await import("./felt.js");
+  felt = toggle(felt, byId("sound"));
 }
 
 const help = byId("help", HTMLDialogElement);
 const toggleHelp = () => (help.open ? help.close() : help.showModal());
-new Away(stage);
 new Pointers(stage, grip);
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
@@ -244,7 +225,7 @@ byId("zoom-fit").addEventListener("click", () => stage.fit());
 byId("sound").addEventListener("click", () => toggleSound());
 byId("picture").addEventListener("click", async () => (await import("./shown.js")).takePicture(stage, note));
 byId("film").hidden = typeof MediaRecorder === "undefined";
-byId("film").addEventListener("click", () => toggleFilm());
+byId("film").addEventListener("click", async () => (await import("./shown.js")).toggleFilm(stage, byId("film"), note));
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));

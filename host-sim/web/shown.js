@@ -39,34 +39,39 @@ export function takePicture(stage, tell) {
   }, "image/png");
 }
 
-/** A film, from when it is made until it is ended. */
-export class Film {
-  /** @param {Stage} stage @param {(why: string | null) => void} ended with what is wrong, or null */
-  constructor(stage, ended) {
-    const time = new Date();
-    const [type, ending] = KINDS.find(([kind]) => MediaRecorder.isTypeSupported(kind)) ?? ["", "webm"];
-    /** @type {Blob[]} */
-    const parts = [];
-    this.stream = stage.canvas.captureStream();
-    this.recorder = new MediaRecorder(this.stream, { mimeType: type, videoBitsPerSecond: RATE });
-    this.timer = window.setInterval(() => stage.ask(), REST);
-    /** @type {string | null} */
-    let problem = null;
-    this.recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
-    this.recorder.addEventListener("error", () => { problem = "The browser cannot go on with the film."; });
-    this.recorder.addEventListener("stop", () => {
-      clearInterval(this.timer);
-      this.stream.getTracks().forEach((track) => track.stop());
-      const file = new Blob(parts, { type: type.split(";")[0] });
-      if (file.size > 0) give(file, nameOf(stage, ending, time));
-      ended(problem);
-    });
-    this.recorder.start();
-    stage.ask();
-  }
+/** The film that is being made. @type {MediaRecorder | null} */
+let film = null;
 
-  /** Ends it; the file comes by itself. */
-  end() {
-    if (this.recorder.state !== "inactive") this.recorder.stop();
-  }
+/**
+ * Begins a film, or ends it and gives its file to the reader; the button shows which.
+ * @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell
+ */
+export function toggleFilm(stage, button, tell) {
+  if (!film) film = begun(stage, button, tell);
+  else if (film.state !== "inactive") film.stop();
+  button.setAttribute("aria-pressed", String(film.state === "recording"));
+}
+
+/** A film that has begun. @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell */
+function begun(stage, button, tell) {
+  const time = new Date();
+  const [mimeType, ending] = KINDS.find(([kind]) => MediaRecorder.isTypeSupported(kind)) ?? ["", "webm"];
+  /** @type {Blob[]} */
+  const parts = [];
+  const stream = stage.canvas.captureStream();
+  const recorder = new MediaRecorder(stream, { mimeType, videoBitsPerSecond: RATE });
+  const timer = window.setInterval(() => stage.ask(), REST);
+  recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
+  recorder.addEventListener("error", () => tell("The browser cannot go on with the film."));
+  recorder.addEventListener("stop", () => {
+    clearInterval(timer);
+    stream.getTracks().forEach((track) => track.stop());
+    film = null;
+    button.setAttribute("aria-pressed", "false");
+    const file = new Blob(parts, { type: mimeType.split(";")[0] });
+    if (file.size > 0) give(file, nameOf(stage, ending, time));
+  });
+  recorder.start();
+  stage.ask();
+  return recorder;
 }
