@@ -60,7 +60,7 @@ fn records_carry_every_key_in_the_order_of_the_interface() {
     assert_eq!(numbers(&contact["point"]).len(), 2);
 }
 
-/// How far the body is behind the hand is told where a frame has a budget, at the end of a record and of a row.
+/// How far the body is behind the hand is reported if a frame has a budget, at the end of a record and of a row.
 #[test]
 fn a_run_with_a_budget_tells_how_far_the_body_is_behind() {
     let folder = Folder::new();

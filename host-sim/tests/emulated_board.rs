@@ -80,7 +80,7 @@ fn the_emulated_f405_has_the_bits_of_this_computer_among_obstacles() {
     among_obstacles("olimex-stm32-h405", "500", "table-edge");
 }
 
-/// With the scene compiled in, as there is no room for others. Its line does not carry the forces of two contacts a hundred times
+/// With the scene compiled in, as there is no room for others. Its line cannot transfer the forces of two contacts a hundred times
 /// a second.
 #[test]
 fn the_emulated_microbit_takes_a_scene_with_obstacles() {

@@ -232,7 +232,7 @@ fn a_pose_that_is_not_finite_is_held() {
 #[test]
 fn an_f32_run_takes_the_angle_apart_before_it_is_rounded() {
     let folder = Folder::new();
-    // The body begins with the turns of the hand, so that it does not unwind on its way.
+    // The body begins with the turns of the hand, so that it does not unwind on its path.
     let [far, near] = [10_000.0 * std::f64::consts::TAU, 0.0].map(|phi| {
         folder.write(
             "hand.csv",

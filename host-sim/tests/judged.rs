@@ -1,6 +1,6 @@
 //! Every bundled scene and a recorded hand, frame by frame before the judge, `stiction check`, which knows the laws and nothing
 //! of the solver; faults in real traces, which it must find; and a second judge, a program apart. That one and the recording lie
-//! beside the workspace; without them the tests say so and go without.
+//! next to the workspace; if they are missing, the tests say so and skip these cases.
 
 mod common;
 
@@ -16,7 +16,7 @@ use stiction_host_sim::scenes;
 const NUMBERS: [&str; 3] = ["f64", "f32", "fixed"];
 const EVOLUTIONS: [&str; 2] = ["path", "frame"];
 
-/// A file of the folder that is shared beside the workspace, if it is there.
+/// A file of the shared folder next to the workspace, if it exists.
 fn shared(name: &str) -> Option<PathBuf> {
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../shared")
@@ -248,7 +248,7 @@ fn statuses_are_counted_and_excuse_nothing() {
     assert!(report.contains(borne), "{report}");
 }
 
-/// Slips belong where static friction gives way, between frames as well: those of the same scene with a little more of it, which
+/// Slips begin where static friction is exceeded, between frames as well: those of the same scene with a little more of it, which
 /// come later by a part of a frame, end at the wrong place.
 #[test]
 fn slips_that_come_late_are_found() {

@@ -78,7 +78,7 @@ fn a_recording_keeps_what_a_tracker_lost() {
             .contains(r#""position":[null,0.1]"#)
     );
     assert!(folder.read("recording.jsonl").contains("held-last"));
-    // A recording needs nothing beside it.
+    // A recording needs no other file.
     fs::remove_file(folder.file("hand.csv")).expect("the path");
     let (status, message) = said(&folder, &["replay", "recording.jsonl"]);
     assert_eq!(status, Some(0), "{message}");

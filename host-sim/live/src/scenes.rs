@@ -66,3 +66,24 @@ pub fn names() -> String {
 pub fn unknown() -> String {
     format!("no such file, allowed: a scene file, or one of {}", names())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Width of a gallery's card or a terminal's line that a story is to fit.
+    const LONGEST: usize = 120;
+
+    #[test]
+    fn every_scene_has_a_story_of_one_sentence() {
+        for (name, _) in ALL {
+            let source = find(Path::new(name)).expect("a bundled scene");
+            let story = source.story().expect("a comment in the first line");
+            assert!(story.len() <= LONGEST, "{name}: {story}");
+            assert!(
+                story.ends_with('.') && !story.contains(". "),
+                "{name}: {story}"
+            );
+        }
+    }
+}

@@ -137,6 +137,12 @@ impl Source {
         &self.text
     }
 
+    /// What a reader is to see in the scene, in one line: the comment in the first line. None where the file begins with something else.
+    pub fn story(&self) -> Option<&str> {
+        let story = self.text.lines().next()?.strip_prefix('#')?.trim();
+        (!story.is_empty()).then_some(story)
+    }
+
     /// The file as TOML has it.
     ///
     /// # Errors

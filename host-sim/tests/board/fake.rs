@@ -40,7 +40,7 @@ pub(crate) struct Tricks {
     pub(crate) version: Option<u8>,
     /// It sends back what it gets.
     pub(crate) echo: bool,
-    /// Its line carries so many bytes in a second.
+    /// Bytes that its line transfers in a second.
     pub(crate) line_rate: Option<f32>,
     /// It does so many units of work in a second: the budget of a step follows from its tick.
     pub(crate) work_rate: Option<u32>,

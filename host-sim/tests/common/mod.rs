@@ -14,7 +14,7 @@ pub(crate) use nix::sys::signal::Signal;
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// A small scene that runs: a box beside a floor and a wall, 11 frames.
+/// A small scene that runs: a box next to a floor and a wall, 11 frames.
 pub(crate) const SCENE: &str = r#"
 [body]
 vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]

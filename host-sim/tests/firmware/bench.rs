@@ -100,7 +100,7 @@ impl<C: Clocked> Bench<C> {
         None
     }
 
-    /// A command that is carried out.
+    /// Sends a command that the board executes.
     pub(crate) fn done(&mut self, command: Command<'_>) {
         let sequence = self.client.sequence;
         self.send(command);

@@ -1,4 +1,4 @@
-//! Every pose of an emulated board has the bits of the solver beside it, each board against its own number type.
+//! Every pose of an emulated board has the bits that the solver computes here, each board against its own number type.
 
 use crate::beside::{Beside, assert_same};
 use crate::board::Board;
@@ -9,7 +9,7 @@ use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
 
 pub(crate) const SAMPLES: u32 = 3_000;
-/// Samples on their way at once.
+/// Samples sent before their answers have come.
 const WINDOW: usize = 5;
 
 /// The poses of a board along a path, a step with every sample.

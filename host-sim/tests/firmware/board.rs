@@ -98,7 +98,7 @@ impl Board {
         self.client.listen(&bytes);
     }
 
-    /// Nothing is on its way any more: what comes from now on answers what is sent from now on.
+    /// Waits until no answer is outstanding: later answers belong to later messages.
     pub(crate) fn settle(&mut self) {
         for _ in 0..20 {
             std::thread::sleep(Duration::from_millis(25));
@@ -133,7 +133,7 @@ impl Board {
         }
     }
 
-    /// A command that is carried out. It is sent again as long as there is no answer: between a board's samples it may be lost,
+    /// Sends a command that the board executes. It is sent again as long as there is no answer: between a board's samples it may be lost,
     /// or its answer.
     pub(crate) fn done(&mut self, command: Command<'_>) {
         let (reason, allowed) = self.answer(command, |sequence, said| match said {

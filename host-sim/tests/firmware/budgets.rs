@@ -36,7 +36,7 @@ impl Budget {
     }
 }
 
-/// The health after all that came before, in a mode that has it told.
+/// The health after all earlier samples, in a mode that reports it.
 fn health_in(board: &mut Board, mode: Mode) -> Health {
     board.done(Command::Mode(Mode {
         health_every: 50,
@@ -47,7 +47,7 @@ fn health_in(board: &mut Board, mode: Mode) -> Health {
     board.health()
 }
 
-/// Samples of the hand, no more of them on their way than the queue of a board holds.
+/// Samples of the hand; no more of them are unanswered than the queue of a board holds.
 pub(crate) fn follow(board: &mut Board, hands: impl IntoIterator<Item = Hand<f32>>) {
     for (i, hand) in hands.into_iter().enumerate() {
         board.send(Command::Hand(hand));
@@ -61,7 +61,7 @@ pub(crate) fn follow(board: &mut Board, hands: impl IntoIterator<Item = Hand<f32
     }
 }
 
-/// The hand along its path with everything told.
+/// The hand along its path, with everything reported.
 fn path(board: &mut Board) -> Health {
     let mode = Mode {
         stepping: Stepping::PerSample,
@@ -107,7 +107,7 @@ pub(crate) struct Taken {
     pub(crate) step: u32,
     pub(crate) turn: u32,
     pub(crate) command: u32,
-    /// Ticks on the way of the hand.
+    /// Ticks along the path of the hand.
     pub(crate) missed: u32,
 }
 

@@ -1,4 +1,4 @@
-//! The boards, and their images as cargo builds them: with the board's own scene, or with another one. What is missing is told
+//! The boards, and their images as cargo builds them: with the board's own scene, or with another one. What is missing is reported
 //! with the command that installs it; with CI=true it must be there.
 
 use std::collections::BTreeSet;

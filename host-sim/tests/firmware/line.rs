@@ -17,7 +17,7 @@ fn size(wrench: &Wrench<f32>) -> f32 {
     x.hypot(y)
 }
 
-/// The hand presses until its force, told every few ticks, is almost that of the spring; every pose of this time is kept. From one
+/// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time is kept. From one
 /// telling to the next the force changes no faster than allowed.
 fn pressed_to_the_full(board: &mut Board, told_every_us: u32) -> Vec<Pose> {
     let wanted = 500.0 * (0.05 - deep().position[1]);
@@ -57,7 +57,7 @@ fn client_dies(chip: &'static Chip) {
         forces_every: 10,
         ..board.info().mode
     };
-    // More forces, and so fewer poses: what the line carries.
+    // More forces, and so fewer poses: the line has room for no more.
     let often = Mode {
         pose_every: 2,
         forces_every: 4,
@@ -197,7 +197,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
         depth: number as f32,
         ..path[number as usize % path.len()]
     };
-    /// So many samples may be under way, or lost, before the next one waits a little: the board is not flooded.
+    /// Number of samples that may be unanswered, or lost, before the next one waits: the board must not be flooded.
     const UNDER_WAY: u32 = 8;
     const MOST_READS: u32 = 40;
     let (mut out, mut back) = (Random(6), Random(7));

@@ -2,7 +2,7 @@
 //! frames, a reset.
 //!
 //! What hangs on how fast this machine is, is left out: in counts, ticks, times and what was not sent are `#`; and counts
-//! are told only where the client waits for them. A hand presses with one sample: its force is on until silence ends it.
+//! are reported only where the client waits for them. A hand presses with one sample: its force is on until silence ends it.
 
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::Client;

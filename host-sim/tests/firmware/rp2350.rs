@@ -27,7 +27,7 @@ pub(crate) const FLASH: u32 = 0x1000_0000;
 pub(crate) const RAM: u32 = 0x2000_0000;
 pub(crate) const RAM_SIZE: usize = 520 << 10;
 
-/// Of the chip, as its ROM tells it: its device, its wafer.
+/// The chip's device and wafer numbers, as its ROM reports them.
 pub(crate) const DEVICE: u32 = 0x89AB_CDEF;
 pub(crate) const WAFER: u32 = 0x0123_4567;
 /// Two functions of the ROM, at addresses of ours.
@@ -218,7 +218,7 @@ impl fmt::Debug for Chip {
         let (at, cycles, coming) = (self.at(), self.cycles(), self.fabric.peripherals.coming());
         write!(
             f,
-            "Pico 2 at {at:#x} after {cycles} cycles, {coming} bytes on their way"
+            "Pico 2 at {at:#x} after {cycles} cycles, {coming} bytes in transit"
         )
     }
 }

@@ -118,7 +118,7 @@ fn runs_its_obstacles<R: Real<Si = f32>>(chip: &'static Chip) {
     let info = board.info();
     board.done(Command::Mode(Mode {
         stepping: Stepping::PerSample,
-        // The forces of each step are more than the slowest line carries.
+        // The slowest line cannot transfer the forces of each step.
         forces_every: 0,
         health_every: 0,
         ..info.mode

@@ -29,7 +29,7 @@ impl Session {
     /// From power-up; nothing where something is missing.
     pub(crate) fn start(chip: &Chip) -> Option<Self> {
         chip.log_installed()?;
-        // Built before, and told what is missing for it.
+        // Built before; a missing tool has been reported.
         chip.image()?;
         let folder = env::temp_dir().join(format!(
             "stiction-log-{}-{}",
@@ -41,7 +41,7 @@ impl Session {
         let mut child = Process::new("cargo");
         child
             .args(["emulate", "--locked", "--"])
-            // Beside the one that is none, for the end.
+            // In addition to the empty one, for the end.
             .args(["-monitor", &(at("monitor") + ",wait=off")])
             .env("SERIAL", at("line") + ",wait=on")
             .env("ICOUNT", format!("shift={}", chip.shift))

@@ -7,7 +7,7 @@ use stiction_core::frame::{Command, Health};
 
 pub(crate) trait Talks {
     fn send(&mut self, command: Command<'_>);
-    /// A command that is carried out.
+    /// Sends a command that the board executes.
     fn done(&mut self, command: Command<'_>);
     /// What it says of itself.
     fn info(&mut self) -> Known;

@@ -238,7 +238,7 @@ fn mistakes_in_recorded_paths_are_refused() {
     }
 }
 
-/// A path that is given beside the scene is blamed itself.
+/// If a path is given separately from the scene, the message names the path.
 #[test]
 fn paths_that_last_too_long_for_the_rate_are_refused_with_their_last_line() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! A board that has the solver: what it answers is what clients see, with the reference beside it.
+//! The solver runs on a board: clients see the board's answers, and the reference runs in parallel.
 
 use std::fs;
 
@@ -54,7 +54,7 @@ fn a_board_says_who_it_is_and_how_it_fares() {
     for count in ["late", "lost", "missed", "faults"] {
         assert!(board[count].is_u64(), "{count}: {board}");
     }
-    assert!(frame["step"]["median"].is_null(), "it does not tell");
+    assert!(frame["step"]["median"].is_null(), "it is not reported");
 }
 
 #[test]

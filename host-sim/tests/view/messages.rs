@@ -1,4 +1,4 @@
-//! Every message and what it does; what a client is told.
+//! Every message and its effect; the messages that a client receives.
 
 use serde_json::json;
 

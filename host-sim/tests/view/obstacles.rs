@@ -1,4 +1,4 @@
-//! Scenes with obstacles as a client meets them: the state, contacts with corners, the meter of a peg in its hole, changes on the way.
+//! Scenes with obstacles as a client meets them: the state, contacts with corners, the meter of a peg in its hole, changes during a run.
 
 use serde_json::{Value, json};
 

@@ -157,7 +157,7 @@ fn a_recording_begins_where_the_body_is() {
         assert_eq!(after["frame"]["state"], *state);
         assert!(off("hand") < 1e-6, "{number}: {before} {after}");
         // Where friction holds by more than mu_d N, the contacts slide as they are loaded anew, until N is what makes them stick: by less
-        // than a memory length, L / 4096, and the springs, 500 N/m, give way by that.
+        // than a memory length, L / 4096, and the springs, 500 N/m, yield by that.
         let memory = 0.1_f64.hypot(0.06) / 4096.0;
         assert!(off("pose") < memory, "{number}: {before} {after}");
         assert!(off("wrench") < 500.0 * memory, "{number}: {before} {after}");
@@ -234,7 +234,7 @@ fn a_folder_that_cannot_be_written_is_told_and_nothing_changes() {
     assert!(state["recording"].is_null() && state["recorded"].is_null());
 }
 
-/// Nothing is deleted, so that whoever starts the program is told what has gathered.
+/// Nothing is deleted, so the program reports at its start how many recordings there are.
 #[test]
 fn the_start_tells_how_many_recordings_there_are_and_how_long() {
     let folder = Folder::new();
@@ -259,7 +259,7 @@ fn the_start_tells_how_many_recordings_there_are_and_how_long() {
     assert_eq!(fs::read_dir(place).expect("the folder").count(), 4);
 }
 
-/// As where a disk is full: it is told, nothing is lost of what was written, and the program goes on.
+/// As with a full disk: the failure is reported, nothing that was written is lost, and the program goes on.
 #[cfg(unix)]
 #[test]
 fn a_recording_ends_where_there_is_no_room_and_says_so() {

@@ -71,7 +71,7 @@ fn a_client_that_never_reads_costs_the_solver_nothing() {
         assert!(last["skipped"].as_u64() < Some(received), "it reads");
         assert!(last["counts"]["ticks"].as_u64() > Some(first + wait));
         let now = last["tick"].as_u64();
-        // What waits for it is old; then it gets the newest, and is told how many it lost.
+        // The frames that wait for it are old; then it receives the newest, and the number of frames it lost.
         let message = stalled.frame(|frame| frame["tick"].as_u64() >= now);
         message["skipped"].as_u64() > Some(100)
     });

@@ -199,7 +199,7 @@ impl Peripherals {
         self.uart.bring(bytes, self.cycles);
     }
 
-    /// How many are on their way.
+    /// Number of bytes in transit.
     pub(super) fn coming(&self) -> usize {
         self.uart.coming()
     }
