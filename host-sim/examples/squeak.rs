@@ -83,7 +83,7 @@ impl Rub {
     fn solver(&self) -> Result<Solver<f32, 4, 1>, Box<dyn Error>> {
         let [x, y] = PIN.map(|side| side / 2.0);
         let [friction_static, friction_dynamic] = self.friction;
-        let scene = Scene::new(&Description {
+        let scene = Scene::<f32, 4, 1>::new(&Description {
             vertices: &[[-x, -y], [x, -y], [x, y], [-x, y]],
             start: [0.0, y, 0.0],
             weight: 0.0,
