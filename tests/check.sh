@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Everything that must hold: format, lints, tests, the live page in a browser, documentation, bare-metal builds, oldest
+# Runs every check: format, lints, tests, the live page in a browser, documentation, bare-metal builds, oldest
 # compiler, dependencies.
-#   tests/check.sh             all of it
-#   tests/check.sh --quick     format, lints, and the tests of what changes most often: core, tests, scene files
-# Where an optional tool is missing and cannot be installed, the stage is skipped with the command to type;
-# with CI=true that is a failure.
+#   tests/check.sh             all checks
+#   tests/check.sh --quick     format, lints, and the tests of the code that changes most often: core, tests, scene files
+# If an optional tool is missing and cannot be installed, the stage is skipped and the command to install it is
+# printed; with CI=true, a missing tool is a failure.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# A checkout that is built once gains nothing from what speeds up the next build or helps to debug, which takes gigabytes and minutes.
+# Incremental compilation and debug information take gigabytes and minutes, and are of no use to a checkout that is built only once.
 [ "${CI:-}" != true ] || export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 
 quick=
@@ -23,7 +23,7 @@ esac
 
 stage() { printf '\n== %s (after %d min %02d s)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
-# missing WHAT COMMAND: skips the stage, or fails where everything must be there.
+# missing WHAT COMMAND: skips the stage, or fails if CI=true.
 missing() {
   printf 'missing: %s; to install it: %s\n' "$1" "$2"
   [ "${CI:-}" != true ]
@@ -39,7 +39,7 @@ cargo clippy --workspace --all-targets --locked -- -D warnings
 if [ -n "$quick" ]; then
   stage 'tests of core, tests and scene files'
   cargo test --no-fail-fast --locked -p stiction-core -p stiction-scene -p stiction-tests
-  stage 'the quick checks hold; all of them: tests/check.sh'
+  stage 'the quick checks passed; to run all checks: tests/check.sh'
   exit
 fi
 
@@ -62,7 +62,7 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf
       cargo clippy -p "stiction-$pico" --features "${device#none}" --locked --target "$target" -- -D warnings
     done
     for log in '' rtt semihosting; do
-      # It has no other log than that of its emulator.
+      # This board's only log is that of its emulator.
       [ "$board-$log" != mps2-an505-rtt ] || continue
       cargo clippy -p "stiction-$board" --no-default-features --features "$log" --locked --target "$target" -- -D warnings
     done
@@ -74,8 +74,8 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf
 done
 
 stage 'emulators and interpreters'
-# QEMU knows both boards from version 10 on, which Debian 12 has among its backports: on the mirror that the machine takes its
-# packages from.
+# QEMU supports both boards since version 10, which Debian 12 has in its backports: on the mirror from which the machine takes
+# its packages.
 suite=
 if grep -qs '^VERSION_CODENAME=bookworm$' /etc/os-release; then
   suite='-t bookworm-backports '
@@ -107,15 +107,16 @@ for tool in flip-link defmt-print; do
 done
 
 stage 'images of emulated boards'
-# By one cargo for all, on all cores; the tests that run them would build one after the other.
+# A single cargo builds all images on all cores; the tests that run them would build them one after
+# the other.
 if [ ${#boards[@]} != 0 ]; then
   cargo build -p stiction-firmware --profile device --features board --bin 'count_*' --bin 'bits_f*' --bin 'footprint*' \
     --locked "${boards[@]}"
-  # Among obstacles for little flash: the smallest chip has no more.
+  # The images with obstacles are built for small flash: the smallest chip has no more.
   cargo build -p stiction-firmware --profile device-small --features board --bin 'bits_among_*' --locked "${boards[@]}"
 fi
 
-# beside LOG COMMAND: runs it next to the stages that follow, with less claim to the cores.
+# beside LOG COMMAND: runs the command in parallel with the following stages, at lower priority.
 mkdir -p target
 beside() {
   local log=target/$1.log
@@ -125,7 +126,7 @@ beside() {
     "$@"
   ) >"$log" 2>&1 &
 }
-# shown LOG PROCESS: waits for its end; what it said, if it failed.
+# shown LOG PROCESS: waits for the process to end; if it failed, prints its output.
 shown() {
   wait "$2" || {
     tail -n 60 "target/$1.log"
@@ -133,8 +134,8 @@ shown() {
   }
 }
 
-# What takes minutes to compile, next to the build of the tests, which does not always need all cores. Not more than that: the emulated
-# boards are to keep the time.
+# Tools that take minutes to compile, in parallel with the build of the tests, which does not always use all cores. Nothing else runs
+# in parallel: the emulated boards must keep time.
 installs() {
   local tool
   for tool in deny fuzz; do
@@ -145,12 +146,13 @@ beside cargo-tools installs
 installs=$!
 
 stage 'tests'
-# With debug assertions and overflow checks. That a release build computes the same is among them, by the bits of all answers; the tests
-# in one are a matter of the nightly run. What no test runs is not built: the examples, which the lints have looked at.
+# The tests run with debug assertions and overflow checks. Some of them check, by the bits of all answers, that a release build computes
+# the same; the nightly run repeats the tests in a release build. Examples are not built here: no test runs them, and the lints have
+# checked them.
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --lib --bins --tests
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --doc
 
-# The page and the Python package leave a core free: for the fuzz targets, the oldest compiler, and a walk.
+# The page and the Python package leave a core free for the fuzz targets, the oldest compiler, and a walk.
 has_fuzz() { command -v c++ && cargo fuzz --version; } >/dev/null 2>&1
 oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 oldest_checks() {
@@ -170,12 +172,13 @@ beside others others
 others=$!
 
 stage 'the live page'
-# In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
+# The page is tested in Node.js 20 or newer and in Chromium; its tools and playwright come from a
+# lock file.
 has_node() { command -v npm && [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ]; } >/dev/null 2>&1
 has_browser() {
   [ -n "${CHROMIUM:-}" ] || command -v chromium || command -v chromium-browser || command -v google-chrome
 }
-# Where the distribution's Node.js is older, npm has a newer one.
+# If the distribution's Node.js is older, npm provides a newer one.
 node='apt-get install -y --no-install-recommends nodejs npm && npm install --global node@22'
 browser='apt-get install -y --no-install-recommends chromium fonts-dejavu-core'
 has_node || { apt-get update && eval "$node" && hash -r; } || true
@@ -185,10 +188,10 @@ if ! has_node; then
 elif ! has_browser; then
   missing 'Chromium' "$browser"
 elif ! npm ci --prefix host-sim/tests/web --no-audit --no-fund; then
-  missing 'the packages of the tests of the page' 'npm ci --prefix host-sim/tests/web'
+  missing 'the packages for the tests of the page' 'npm ci --prefix host-sim/tests/web'
 else
   npm run --prefix host-sim/tests/web check
-  # The page without a server and the npm package, which the tests below look at.
+  # The page without a server and the npm package, which the tests below examine.
   if rustup target add wasm32-unknown-unknown; then
     cargo run --release --locked -p stiction-page -- --out "${CARGO_TARGET_DIR:-target}/page" --npm "${CARGO_TARGET_DIR:-target}/npm"
     cargo build --release --locked -p stiction-live --features obstacles --example bits
@@ -199,14 +202,14 @@ else
 fi
 
 stage 'the Python package'
-# With debug assertions and overflow checks, of what the tests above have built, in an environment of its own; its tests compare it with
-# the program.
+# The package is built with debug assertions and overflow checks, from the artifacts of the tests above, and installed into its own
+# environment; its tests compare it with the program.
 venv='apt-get install -y --no-install-recommends python3-venv'
 python3 -c 'import ensurepip' 2>/dev/null || { apt-get update && $venv; } || true
 if ! python3 -c 'import ensurepip' 2>/dev/null; then
-  missing 'venv of Python' "$venv"
+  missing 'the Python module venv' "$venv"
 elif ! { python3 -m venv target/python && target/python/bin/pip install -q -r host-sim/python/tests/requirements.txt; }; then
-  missing 'the packages of the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
+  missing 'the packages for the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
 else
   rm -rf target/wheels
   target/python/bin/maturin build --locked -m host-sim/python/Cargo.toml --out target/wheels
@@ -219,9 +222,9 @@ shown others "$others"
 tail -n 5 target/others.log
 
 stage 'fuzzing, a minute for each target'
-# The same inputs on every machine, and not more where it is fast: a change is not to fail by chance. Without use_cmp, which tries
-# numbers that the program compares, addresses among them. The nightly run looks elsewhere each time. The runtime of libFuzzer is
-# C++.
+# The inputs are the same on every machine, and no more on a fast one, so that a change does not fail by chance. The option
+# use_cmp is off because it tries numbers that the program compares, which include addresses. The nightly run searches with
+# another seed each time. The runtime of libFuzzer is written in C++.
 fuzz_for_a_minute() {
   local log=target/fuzz/$1.log
   rm -rf "target/fuzz/found/$1"
@@ -250,7 +253,7 @@ fi
 stage 'documentation'
 RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
 
-# as_database ARCHIVE: cargo-deny fetches its database from the files of this archive.
+# as_database ARCHIVE: makes cargo-deny fetch its database from the files of this archive.
 as_database() {
   local files=$PWD/target/advisory-snapshot
   rm -rf "$files"
@@ -268,12 +271,12 @@ if cargo deny --version; then
   cargo deny --locked check licenses bans sources
 
   stage 'dependencies: known vulnerabilities'
-  # The database of the network; where that cannot be reached, a snapshot of it that lies beside the checkout.
+  # The database from the network, or, if that cannot be reached, a snapshot of it next to the checkout.
   snapshot=$(printf '%s\n' ../shared/data/advisory-db-*.tar.gz | tail -n 1)
   if cargo deny --locked fetch db; then
     cargo deny --locked --offline check advisories
   elif [ -e "$snapshot" ]; then
-    printf 'the database of vulnerabilities cannot be fetched from here; its snapshot: %s\n' "$(basename "$snapshot")"
+    printf 'the database of vulnerabilities cannot be fetched; its snapshot is used: %s\n' "$(basename "$snapshot")"
     as_database "$snapshot"
     cargo deny --locked --offline check advisories
   else
@@ -284,4 +287,4 @@ else
   missing cargo-deny 'cargo install cargo-deny --locked'
 fi
 
-stage 'all checks hold'
+stage 'all checks passed'

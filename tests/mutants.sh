@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Changes the code of core in one place after the other (cargo-mutants) and lists the changes that no test notices: first
-# with the quick tests, then, what these let live, with all. Takes hours. Arguments go to cargo mutants, as `--jobs 2` or
-# `--file core/src/search.rs`; what is found is in target/mutants/mutants.out.
+# Changes the code of core in one place at a time (cargo-mutants) and lists the changes that no test notices: first with
+# the quick tests, then, for the changes that survive these, with all tests. Takes hours. Arguments are passed to cargo
+# mutants, for example `--jobs 2` or `--file core/src/search.rs`; the results are in target/mutants/mutants.out.
 # Needs: cargo install cargo-mutants cargo-nextest --locked
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,7 +9,7 @@ export RUST_BACKTRACE=0 PROPTEST_MAX_SHRINK_ITERS=0 CARGO_INCREMENTAL=1
 mkdir -p target/mutants
 mutants() {
   local status=0
-  # The time of the unmutated tests is taken of core's own alone; the tests that hang are ended by nextest.
+  # The time of the unmutated tests is measured on core's own tests alone; nextest ends tests that hang.
   cargo mutants --package stiction-core --test-package stiction-core,stiction-tests --test-tool nextest --profile mutants \
     --output target/mutants --no-shuffle --timeout 1200 "$@" || status=$?
   # 2 and 3: mutants were missed, or timed out.

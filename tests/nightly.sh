@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What takes too long for every change: the tests of what computes in a release build, a thousand million steps of the hand, a million
-# frames on every machine and of random drags on the Pico, a hundred thousand over a faulty line to the boards, an hour of fuzzing for
-# each target.
+# Checks that take too long for every change: the tests of the computing packages in a release build, a thousand million steps of the
+# hand, a million frames on every machine and of random drags on the Pico, a hundred thousand over a faulty line to the boards, and an
+# hour of fuzzing for each target.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests

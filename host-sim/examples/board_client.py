@@ -2,10 +2,10 @@
 """A minimal client of a stiction board, written from core/FRAME.md with the standard library alone.
 
     board_client.py ADDRESS [SECONDS [BAUD]]
-        says hello, moves the hand in a circle for 5 s, prints what the board says; the address is a serial port (not
+        says hello, moves the hand in a circle for 5 s, prints the board's messages; the address is a serial port (not
         on Windows), tcp:HOST:PORT or unix:PATH
-    board_client.py --decode                     lines of hex on standard input: prints the frames in them, as JSON
-    board_client.py --encode                     the other way round
+    board_client.py --decode                     reads lines of hex from standard input, prints their frames as JSON
+    board_client.py --encode                     the inverse
 
 A message is a dictionary with the field names of FRAME.md; codes are numbers, lists are vertex_0, vertex_1, ...
 In JSON a float that is not finite is a string: "nan", "inf", "-inf".
@@ -22,7 +22,7 @@ import sys
 import time
 import zlib
 
-# Of most frames, and of those about obstacles.
+# The versions of most frames, and of those about obstacles.
 VERSION, AMONG = 2, 3
 PARAMETERS = ("ffffBf", "k_h k_theta mu_s mu_d has_memory memory")
 MODE = ("BBBBBHHHH", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every")
@@ -31,7 +31,7 @@ SCENE = ("BBBfffffffff", "vertices surfaces has_point start_x start_y start_thet
          [("vertices", "vertex", "ff"), ("surfaces", "surface", "fffffBf")])
 FORCES = ("ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts")
 
-# name: type, layout as of the module struct, the fields, and what follows them
+# name: type, layout in the notation of the module struct, the fields, and the variable part after them
 LAYOUTS = {
     "hand": (0x01, "fffifB", "x y phi turns depth held", None),
     "tracker": (0x02, "fffffffB", "x y z qx qy qz qw held", None),
@@ -68,7 +68,7 @@ class Fault(Exception):
 
 
 def stuff(data):
-    """COBS."""
+    """Encodes data with COBS."""
     out = bytearray()
     for block in data.split(b"\0"):
         while len(block) >= 254:
@@ -79,7 +79,7 @@ def stuff(data):
 
 
 def unstuff(data):
-    """COBS undone."""
+    """Decodes data from COBS."""
     out, at = bytearray(), 0
     while at < len(data):
         code = data[at]
@@ -93,7 +93,7 @@ def unstuff(data):
 
 
 def encode(message):
-    """A message as a frame, its delimiter included."""
+    """A message as a frame, including its delimiter."""
     kind, layout, fields, tail = LAYOUTS[message["type"]]
     values = dict(message)
     if message["type"] == "pose":
@@ -113,12 +113,12 @@ def encode(message):
 
 
 def number(value):
-    """From JSON."""
+    """A number from JSON."""
     return float(value) if isinstance(value, str) else value
 
 
 def plain(value):
-    """For JSON."""
+    """A value for JSON."""
     if isinstance(value, (list, tuple)):
         return [plain(one) for one in value]
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
@@ -179,7 +179,7 @@ def require(holds):
 
 
 def check_codes(message):
-    """Flags and codes have a meaning."""
+    """Checks that flags and codes are defined."""
     most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "has": 7, "drive": 2}
     if message["type"] in ("hand", "tracker"):
         most["held"] = 1
@@ -210,7 +210,7 @@ class Decoder:
         self.faults = {}
 
     def feed(self, data):
-        """The messages that end in these bytes."""
+        """The messages that are complete with these bytes."""
         *frames, self.pending = (self.pending + data).split(b"\0")
         for frame in filter(None, frames):
             try:
@@ -220,7 +220,7 @@ class Decoder:
 
 
 def connect(address, baud):
-    """Functions that read what there is, within a time, and write."""
+    """Functions that read available bytes, with a timeout, and write."""
     if address.startswith(("tcp:", "unix:")):
         kind, place = address.split(":", 1)
         if kind == "unix":
@@ -239,7 +239,7 @@ def connect(address, baud):
         settings[4] = settings[5] = getattr(termios, f"B{baud}")
         termios.tcsetattr(file, termios.TCSANOW, settings)
         line, write = None, lambda data: os.write(file, data)
-    # What is returned keeps the socket open.
+    # The returned line keeps the socket open.
     return (lambda wait: os.read(file, 4096) if select.select([file], [], [], wait)[0] else b""), write, line
 
 

@@ -1,5 +1,5 @@
-//! Measures the solver on emulated boards, as tables in Markdown: instructions of a frame and stack for the bundled dragged
-//! boxes, flash for scenes that need more or less of the solver.
+//! Measures the solver on emulated boards and prints tables in Markdown: instructions per frame and stack for the bundled
+//! dragged boxes, and flash for scenes that need more or less of the solver.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example boards
@@ -16,7 +16,7 @@ use stiction_scene::{HostSolver, Motion, NumberType, SceneFile, SceneModel, Sour
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// What is measured: a board with what it computes with.
+/// What is measured: a board with its number type and profile.
 #[derive(Clone, Copy)]
 struct Build {
     board: Board,
@@ -27,13 +27,13 @@ struct Build {
 /// A scene that needs more or less of the solver.
 struct Size {
     name: &'static str,
-    /// `[body]` without its start.
+    /// `[body]` without its start pose.
     body: &'static str,
     /// Weight (N).
     weight: f64,
     /// mu_s; mu_d is 0.
     friction: f64,
-    /// Of the surfaces.
+    /// Normals of the surfaces.
     normals: &'static [[f64; 2]],
 }
 
@@ -69,7 +69,7 @@ const SIZES: [Size; 6] = [
 ];
 
 impl Build {
-    /// The boards with their numbers, in both profiles.
+    /// The boards with their number types, in both profiles.
     const ALL: [Self; 4] = [
         Self::new(Board::Stm32F405, NumberType::F32, Profile::Device),
         Self::new(Board::Stm32F405, NumberType::F32, Profile::DeviceSmall),
@@ -151,13 +151,13 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
     ))
 }
 
-/// The states before and after a frame, and its slips.
+/// The states before and after a frame, and the number of slips.
 fn change(before: &Frame, after: &Frame) -> String {
     let (from, to) = (before.state.name(), after.state.name());
     format!("{from} to {to}, {} slips", after.slips)
 }
 
-/// What happens in the last of these frames: on this computer, whose bits are those of the board.
+/// The events of the last of these frames, computed on this computer, whose bits equal those of the board.
 fn events<R: Real<Si = f32>>(
     scene: &SceneFile,
     evolution: Evolution,
@@ -172,7 +172,7 @@ fn events<R: Real<Si = f32>>(
     Ok(names.join(" "))
 }
 
-/// The flash that the solver of a scene takes on a board (bytes).
+/// The flash that the solver of a scene occupies on a board (bytes).
 fn flash(build: Build, size: &Size, evolution: Evolution) -> Outcome<u64> {
     let Size {
         body,

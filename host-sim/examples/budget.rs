@@ -1,9 +1,10 @@
-//! What a budget does: random drags through emulated chips, without one and with the one that a tick leaves. Writes what a unit of work
-//! takes, how many steps are behind the hand, how long, and what the longest step takes into README.md. Needs QEMU, but for the M0+.
+//! Measures the effect of a budget: random drags on emulated chips, without a budget and with the one that fits a tick. Writes into
+//! README.md the cost of a unit of work, how many steps are behind the hand and for how long, and the cost of the longest step. Needs
+//! QEMU, except for the M0+.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example budget          # 100 drags of 4 s
-//! cargo run --release -p stiction-host-sim --example budget -- 10    # so many, on the terminal alone
+//! cargo run --release -p stiction-host-sim --example budget -- 10    # another number of drags, printed only
 //! ```
 
 use std::error::Error;
@@ -19,14 +20,14 @@ use stiction_tools::table::thousands;
 use stiction_tools::workspace;
 
 const DRAGS: usize = 100;
-/// Of a tick, for the step: the rest is for the line, the forces and interrupts.
+/// The fraction of a tick for the step: the rest is for the line, the forces and interrupts.
 const PART: f64 = 0.875;
-/// Parts of all steps (%).
+/// Quantiles over all steps (%).
 const PARTS: [f64; 4] = [50.0, 99.0, 99.9, 99.99];
-/// A shorter step fits a tick whatever its units take.
+/// A shorter step fits into a tick, whatever its units cost.
 const LONG: u32 = 100;
 
-/// Ticks per second (Hz), and hands per second, that a chip is asked for.
+/// Ticks per second (Hz), and hands per second, that are demanded of a chip.
 const fn rate(chip: Chip) -> u32 {
     match chip {
         Chip::CortexM0 => 250,
@@ -34,7 +35,7 @@ const fn rate(chip: Chip) -> u32 {
     }
 }
 
-/// What a tick has room for: instructions, or cycles where they are counted.
+/// The capacity of a tick: in instructions, or in cycles if those are counted.
 fn tick(chip: Chip) -> f64 {
     1e6 / f64::from(rate(chip)) / chip.microseconds(1.0)
 }
@@ -64,13 +65,13 @@ fn counted(
     drags.iter().map(ride).collect()
 }
 
-/// What parts of all steps stay within, and the longest one.
+/// The bounds for fractions of all steps, and the longest step.
 fn steps_within(taken: &Taken) -> String {
     let within = taken.within.map(|part| thousands(part.into())).join(" / ");
     format!("{within}, {}", thousands(taken.most.into()))
 }
 
-/// Cycles of an instruction, for a reader.
+/// Cycles per instruction, as text.
 fn per_instruction(chip: Chip) -> String {
     match chip {
         Chip::CortexM0Plus => "counted".to_owned(),
@@ -78,17 +79,17 @@ fn per_instruction(chip: Chip) -> String {
     }
 }
 
-/// What steps take.
+/// The cost of steps.
 struct Taken {
     steps: usize,
     mean: f64,
     most: u32,
-    /// Instructions that a part of the steps, of [`PARTS`], stays within.
+    /// The instructions that a fraction of the steps, from [`PARTS`], does not exceed.
     within: [u32; PARTS.len()],
-    /// Instructions of a unit of work: on average, at most, and at most in a step of [`LONG`] units and more.
+    /// Instructions per unit of work: on average, at most, and at most in steps of [`LONG`] or more units.
     unit: [f64; 3],
     behind: usize,
-    /// Steps one after the other, at most, in which the body is behind.
+    /// The largest number of consecutive steps in which the body is behind.
     longest: usize,
     over: usize,
     /// The deepest stack of a step (bytes).
@@ -144,11 +145,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drags: Vec<&Case> = random.take(asked.unwrap_or(DRAGS)).collect();
     let mut text = format!(
         "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and\n\
-         4 surfaces, on emulated chips. Of the M0+ cycles are counted, in memory without wait states. Of the others instructions are counted, and cycles are estimated at so\n\
-         many of an instruction, on average, from above. A unit of work takes so many instructions, of the M0+ cycles: on\n\
-         average / at most / at most in steps of {LONG} units and more. The budget is what seven eighths of a tick have room for, at the last of these. From the least one\n\
-         on no step takes more than its budget; below it a single piece of work may.\n\n\
-         | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest | of a tick | \
+         4 surfaces, on emulated chips. For the M0+, cycles are counted, in memory without wait states. For the others, instructions are counted, and the cycles per\n\
+         instruction are an estimated upper bound of the average. The cost of a unit of work is given in instructions (M0+: cycles): on\n\
+         average / at most / at most in steps of {LONG} or more units. The budget is what fits into seven eighths of a tick at the last of these costs. From the least\n\
+         budget on, no step exceeds its budget; below it, a single piece of work may.\n\n\
+         | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions per unit | without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest | of a tick | \
          budget / least (units) | steps | behind | longest behind (ms) | longest step (ms) | steps over the tick | deepest stack (bytes) |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         drags.len()

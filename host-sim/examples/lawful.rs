@@ -1,6 +1,6 @@
 //! Judges every frame of the scenes that `stiction trade` measures, in every number type and both evolutions, by the laws
-//! alone: traces are written and read, as `stiction run` and `stiction check` do. Without a recorded hand, how many frames they
-//! are and how many unlawful is written into tests/README.md.
+//! alone: traces are written and read, as `stiction run` and `stiction check` do. Without a recorded hand, the numbers of
+//! frames and of unlawful frames are written into tests/README.md.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example lawful
@@ -23,7 +23,7 @@ use stiction_tools::readme::Section;
 use stiction_tools::table::thousands;
 use stiction_tools::workspace;
 
-/// The worst frames of each number type and evolution that are listed.
+/// The number of worst frames that are listed for each number type and evolution.
 const LISTED: usize = 5;
 
 fn write<R: Real<Si: SiFloat>>(case: &Case, run: &Run, file: &Path) -> Result<(), Box<dyn Error>> {

@@ -1,6 +1,6 @@
-//! What obstacles cost: bundled scenes along their own path of the hand on an emulated Cortex-M4F, without a budget and with the least one
-//! that no step exceeds; and a scene with more and more boxes that are never touched, in reach of the body and out of it. Writes the
-//! tables into README.md. Needs QEMU.
+//! Measures the cost of obstacles: bundled scenes along their own path of the hand on an emulated Cortex-M4F, without a budget and with
+//! the least one that no step exceeds; and a scene with an increasing number of boxes that are never touched, within reach of the body and
+//! out of it. Writes the tables into README.md. Needs QEMU.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example obstacles
@@ -17,14 +17,14 @@ use stiction_tools::readme::Section;
 use stiction_tools::table::thousands;
 use stiction_tools::workspace;
 
-/// Of the solver in the image, see [`Counter::among`].
+/// The least budget of the solver in the image, see [`Counter::among`].
 const LEAST: u32 = Solver::<f32, 4, 1, WithObstacles<17, 68>>::LEAST_BUDGET;
 /// The scenes of the first table.
 const SCENES: [&str; 4] = ["table-edge", "peg-in-hole", "step", "plank-on-posts"];
-/// The scene of the second one, and how many boxes there are besides its own obstacles.
+/// The scene of the second table, and the numbers of boxes in addition to its own obstacles.
 const AROUND: &str = "table-edge";
 const BOXES: [usize; 6] = [0, 1, 2, 4, 8, 16];
-/// The height of the boxes' lower sides (m): above the highest place of the body, and far beyond it.
+/// The height of the boxes' lower sides (m): just above the highest position of the body, and far above it.
 const IN_REACH: f64 = 0.13;
 const OUT_OF_REACH: f64 = 1.0;
 
@@ -47,7 +47,7 @@ impl Case {
         Ok(Self { scene, hands })
     }
 
-    /// So many boxes more in a row at a height.
+    /// Adds this many boxes in a row at a height.
     fn with_boxes(mut self, count: usize, height: f64) -> Self {
         let boxes = (0..count).map(|i| {
             let (left, width) = (-0.08 + 0.0125 * i as f64, 0.01);
@@ -106,8 +106,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let counter = Counter::among(Board::Stm32F405, Profile::Device)?;
     let mut text = format!(
         "Written by `cargo run --release -p stiction-host-sim --example obstacles`: instructions of a step on an emulated Cortex-M4F, f32, path\n\
-         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners. The budget is the least that no step exceeds, {LEAST} units.\n\n\
-         | scene | steps | mean | worst | units, worst | worst with the budget | units then | steps behind | steps over the budget |\n\
+         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners. The budget is the least one that no step exceeds, {LEAST} units.\n\n\
+         | scene | steps | mean | worst | units, worst | worst with the budget | its units | steps behind | steps over the budget |\n\
          |---|---:|---:|---:|---:|---:|---:|---:|---:|\n"
     );
     for name in SCENES {
@@ -115,7 +115,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let _ = write!(
         text,
-        "\nBoxes besides the obstacles of `{AROUND}`, that are never touched: instructions of a step, on average, and what a box adds to that.\n\n\
+        "\nBoxes in addition to the obstacles of `{AROUND}`, which are never touched: instructions per step, on average, and the increase per box.\n\n\
          | boxes | in reach | each | out of reach | each |\n|---:|---:|---:|---:|---:|\n"
     );
     let mut none = None;

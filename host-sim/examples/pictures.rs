@@ -1,5 +1,5 @@
-//! Draws the pictures of the README's section on obstacles: the snapshots of the bundled scenes with obstacles, each beside its scene,
-//! and the insertion of a peg.
+//! Draws the pictures for the README's section on obstacles: the snapshots of the bundled scenes with obstacles, each next to its
+//! scene file, and the insertion of a peg.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example pictures
@@ -13,7 +13,7 @@ use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::scenes;
 use stiction_tools::workspace;
 
-/// As on the command line.
+/// The options of the command line.
 #[derive(Parser)]
 struct Options {
     #[command(flatten)]

@@ -1,4 +1,5 @@
-//! Walks the hand through the solver on every machine and compares all bits of all answers; says how long each took.
+//! Runs a random walk of the hand through the solver on every machine, compares all bits of all answers, and prints how
+//! long each run took.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example same_bits -- 1000000
@@ -31,7 +32,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Every machine comes to the same hash.
+/// Whether every machine computes the same hash.
 fn is_same(number: NumberType, place: Place, frames: u32) -> bool {
     let walked = match place {
         Place::ByWalls => "by walls",
@@ -39,7 +40,7 @@ fn is_same(number: NumberType, place: Place, frames: u32) -> bool {
     };
     let mut hashes = Vec::new();
     for machine in Machine::ALL {
-        // A run of no length: the image is built, its time is not that of the walk.
+        // A run of length zero builds the image, so that the build does not count towards the time of the walk.
         let _ = machine.bits(number, place, 0);
         let begun = Instant::now();
         let bits = machine.bits(number, place, frames);

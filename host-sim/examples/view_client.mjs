@@ -1,17 +1,17 @@
-// A client of `stiction view`: prints poses, and with --drag leads the hand.
+// A client of `stiction view`: prints poses; with --drag, it also moves the hand.
 //
 //     cargo run --release -- view --headless
 //     node host-sim/examples/view_client.mjs [--drag] [HOST:PORT]
 //
-// It needs the WebSocket of a browser, which Node.js has from version 22 on (20 and 21: --experimental-websocket).
-// host-sim/VIEW.md says what goes over the socket.
+// It needs a WebSocket as in browsers, which Node.js has since version 22 (20 and 21: --experimental-websocket).
+// host-sim/VIEW.md describes the messages on the socket.
 
 const drags = process.argv.includes('--drag');
 const place = process.argv.slice(2).find((word) => !word.startsWith('--')) ?? '127.0.0.1:8405';
 const socket = new WebSocket(`ws://${place}/ws`);
 const send = (message) => socket.send(JSON.stringify(message));
 
-/** Presses the body down from where the hand is at the beginning, and draws it to and fro. */
+/** Presses the body down from the hand's start pose, and drags it back and forth. */
 function drag([x, y, phi]) {
   const begun = performance.now();
   setInterval(() => {

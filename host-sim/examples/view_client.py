@@ -1,9 +1,9 @@
-"""A client of `stiction view`: prints poses, and with --drag leads the hand.
+"""A client of `stiction view`: prints poses; with --drag, it also moves the hand.
 
     cargo run --release -- view --headless
     python3 host-sim/examples/view_client.py [--drag] [--rate HZ] [--seconds S] [HOST:PORT]
 
-It needs the standard library alone. host-sim/VIEW.md says what goes over the socket.
+It needs only the standard library. host-sim/VIEW.md describes the messages on the socket.
 """
 
 import argparse
@@ -39,10 +39,10 @@ class WebSocket:
         while (line := self.rest.readline().decode().strip()) != "":
             name, _, value = line.partition(": ")
             if name.lower() == "sec-websocket-accept" and value != accepted:
-                raise ConnectionError("the answer is of another request")
+                raise ConnectionError("the answer belongs to another request")
 
     def frame(self, kind, data):
-        """Sends a frame, masked as those of clients are."""
+        """Sends a frame, masked as required of clients."""
         mask = os.urandom(4)
         length = len(data)
         head = bytes([0x80 | kind])
@@ -78,7 +78,7 @@ class WebSocket:
 
 
 def drag(line, home):
-    """Presses the body down from where the hand is at the beginning, and draws it to and fro."""
+    """Presses the body down from the hand's start pose, and drags it back and forth."""
     x, y, phi = home
     begun = time.monotonic()
     while True:
@@ -92,9 +92,9 @@ def drag(line, home):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("place", nargs="?", default="127.0.0.1:8405")
-    parser.add_argument("--drag", action="store_true", help="lead the hand")
-    parser.add_argument("--rate", type=float, default=10.0, help="frames a second")
-    parser.add_argument("--seconds", type=float, default=float("inf"), help="end after so long")
+    parser.add_argument("--drag", action="store_true", help="move the hand")
+    parser.add_argument("--rate", type=float, default=10.0, help="frames per second")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="duration in seconds")
     args = parser.parse_args()
     line = WebSocket(args.place)
     line.send({"type": "rate", "value": args.rate})

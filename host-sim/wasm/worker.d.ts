@@ -1,6 +1,6 @@
-// What wasm-bindgen defines before worker.js, for the type checker.
+// Declarations of what wasm-bindgen defines before worker.js, for the type checker.
 
-/** As `src/page.rs` has it. */
+/** As in `src/page.rs`. */
 interface SolverPage {
   hello(): string;
   take(text: string): void;

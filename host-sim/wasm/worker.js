@@ -1,15 +1,15 @@
-// The worker of a page without a server: the solver in real time. What wasm-bindgen made stands before this. It begins with the
-// solver for scenes without obstacles, a third of all, and loads the whole one when a scene needs it.
-// Timers of a browser are late by some ms where it has much to do, and sleep for 4 ms at least if they follow each other. A wait for a
-// value that nobody changes ends on time. Between two waits the worker sends itself a message, so that the page's are heard.
+// The worker of a page without a server: it runs the solver in real time. The output of wasm-bindgen precedes this script. It starts
+// with the solver for scenes without obstacles, a third of the whole, and loads the whole one when a scene needs it.
+// Timers of a busy browser are some ms late, and sleep for at least 4 ms if they follow one another. Waiting for a value that never
+// changes ends on time. Between two waits the worker sends itself a message, so that the page's messages are handled.
 
-/** Messages that wait until a solver is there. @type {string[]} */
+/** Messages that wait until a solver is loaded. @type {string[]} */
 let waiting = [];
 /** @type {SolverPage | null} */
 let page = null;
-/** The whole solver, where this is a part of it. @type {{script: string, wasm: string} | undefined} */
+/** The whole solver, if this is a part of it. @type {{script: string, wasm: string} | undefined} */
 let whole;
-/** Never changes. Shared memory of WebAssembly is there where SharedArrayBuffer is hidden, too. */
+/** Never changes. Shared memory of WebAssembly exists even if SharedArrayBuffer is hidden. */
 const still = new Int32Array(new WebAssembly.Memory({ shared: true, initial: 1, maximum: 1 }).buffer);
 
 self.addEventListener("message", ({ data }) => {
@@ -17,7 +17,7 @@ self.addEventListener("message", ({ data }) => {
   else start(data);
 });
 
-/** Starts the solver, and its time. @param {{wasm: string | ArrayBuffer, whole?: {script: string, wasm: string}}} files */
+/** Starts the solver and its clock. @param {{wasm: string | ArrayBuffer, whole?: {script: string, wasm: string}}} files */
 async function start(files) {
   try {
     whole = files.whole;
@@ -47,7 +47,8 @@ function takeWaiting() {
 }
 
 /**
- * The whole solver goes on where the part of it is, with this message. What comes meanwhile waits.
+ * The whole solver continues where the part of it stopped, with this message. Messages that arrive
+ * meanwhile wait.
  * @param {{script: string, wasm: string}} files @param {SolverPage} part @param {string} text
  */
 async function grow(files, part, text) {
@@ -62,7 +63,7 @@ async function grow(files, part, text) {
   takeWaiting();
 }
 
-/** Makes the ticks that are due. @param {MessagePort} port */
+/** Executes the ticks that are due. @param {MessagePort} port */
 function turn(port) {
   try {
     const messages = page?.turn() ?? [];

@@ -1,5 +1,5 @@
-//! Measures whole runs of ordinary haptic use, scenes of each kind: how far number types, evolutions and frames cut in three are
-//! apart, the slips, the statuses that are not ok, and the states. Prints tables in Markdown.
+//! Measures whole runs of ordinary haptic use, with scenes of each kind: how far number types, evolutions and frames cut into
+//! three differ, the slips, the statuses other than ok, and the states. Prints tables in Markdown.
 //!
 //! ```sh
 //! cargo run --release -p stiction-tests --example haptic -- 200   # scenes of each kind
@@ -14,7 +14,7 @@ use stiction_tests::haptic::{Kind, scenes};
 use stiction_tests::{Frame, Scenario};
 use stiction_tools::table::{aligned, thousands};
 
-/// So many scenes of each kind, unless the command line says how many.
+/// The number of scenes of each kind, unless the command line gives another.
 const SCENES: usize = 200;
 const QUANTILES: [(&str, f64); 5] = [
     ("50 %", 0.5),
@@ -24,11 +24,11 @@ const QUANTILES: [(&str, f64); 5] = [
     ("most", 1.0),
 ];
 
-/// One way to run every scene of a kind.
+/// One variant in which every scene of a kind is run.
 struct Way {
     name: &'static str,
     tally: Tally,
-    /// With which runs it is compared, and what came of it.
+    /// The runs that it is compared with, and the result.
     beside: Option<(&'static str, Comparison)>,
 }
 
@@ -48,7 +48,7 @@ impl Way {
     }
 }
 
-/// Every way of a kind; the first is f64 by path evolution.
+/// Every variant for a kind; the first is f64 by path evolution.
 fn measure(kind: Kind, count: usize) -> Vec<Way> {
     let reference = Some("f64 path");
     let mut ways = [
@@ -84,7 +84,7 @@ fn measure(kind: Kind, count: usize) -> Vec<Way> {
 
 type Kinds = [(Kind, Vec<Way>)];
 
-/// The rows of a table: kind, name of the way and its cells; of a way without cells none.
+/// The rows of a table: kind, variant and its cells; a variant without cells has no row.
 fn rows(
     kinds: &mut Kinds,
     mut cells: impl FnMut(&mut Way) -> Option<Vec<String>>,
@@ -101,7 +101,7 @@ fn rows(
     rows
 }
 
-/// Prints a table whose columns after kind, way and `words` more are figures.
+/// Prints a table whose columns are numbers, after kind, variant and `words` more columns.
 fn print(
     title: &str,
     words: usize,
@@ -189,7 +189,7 @@ fn main() -> ExitCode {
         None => SCENES,
         Some(Ok(count)) => count,
         Some(Err(_)) => {
-            eprintln!("haptic: the number of scenes is a whole number");
+            eprintln!("haptic: the number of scenes must be a whole number");
             return ExitCode::from(2);
         }
     };

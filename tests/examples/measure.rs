@@ -1,4 +1,4 @@
-//! Measures what the README states and writes it there: the time of one frame and the slips of the dragged box, the worst
+//! Measures what the README states and writes it there: the time of a frame and the slips of the dragged box, the worst
 //! residuals of random scenes, and the range of every number type.
 //!
 //! ```sh
@@ -21,7 +21,7 @@ use stiction_tools::readme::Section;
 const FRAMES: usize = 5000;
 const REPEATS: usize = 20;
 
-/// The best of some runs: mean time of one frame (ns), slips, their mean length (mm).
+/// The best of several runs: mean time of one frame (ns), number of slips, and their mean length (mm).
 fn drag<R: Number>(scenario: &Scenario, evolution: Evolution) -> (f64, u32, f64) {
     let hands = scenario.hands(FRAMES);
     let (pressing, dragging) = hands.split_at(FRAMES + 1);
@@ -99,8 +99,8 @@ fn survey<R: Number>(evolution: Evolution, text: &mut String) {
     );
 }
 
-/// In words, what a number type makes of the values of a sweep, in both evolutions: where it holds, and what it says of the
-/// others.
+/// A summary of how a number type handles the values of a sweep, in both evolutions: where it keeps its bound, and what
+/// happens at the other values.
 fn range<R: Number>(sweep: &Sweep) -> String {
     let outcomes = sweep.values.iter().map(|&value| {
         let both = Evolution::ALL.map(|evolution| outcome::<R>(sweep, value, evolution));
@@ -134,8 +134,8 @@ fn range<R: Number>(sweep: &Sweep) -> String {
 fn ranges(text: &mut String) {
     let _ = writeln!(
         text,
-        "\nWhere a number type holds its error (worst residual f64 1e-9, f32 and fixed 1e-4) on every frame, by parameter; \
-         elsewhere the\nscene is refused, or the frames say so in their status:\n\n\
+        "\nValues for which a number type keeps its error bound (worst residual f64 1e-9, f32 and fixed 1e-4) on every frame, by parameter; \
+         for other\nvalues the scene is refused, or the status of the frames reports it:\n\n\
          | parameter | tried | f64 | f32 | fixed |\n|---|---|---|---|---|"
     );
     for sweep in SWEEPS {

@@ -1,5 +1,5 @@
-//! A long walk of the hand: a box with weight between a floor and a wall, the laws judged on every frame, and every 100 000
-//! frames the body taken into the air, where its pose must be that of the closed form: nothing has drifted.
+//! A long random walk of the hand: a box with weight between a floor and a wall, with the laws judged on every frame. Every
+//! 100 000 frames the body is taken into the air, where its pose must equal the closed form: nothing has drifted.
 //!
 //! ```sh
 //! cargo run --release -p stiction-tests --example walk -- 1000000000   # steps, over three number types and two evolutions
@@ -10,20 +10,20 @@ use stiction_core::{Evolution, Fixed, StateKind, Status};
 use stiction_tests::laws::{FINITE, judge, worst};
 use stiction_tests::{Number, Run, Setup};
 
-/// So many frames from one look at the drift to the next.
+/// The number of frames between two checks of the drift.
 const ROUND: u64 = 100_000;
-/// Steps of the hand (m, rad): many sizes, so that it creeps, drags and jumps.
+/// Steps of the hand (m, rad) of many sizes, so that it creeps, drags and jumps.
 const STRIDES: [f64; 4] = [1e-5, 1e-4, 1e-3, 1e-2];
-/// x, y (m) and phi (rad) of the hand stay in here.
+/// Limits of x, y (m) and phi (rad) of the hand.
 const RANGE: [[f64; 2]; 3] = [[-0.1, 0.11], [-0.01, 0.12], [-1.2, 1.2]];
-/// So many steps, unless the command line says how many.
+/// The number of steps, unless the command line gives another.
 const STEPS: u64 = 10_000_000;
 
 /// Random numbers (splitmix64).
 struct Random(u64);
 
 impl Random {
-    /// The next one, in [-1, 1).
+    /// The next number, in [-1, 1).
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -33,7 +33,7 @@ impl Random {
     }
 }
 
-/// What a walk came to.
+/// The results of a walk.
 #[derive(Default)]
 struct Tally {
     steps: u64,
@@ -92,7 +92,7 @@ fn walk<R: Number>(steps: u64, evolution: Evolution) -> Tally {
             run.step(hand);
             tally.look(&setup, &run);
         }
-        // Straight up, away from both surfaces, and to the pose that a body has there that never walked.
+        // Straight up, away from both surfaces, to the pose of a body that has never walked.
         let above = [hand[0].min(0.0), 0.3, hand[2]];
         for frame in run.lead(above, 200).into_iter().chain(run.lead(aloft, 100)) {
             tally.steps += 1;
@@ -129,7 +129,7 @@ fn report<R: Number>(steps: u64) -> bool {
         if let Some(first) = &tally.first {
             println!("  {first}");
         }
-        // A few roundings of an angle and of a place: no more after many steps than after few.
+        // A few roundings of an angle and of a position: no more after many steps than after few.
         tally.unlawful == 0 && tally.drift <= 16.0 * R::ROUNDING
     })
 }
@@ -140,7 +140,7 @@ fn main() -> ExitCode {
         Some(text) => match text.parse() {
             Ok(steps) => steps,
             Err(_) => {
-                eprintln!("walk: the steps are {text:?}, allowed: a whole number");
+                eprintln!("walk: the number of steps is {text:?}, allowed: a whole number");
                 return ExitCode::from(2);
             }
         },

@@ -1,9 +1,9 @@
-//! Measures how much single frames of ordinary haptic use take, counted in operations on numbers: quantiles of all frames, and the states
-//! between which the dearest ones go. Writes the tables into the README.
+//! Measures the cost of single frames of ordinary haptic use, counted in operations on numbers: quantiles over all frames, and the states
+//! before and after the most expensive ones. Writes the tables into the README.
 //!
 //! ```sh
 //! cargo run --release -p stiction-tests --example worst          # 100 scenes of each kind
-//! cargo run --release -p stiction-tests --example worst -- 20    # so many, on the terminal alone
+//! cargo run --release -p stiction-tests --example worst -- 20    # another number of scenes, printed only
 //! ```
 
 use std::collections::BTreeMap;
@@ -22,16 +22,16 @@ use stiction_tools::table::thousands;
 
 const SCENES: usize = 100;
 const QUANTILES: [f64; 5] = [0.5, 0.99, 0.999, 0.9999, 1.0];
-/// The frames above this part of all are the dearest.
+/// The frames above this quantile are the most expensive.
 const DEAREST: f64 = 0.9999;
 
-/// What a frame takes, and the states before and after it.
+/// The cost of a frame, and the states before and after it.
 struct Cost {
     operations: u64,
     states: [StateKind; 2],
 }
 
-/// What every frame of the scenes of a kind takes.
+/// The cost of every frame of the scenes of a kind.
 fn costs(kind: Kind, evolution: Evolution, count: usize) -> Vec<Cost> {
     let mut costs = Vec::new();
     for scenario in scenes(kind).take(count) {
@@ -55,7 +55,7 @@ fn costs(kind: Kind, evolution: Evolution, count: usize) -> Vec<Cost> {
     costs
 }
 
-/// The most frequent of the dearest frames, by the states between which they go.
+/// The states before and after the most expensive frames, most frequent first.
 fn dearest(costs: &[Cost], above: u64) -> String {
     let mut counts = BTreeMap::new();
     for cost in costs.iter().filter(|cost| cost.operations > above) {
@@ -76,9 +76,9 @@ fn main() -> std::io::Result<()> {
     let asked = args().nth(1).and_then(|count| count.parse().ok());
     let count = asked.unwrap_or(SCENES);
     let mut text = format!(
-        "Written by `cargo run --release -p stiction-tests --example worst`: operations on numbers of single frames, {count} scenes of \
-         ordinary haptic\nuse of each kind, and the states between which the dearest of ten thousand go:\n\n\
-         | kind | evolution | frames | mean | 50 % | 99 % | 99.9 % | 99.99 % | most | dearest |\n\
+        "Written by `cargo run --release -p stiction-tests --example worst`: operations on numbers per frame in {count} scenes of \
+         ordinary haptic\nuse of each kind, and the states before and after the most expensive of ten thousand frames:\n\n\
+         | kind | evolution | frames | mean | 50 % | 99 % | 99.9 % | 99.99 % | most | most expensive |\n\
          |---|---|---:|---:|---:|---:|---:|---:|---:|---|\n"
     );
     for kind in Kind::ALL {

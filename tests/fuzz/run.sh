@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Looks for bytes for which something does not hold, with libFuzzer and the stable compiler:
+# Searches for inputs that violate a checked property, with libFuzzer and the stable compiler:
 #   tests/fuzz/run.sh TARGET SECONDS [OPTION OF LIBFUZZER ...]     wire, scene_file, hand_path, solver or obstacles
 #   tests/fuzz/run.sh build                                        all targets
-# Inputs that go through new code are put into target/fuzz/found, those that fail into tests/fuzz/artifacts. The corpus is told
-# file by file, by name: the order in which a directory is read is another on each machine, and -seed=1 with it.
+# New inputs that reach new code go to target/fuzz/found, failing ones to tests/fuzz/artifacts. The corpus is passed file by
+# file, sorted by name: the order in which a directory is read differs between machines, and with it the effect of -seed=1.
 # Needs: cargo install cargo-fuzz --locked; a C++ compiler
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-# What fails is told with the names of functions.
+# Function names in the stack traces of failures.
 export CARGO_PROFILE_RELEASE_STRIP=none
 options=(--fuzz-dir tests/fuzz --target-dir target/fuzz --features libfuzzer --sanitizer none)
 [ "$1" != build ] || exec cargo fuzz build "${options[@]}"

@@ -1,5 +1,4 @@
-//! A number that counts what is done with it: f64, so that the work of a frame is the same on every machine and in every
-//! build.
+//! A number type that counts its operations: f64, so that the work of a frame is the same on every machine and in every build.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -15,7 +14,7 @@ thread_local! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Counted(f64);
 
-/// What a function makes, and how many operations it takes: sums, products, quotients, comparisons, roots and
+/// The result of a function, and how many operations it takes: sums, products, quotients, comparisons, roots and
 /// trigonometric functions each count 1.
 pub fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
     let before = OPERATIONS.get();

@@ -1,5 +1,5 @@
 //! The diagram of contact states as SVG, drawn from the transition table: a card for every state with the arms that stay in it,
-//! an arrow for all arms from one state to another. Lengths in px, y downwards.
+//! and one arrow for all arms from one state to another. Lengths in px, y downwards.
 
 mod arrow;
 mod card;
@@ -26,11 +26,11 @@ const FONT: &str = "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-
 pub struct Area(pub [f64; 4]);
 
 impl Area {
-    /// Around a middle.
+    /// Around a centre.
     fn around([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Self {
         Self([x - width / 2.0, y - height / 2.0, width, height])
     }
-    /// True where two rectangles, one of them made wider by `room`, overlap.
+    /// True if two rectangles overlap, one of them widened by `room`.
     #[must_use]
     pub fn meets(&self, other: &Self, room: f64) -> bool {
         let ([x, y, w, h], [u, v, a, b]) = (self.0, other.0);
@@ -38,8 +38,8 @@ impl Area {
     }
 }
 
-/// Both ways between two states, the first one to more contacts: where they leave the cards (side, and part of it), how far they
-/// swing out, and half their distance.
+/// The arrows in both directions between two states, the first of them towards more contacts: where they leave the cards (the
+/// side, and the position along it), how far they bulge, and half the distance between them.
 const WAYS: [(StateKind, StateKind, [Port; 2], [f64; 2]); 12] = [
     (
         NonContact,
@@ -121,17 +121,17 @@ fn arms(from: StateKind, to: StateKind) -> impl Iterator<Item = Transition> {
     all.filter(move |arm| arm.before() == Some(from) && arm.after() == Some(to))
 }
 
-/// The diagram before it is written down.
+/// The diagram before it is rendered.
 pub struct Diagram {
     cards: Vec<Card>,
     arrows: Vec<Arrow>,
 }
 
 impl Diagram {
-    /// Of the transition table.
+    /// Builds the diagram from the transition table.
     ///
     /// # Errors
-    /// The table has an arm between two states that no way is drawn for.
+    /// The table has an arm between two states for which no arrow is laid out.
     pub fn new() -> Result<Self, String> {
         let cards = Card::all();
         let area = |state| {
@@ -158,7 +158,9 @@ impl Diagram {
             let is_drawn =
                 ends.0 == ends.1 || arrows.iter().any(|a| ends == (Some(a.from), Some(a.to)));
             if !is_drawn {
-                return Err(format!("no way is drawn for {arm:?}, from and to {ends:?}"));
+                return Err(format!(
+                    "no arrow is laid out for {arm:?}, from and to {ends:?}"
+                ));
             }
         }
         let blocked: Vec<Area> = cards.iter().map(|card| card.area).collect();
@@ -166,7 +168,7 @@ impl Diagram {
         Ok(Self { cards, arrows })
     }
 
-    /// The rectangles of all cards and of all words on arrows.
+    /// The rectangles of all cards and of all labels on arrows.
     pub fn areas(&self) -> Vec<Area> {
         let cards = self.cards.iter().map(|card| card.area);
         cards
@@ -174,10 +176,10 @@ impl Diagram {
             .collect()
     }
 
-    /// As SVG.
+    /// Renders the diagram as SVG.
     ///
     /// # Errors
-    /// None: a string takes all that is written.
+    /// None: writing to a string cannot fail.
     pub fn svg(&self) -> Result<String, fmt::Error> {
         let mut out = String::new();
         let [width, height] = SIZE;

@@ -1,4 +1,4 @@
-//! Random numbers for scenes, the same in every run, and convex polygons made of them.
+//! Random numbers for scenes, the same in every run, and convex polygons built from them.
 
 use std::f64::consts::TAU;
 
@@ -7,9 +7,9 @@ use std::f64::consts::TAU;
 pub struct Draw(u64);
 
 impl Draw {
-    /// Every index has a sequence of its own.
+    /// Every index has its own sequence.
     pub fn new(index: u64) -> Self {
-        // Never 0, which xorshift would not leave: an odd multiple of a number that is not 0.
+        // Never 0, a state that xorshift cannot leave: an odd multiple of a non-zero number.
         Self(index.saturating_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15))
     }
     /// A number from `low` to `high`.
@@ -27,7 +27,7 @@ impl Draw {
     pub fn power(&mut self, low: f64, high: f64) -> f64 {
         10f64.powf(self.between(low, high))
     }
-    /// One of these.
+    /// One of the given items.
     pub fn one<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }

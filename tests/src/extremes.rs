@@ -1,6 +1,6 @@
-//! Scenes that go to the ends of one parameter each (STATICS 10), and how far every number type carries them: for every
-//! value whether the scene is refused, whether every frame that claims to be right is lawful, whether a frame says in its
-//! status that it is not.
+//! Scenes that take one parameter each to its extremes (STATICS 10), and how far every number type copes: for every
+//! value, whether the scene is refused, whether every frame whose status is ok is lawful, and whether a frame's status
+//! reports a limitation.
 
 use crate::laws::{judge, worst};
 use crate::number::Number;
@@ -19,19 +19,19 @@ pub struct Sweep {
     pub scene: fn(f64) -> (Setup, Vec<[f64; 3]>),
 }
 
-/// What a number type makes of a value.
+/// How a number type handles a value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// The scene is refused with a clear error.
     Refused(String),
-    /// Every frame is lawful and none claims less; slips may be too many to be told apart.
+    /// Every frame is lawful and none reports less; slips may be too many to be resolved individually.
     Holds {
         /// The worst residual in units of its bound.
         severity: f64,
     },
-    /// Frames whose status says that they were limited; all others are lawful.
+    /// Some frames report a limitation in their status; all others are lawful.
     Says(Status),
-    /// A frame that claims to be right and is not lawful, or a number that is not finite.
+    /// A frame whose status is ok is not lawful, or a number is not finite.
     Broken(String),
 }
 
@@ -83,7 +83,7 @@ pub const SWEEPS: &[Sweep] = &[
         scene: |weight| exercise(block().weighing(weight).floor([0.5, 0.3])),
     },
     Sweep {
-        name: "way of the hand in one frame (L)",
+        name: "displacement of the hand in one frame (L)",
         values: &[0.1, 1.0, 10.0, 100.0, 1e3, 1e4],
         scene: |way| {
             let setup = block().floor([0.5, 0.3]);
@@ -219,7 +219,7 @@ fn exercise(setup: Setup) -> (Setup, Vec<[f64; 3]>) {
     from_grip(setup, &offsets.map(|[x, y, turn]| [x * l, y * l, turn]), 30)
 }
 
-/// The hand takes the body where it stands and moves by each of the offsets from there, in so many frames each.
+/// The hand grasps the body where it stands and moves by each of the offsets from there, in the given number of frames each.
 fn from_grip(setup: Setup, offsets: &[[f64; 3]], frames: usize) -> (Setup, Vec<[f64; 3]>) {
     let scenario = scenes::from_grip(setup, offsets);
     let hands = scenario.hands(frames);
@@ -241,7 +241,7 @@ pub fn outcome<R: Number>(sweep: &Sweep, value: f64, evolution: Evolution) -> Ou
         let frame = &run.frame;
         status = status.max(frame.status);
         let findings = judge::<R>(&setup, frame).into_iter();
-        // An event limit stands for a shorter memory of slips, not for a wrong balance.
+        // An event limit means a shorter memory of slips, not a wrong balance.
         let claimed = frame.status <= Status::EventLimit;
         let finding = worst(findings.filter(|f| claimed || f.law == crate::laws::FINITE));
         if finding.severity() > 1.0 {

@@ -1,5 +1,5 @@
-//! Scenes of ordinary haptic use: convex bodies of 3 to 8 vertices on floors, walls and wedges, in a hand at 1 kHz that touches
-//! obliquely, presses, drags, turns, lifts and comes back. The same in every run. SI units, world frame.
+//! Scenes of ordinary haptic use: convex bodies of 3 to 8 vertices on floors, walls and wedges, moved by a hand at 1 kHz that
+//! touches obliquely, presses, drags, turns, lifts and returns. They are the same in every run. SI units, world frame.
 
 pub mod measures;
 mod places;
@@ -11,14 +11,14 @@ use crate::setup::Setup;
 use places::{Place, place};
 use strokes::Hand;
 
-/// What is varied; one index is the same body, surroundings and hand in every kind.
+/// What varies. An index selects the same body, surroundings and hand in every kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// mu_d is 0.5 to 0.95 of mu_s.
     StickSlip,
     /// mu_d = mu_s
     Equal,
-    /// As stick-slip, k_theta a hundredth.
+    /// As stick-slip, with a hundredth of its k_theta.
     Soft,
     /// As stick-slip, k_theta = 0.
     Free,
@@ -28,7 +28,7 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Self; 4] = [Self::StickSlip, Self::Equal, Self::Soft, Self::Free];
 
-    /// The name in a table.
+    /// Its name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::StickSlip => "stick-slip",
@@ -52,13 +52,13 @@ impl Kind {
     }
 }
 
-/// The scenes of a kind, without end.
+/// The scenes of a kind, as an endless iterator.
 pub fn scenes(kind: Kind) -> impl Iterator<Item = Scenario> {
     (0..).map(move |index| scene(kind, index))
 }
 
-/// A scene. Its keyframes are the hand's samples, 1 kHz, 3 to 4 s: `hands(1)` is the run, `hands(3)` the same with every frame
-/// cut in three. All numbers are those of f32, so that every number type runs the very same scene.
+/// One scene. Its keyframes are the hand's samples, 1 kHz, 3 to 4 s: `hands(1)` is the run, `hands(3)` the same with every
+/// frame cut into three. All numbers are exact in f32, so that every number type runs exactly the same scene.
 pub fn scene(kind: Kind, index: u64) -> Scenario {
     let mut draw = Draw::new(index);
     let (corners, size) = (3 + draw.below(6), 0.1 * draw.power(-0.3, 0.3));

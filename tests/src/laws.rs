@@ -1,5 +1,5 @@
-//! The laws on the frames of the tests: scenes, frames and the number types' bounds handed to the judge, which knows nothing
-//! of the solver.
+//! The laws on the frames of the tests: scenes, frames and the number types' bounds are passed to the judge, which knows
+//! nothing of the solver.
 
 use crate::number::Number;
 use crate::run::Frame;
@@ -11,7 +11,7 @@ use stiction_judge::{Judge, Scene, Surface};
 /// The law that every frame obeys, whatever its status.
 pub const FINITE: &str = law::FINITE;
 
-/// The finding that is worst in units of its bound.
+/// The finding that is largest relative to its bound.
 pub fn worst(findings: impl IntoIterator<Item = Finding>) -> Finding {
     let none = Finding {
         law: "none",
@@ -22,7 +22,7 @@ pub fn worst(findings: impl IntoIterator<Item = Finding>) -> Finding {
     findings.into_iter().fold(none, graver)
 }
 
-/// Asserts the laws of a frame alone on frames of a body that was not let go of.
+/// Asserts the laws of single frames, for a body that is held throughout.
 #[track_caller]
 pub fn assert_lawful<R: Number>(setup: &Setup, frames: &[Frame]) {
     for (i, frame) in frames.iter().enumerate() {
@@ -30,7 +30,7 @@ pub fn assert_lawful<R: Number>(setup: &Setup, frames: &[Frame]) {
     }
 }
 
-/// Asserts every law on a whole run: those of each frame, and those that follow from the frames before it.
+/// Asserts every law on a whole run: those of each frame, and those that depend on the frames before it.
 #[track_caller]
 pub fn assert_lawful_run<R: Number>(setup: &Setup, evolution: Evolution, frames: &[Frame]) {
     let mut judge = judge_of::<R>(setup, evolution);
@@ -54,7 +54,7 @@ fn assert_holds<R: Number>(finding: Finding, (i, frame): (usize, &Frame)) {
     );
 }
 
-/// The laws of one frame alone, of a body that was not let go of.
+/// The laws of a single frame, for a body that is held throughout.
 pub fn judge<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
     let mut findings = judge_of::<R>(setup, Evolution::Path).alone(&judged(0, frame));
     findings.push(Finding {
@@ -65,7 +65,7 @@ pub fn judge<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
     findings
 }
 
-/// From one frame to the next a contact that sticks stays where it is (mu_s > mu_d), if nothing happens.
+/// Between one frame and the next, a sticking contact stays where it is (mu_s > mu_d) unless an event occurs.
 pub fn creep<R: Number>(setup: &Setup, last: &Frame, next: &Frame) -> Finding {
     let mut judge = judge_of::<R>(setup, Evolution::Path);
     judge.next(judged(0, last));
@@ -73,7 +73,7 @@ pub fn creep<R: Number>(setup: &Setup, last: &Frame, next: &Frame) -> Finding {
     worst(findings.filter(|finding| finding.law == law::STICKS))
 }
 
-/// A judge with the scene as the number type takes it in, and its bounds.
+/// A judge with the scene as the number type rounds it, and that type's bounds.
 pub fn judge_of<R: Number>(setup: &Setup, evolution: Evolution) -> Judge {
     let bounds = Bounds {
         residual: R::RESIDUAL,
@@ -86,7 +86,7 @@ pub fn judge_of<R: Number>(setup: &Setup, evolution: Evolution) -> Judge {
     judge_within::<R>(setup, evolution, bounds)
 }
 
-/// A judge with the scene as the number type takes it in.
+/// A judge with the scene as the number type rounds it.
 pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Bounds) -> Judge {
     let setup = setup.rounded::<R>();
     let surface = |(i, s): (usize, &SurfaceDescription<f64>)| {
@@ -118,7 +118,7 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
     Judge::new(scene, bounds, evolution)
 }
 
-/// Frame `i` as the judge has it, a second after the one before.
+/// Frame `i` in the judge's format, one second after the frame before it.
 pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
     let contact = |c: &Contact<f64>| stiction_judge::Contact {
         touch: stiction_judge::Touch::Surface {
@@ -150,7 +150,7 @@ pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
     }
 }
 
-/// What the judge calls so.
+/// The item that the judge knows by this name.
 fn named<T>(find: impl Fn(&str) -> Option<T>, name: &str) -> T {
     find(name).unwrap_or_else(|| panic!("the judge does not know {name:?}"))
 }

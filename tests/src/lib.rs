@@ -1,5 +1,5 @@
-//! Fixtures of the integration tests: scenes in f64 that any number type can run, a driver that leads the hand and
-//! gathers frames as f64, an independent judge of the laws, and random scenes.
+//! Fixtures of the integration tests: scenes in f64 that any number type can run, a driver that moves the hand and
+//! collects frames as f64, an independent judge of the laws, and random scenes.
 
 pub mod counted;
 pub mod diagram;
@@ -23,7 +23,7 @@ pub use random::Scenario;
 pub use run::{Frame, Run, RunOf};
 pub use setup::Setup;
 
-/// Makes a test of every generic function `name::<R>(evolution)`: every number type, both evolutions.
+/// Instantiates a test for every generic function `name::<R>(evolution)`: for every number type and both evolutions.
 #[macro_export]
 macro_rules! test_each {
     ($($module:ident::$case:ident),* $(,)?) => {$(

@@ -3,7 +3,7 @@
 use crate::counted::Counted;
 use stiction_core::{Angle, CordicFixed, Fixed, LibmSingle, MicromathSingle, Real};
 
-/// A number type with its bounds. All bounds are relative to the characteristic size of what they bound.
+/// A number type with its bounds. All bounds are relative to the characteristic size of the bounded quantity.
 pub trait Number: Real {
     /// Its name in messages.
     const NAME: &'static str;
@@ -16,19 +16,19 @@ pub trait Number: Real {
     /// Half the spacing of numbers near 1: the error of one rounding.
     const ROUNDING: f64;
 
-    /// The farthest coordinate (L) and the largest load (kL).
+    /// The farthest coordinate (L) and the largest load (k_h L).
     const FARTHEST: f64;
 
-    /// From f64 to the float in which the type takes SI values.
+    /// From f64 to the float that the type accepts for SI values.
     fn si(x: f64) -> Self::Si;
-    /// From the float in which the type gives SI values.
+    /// From the float in which the type returns SI values.
     fn wide(x: Self::Si) -> f64;
 
-    /// An unwrapped angle (rad) without the rounding of the narrow float.
+    /// An unwrapped angle (rad), without rounding it to the narrow float.
     fn wide_angle(angle: Angle<Self::Si>) -> f64 {
         f64::from(angle.turns) * std::f64::consts::TAU + Self::wide(angle.rest)
     }
-    /// What is left of `x` in the narrow float.
+    /// `x` rounded to the narrow float.
     fn rounded(x: f64) -> f64 {
         Self::wide(Self::si(x))
     }
@@ -66,7 +66,7 @@ impl Number for Counted {
     }
 }
 
-/// A type that meets the outside in f32: its name, its bounds and the farthest coordinate.
+/// A type whose interface is f32: its name, its bounds and the farthest coordinate.
 macro_rules! narrow {
     ($number:ty, $name:literal, error: $error:expr, gap: $gap:literal, farthest: $farthest:literal) => {
         impl Number for $number {
@@ -91,5 +91,6 @@ narrow!(f32, "f32", error: 1e-4, gap: 1e-5, farthest: 1e6);
 narrow!(Fixed, "fixed", error: 1e-4, gap: 1e-5, farthest: 8.0);
 narrow!(LibmSingle, "f32 with libm", error: 1e-4, gap: 1e-5, farthest: 1e6);
 narrow!(CordicFixed, "fixed with cordic", error: 1e-3, gap: 1e-5, farthest: 8.0);
-// Sine and cosine are out by 1.1e-3 each, and so a vertex by 1.6e-3 L; soft springs make small forces of larger errors.
+// Sine and cosine are off by 1.1e-3 each, and so a vertex by 1.6e-3 L; with soft springs, these errors are larger than
+// the small forces.
 narrow!(MicromathSingle, "f32 with micromath", error: f64::INFINITY, gap: 2e-3, farthest: 1e6);

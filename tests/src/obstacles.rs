@@ -1,7 +1,6 @@
 //! Scenes among obstacles with corners: convex polygons, thin walls, pins. A scene and its runs in any number type, the cases with
-//! known answers, a judge of single frames that knows nothing but geometry and statics, random scenes, closed rooms, and pegs
-//! in holes.
-//! SI units, world frame, unless said otherwise.
+//! known answers, a judge of single frames that uses only geometry and statics, random scenes, closed rooms, and pegs in holes. SI
+//! units, world frame, unless stated otherwise.
 
 pub mod before_judge;
 pub mod cases;

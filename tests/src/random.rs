@@ -1,4 +1,4 @@
-//! Random scenes and hand paths: convex bodies, one to three surfaces, ordinary grips. The same in every run.
+//! Random scenes and hand paths: convex bodies, one to three surfaces, ordinary grips. They are the same in every run.
 
 use crate::run::polyline;
 use crate::setup::Setup;
@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct Scenario {
     /// The scene.
     pub setup: Setup,
-    /// x, y (m), phi (rad); the first one is at the holding point.
+    /// x, y (m), phi (rad); the first keyframe is at the holding point.
     pub keyframes: Vec<[f64; 3]>,
 }
 
@@ -24,15 +24,15 @@ impl Scenario {
     }
 }
 
-/// Scenes of 1 to 6 vertices and 1 to 3 surfaces, some touching at the start; size 0.01 to 10 m, k_h 10 to 10⁴ N/m,
-/// k_theta / (k_h L²) 0.01 to 3, mu_s up to 1.5, weight up to 0.3 k_h L; `legs` straight lines of the hand, each
-/// reaching up to 1.2 L and 1.5 rad away from the start.
+/// Scenes with 1 to 6 vertices and 1 to 3 surfaces, some in contact at the start; size 0.01 to 10 m, k_h 10 to 10⁴ N/m,
+/// k_theta / (k_h L²) 0.01 to 3, mu_s up to 1.5, weight up to 0.3 k_h L; the hand moves along `legs` straight lines,
+/// each of which ends within 1.2 L and 1.5 rad of the start.
 pub fn scenario(legs: usize) -> impl Strategy<Value = Scenario> {
     let parts = (body(), grip(), vec(surface(), 1..=3), vec(offset(), legs));
     parts.prop_map(|(vertices, grip, planes, offsets)| assemble(vertices, grip, planes, offsets))
 }
 
-/// `count` scenarios, always the same ones.
+/// `count` scenarios, the same in every run.
 pub fn scenarios(count: usize, legs: usize) -> impl Iterator<Item = Scenario> {
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
@@ -45,7 +45,7 @@ pub fn scenarios(count: usize, legs: usize) -> impl Iterator<Item = Scenario> {
     })
 }
 
-/// A configuration of proptest that draws the same `cases` in every run and writes no files.
+/// A proptest configuration that draws the same `cases` in every run and writes no files.
 pub fn same_every_run(cases: usize) -> ProptestConfig {
     ProptestConfig {
         cases: u32::try_from(cases).unwrap_or(u32::MAX),
@@ -113,7 +113,7 @@ fn offset() -> impl Strategy<Value = [f64; 3]> {
     [-1.2..1.2f64, -1.2..1.2f64, -1.5..1.5f64]
 }
 
-/// Surfaces face the body from below, from the right and from the left, each turned a little.
+/// Surfaces face the body from below, from the right and from the left, each turned by a small angle.
 fn assemble(
     vertices: Vec<[f64; 2]>,
     grip: Grip,

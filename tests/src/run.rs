@@ -1,4 +1,4 @@
-//! The driver: leads the hand through a scene and gives every answer as a frame in f64.
+//! The driver: moves the hand through a scene and returns every answer as a frame in f64.
 
 use crate::number::Number;
 use crate::setup::{SURFACES, Setup, VERTICES};
@@ -28,7 +28,7 @@ pub struct Frame {
     pub slips: u32,
     /// The longest of them (m).
     pub longest_slip: f64,
-    /// What happened.
+    /// The events of the frame.
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
@@ -85,7 +85,7 @@ impl Frame {
     }
 }
 
-/// A run of a solver of any scene of the tests.
+/// A run with the capacities that all scenes of the tests share.
 pub type Run<R> = RunOf<R, VERTICES, SURFACES, Full>;
 
 /// A solver with its state and its last answer.
@@ -98,12 +98,12 @@ pub struct RunOf<R: Number, const V: usize, const S: usize, M: Model> {
     pub frame: Frame,
 }
 
-/// The place on a hand's way where something happens first.
+/// The point on a hand's path at which something first happens.
 #[derive(Clone, Debug)]
 pub struct Onset {
     /// x, y (m), phi (rad) of the hand: the first pose at which it has happened.
     pub hand: [f64; 3],
-    /// The answer for the last pose at which it had not.
+    /// The answer for the last pose at which it had not happened yet.
     pub before: Frame,
 }
 
@@ -142,13 +142,13 @@ impl<R: Number, const V: usize, const S: usize, M: Model> RunOf<R, V, S, M> {
         self.frame = Frame::new(&self.solver, &self.state, &output);
         &self.frame
     }
-    /// Leads the hand straight from where it is to `to`, in equal frames.
+    /// Moves the hand straight from its current pose to `to`, in equal frames.
     pub fn lead(&mut self, to: [f64; 3], frames: usize) -> Vec<Frame> {
         let from = self.frame.hand;
         let hand = |i| between(from, to, i as f64 / frames as f64);
         (1..=frames).map(|i| self.step(hand(i)).clone()).collect()
     }
-    /// Leads the hand straight towards `to` in a single frame that ends at the first pose at which something `happened`,
+    /// Moves the hand straight towards `to` in a single frame that ends at the first pose at which something `happened`,
     /// found by bisection to the last digit of the number type.
     ///
     /// # Panics
@@ -159,7 +159,7 @@ impl<R: Number, const V: usize, const S: usize, M: Model> RunOf<R, V, S, M> {
         let mut before = self.frame.clone();
         assert!(
             happened(self.step(to)),
-            "nothing happens on the way from {from:?} to {to:?}: {:?}",
+            "nothing happens on the path from {from:?} to {to:?}: {:?}",
             self.frame
         );
         loop {

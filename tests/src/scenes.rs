@@ -1,4 +1,4 @@
-//! Named scenes with few events, one or more for every state and every way out of it.
+//! Named scenes with few events, at least one for every state and every exit from it.
 
 use crate::random::Scenario;
 use crate::setup::Setup;
@@ -51,7 +51,7 @@ fn scenario(setup: Setup, keyframes: &[[f64; 3]]) -> Scenario {
     }
 }
 
-/// The hand takes the body where it stands and moves by each of the offsets from there.
+/// The hand grasps the body where it stands and moves by each of the offsets from there.
 pub(crate) fn from_grip(setup: Setup, offsets: &[[f64; 3]]) -> Scenario {
     let ([x, y], theta) = (setup.grip(), setup.start[2]);
     let hand = |[dx, dy, turn]: &[f64; 3]| [x + dx, y + dy, theta + turn];
@@ -78,8 +78,8 @@ pub fn box_flat() -> Scenario {
     from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
 }
 
-/// The same box, tilted by 30 degrees, with one vertex on the floor and one on a wall, pressed into both and dragged
-/// up along the wall.
+/// The same box, tilted by 30 degrees, with one vertex on the floor and one on a wall; it is pressed into both and
+/// dragged up along the wall.
 pub fn box_as_a_ladder() -> Scenario {
     let setup = Setup::bench_box()
         .standing(0, [0.0, 0.0], FRAC_PI_6)
@@ -174,8 +174,8 @@ fn block_set_down_tilted() -> Scenario {
     )
 }
 
-/// On a smooth floor, held straight above its lowest corner, it slides without a turn and meets the wall, which is
-/// parallel to its side, with two corners at once.
+/// On a smooth floor, held straight above its lowest corner, the block slides without turning and meets the wall, which
+/// is parallel to its side, with two corners simultaneously.
 fn block_slid_flush() -> Scenario {
     let (sin, cos) = FRAC_PI_6.sin_cos();
     let above = [-0.5 + 0.6 * sin, 0.6 * cos];
@@ -187,7 +187,7 @@ fn block_slid_flush() -> Scenario {
     from_grip(setup, &[[0.0, -0.13, 0.0], [0.83, -0.13, 0.0]])
 }
 
-/// The triangle on its tip, to be pulled down by a hand below the floor; kappa is that of the fold.
+/// The triangle on its tip, pulled down by a hand below the floor; kappa is that of the fold.
 pub fn strut(kappa: f64, theta: f64) -> Setup {
     Setup::triangle()
         .held_at([0.0, 1.0])
@@ -242,7 +242,7 @@ fn strut_falls_on_its_edge() -> Scenario {
 /// k_theta of [`rod_buckles`] (N·m/rad): m = 1.06, so that it folds at |u| = acos(1 / m) = 0.338.
 pub const BUCKLING: f64 = SQRT_2 / 2.0 / 1.06;
 
-/// A rod of length 2 with its ends on a smooth floor and a smooth wall, held in the middle by a hand at (-1/2, -1/2) that turns: it
+/// A rod of length 2 with its ends on a smooth floor and a smooth wall, held in the middle by a hand at (-1/2, -1/2) that turns: the rod
 /// buckles to the other side and back. At a turn of -pi/4 - beta it rests at -pi/4 - u with u - m sin u = beta, m = 1 / (sqrt 2 k_theta).
 pub fn rod_buckles() -> Scenario {
     let u = 0.65_f64;
@@ -268,7 +268,7 @@ pub fn leaning_rod() -> Setup {
         .wall(0.0, friction)
 }
 
-/// It under a load, while the hand turns to `phi`.
+/// The leaning rod under a load, while the hand turns to `phi`.
 fn rod_between_floor_and_wall(phi: f64) -> Scenario {
     let (sin, cos) = 1f64.sin_cos();
     let setup = leaning_rod();
@@ -308,10 +308,10 @@ fn rod_dropped() -> Scenario {
     )
 }
 
-/// A point that is pressed into a corner of 90 degrees and drawn out along either surface and straight away.
+/// A point that is pressed into a corner of 90 degrees, and drawn out along either surface and straight away.
 fn point_in_a_corner() -> Scenario {
     let setup = Setup::point().floor(FRICTION).wall(1.0, FRICTION);
-    // Back at another depth than out: no slip ends where another surface begins.
+    // It returns at another depth than it left, so that no slip ends where another surface begins.
     let (press, away) = ([1.203, -0.203, 0.0], [0.493, 0.507, 0.0]);
     let keyframes = [
         away,

@@ -3,9 +3,9 @@
 use crate::number::Number;
 use stiction_core::{Description, Model, Scene, SceneError, SurfaceDescription};
 
-/// Room for vertices in the tests' scenes.
+/// Capacity for vertices in the tests' scenes.
 pub const VERTICES: usize = 64;
-/// Room for surfaces in the tests' scenes.
+/// Capacity for surfaces in the tests' scenes.
 pub const SURFACES: usize = 4;
 
 /// The parameters of a scene, SI units; see [`Description`].
@@ -19,7 +19,7 @@ pub struct Setup {
     pub weight: f64,
     /// g (m), body frame.
     pub holding_point: Option<[f64; 2]>,
-    /// How far outside the body a hand may take hold (m).
+    /// How far outside the body a hand may grasp (m).
     pub reach: f64,
     /// k_h (N/m)
     pub stiffness_translation: f64,
@@ -56,7 +56,7 @@ impl Setup {
     pub fn rod(length: f64) -> Self {
         Self::new(&[[0.0, 0.0], [length, 0.0]])
     }
-    /// A single point: the only body that touches nothing but what it is pinned to.
+    /// A single point: the only body that, once pinned, can touch nothing else.
     pub fn point() -> Self {
         Self::new(&[[0.0, 0.0]])
     }
@@ -71,7 +71,7 @@ impl Setup {
     pub fn at(self, start: [f64; 3]) -> Self {
         Self { start, ..self }
     }
-    /// Starts turned by `theta`, with a vertex at a given place.
+    /// Starts turned by `theta`, with a vertex at a given position.
     #[must_use]
     pub fn standing(self, vertex: usize, place: [f64; 2], theta: f64) -> Self {
         let [x, y] = turned(self.vertices[vertex], theta);
@@ -99,7 +99,7 @@ impl Setup {
             ..self
         }
     }
-    /// One surface more: free side normal·p >= offset, friction \[mu_s, mu_d\].
+    /// Adds a surface: free side normal·p >= offset, friction \[mu_s, mu_d\].
     #[must_use]
     pub fn surface(mut self, normal: [f64; 2], offset: f64, friction: [f64; 2]) -> Self {
         self.surfaces.push(SurfaceDescription {
@@ -116,7 +116,7 @@ impl Setup {
     pub fn floor(self, friction: [f64; 2]) -> Self {
         self.surface([0.0, 1.0], 0.0, friction)
     }
-    /// A wall at `x` that faces to -x, friction \[mu_s, mu_d\].
+    /// A wall at `x` that faces -x, friction \[mu_s, mu_d\].
     #[must_use]
     pub fn wall(self, x: f64, friction: [f64; 2]) -> Self {
         self.surface([-1.0, 0.0], -x, friction)
@@ -140,11 +140,11 @@ impl Setup {
         self
     }
 
-    /// G at the start: where the hand's position spring is at rest.
+    /// G at the start: the point at which the hand's position spring is at rest.
     pub fn grip(&self) -> [f64; 2] {
         self.world(self.start, self.holding_point.unwrap_or_default())
     }
-    /// A point of the body frame in the world, for a body pose.
+    /// A point of the body frame in the world frame, for a body pose.
     pub fn world(&self, [x, y, theta]: [f64; 3], point: [f64; 2]) -> [f64; 2] {
         let [dx, dy] = turned(point, theta);
         [x + dx, y + dy]
@@ -159,7 +159,7 @@ impl Setup {
         let largest = pairs.fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
-    /// cg (m), body frame: of the area, of the rod, of the point.
+    /// cg (m), body frame: the centroid of the area, of the rod or of the point.
     pub fn centroid(&self) -> [f64; 2] {
         let n = self.vertices.len();
         if n < 3 {
@@ -179,7 +179,7 @@ impl Setup {
         [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
     }
 
-    /// The same scene with every number rounded as the type `R` takes it in.
+    /// The same scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
         let pair = |p: [f64; 2]| p.map(R::rounded);
@@ -194,17 +194,17 @@ impl Setup {
             surfaces: self.surfaces.iter().map(rounded_surface::<R>).collect(),
         }
     }
-    /// The scene of a number type, with room for any of the tests' scenes.
+    /// The scene of a number type, with capacity for any of the tests' scenes.
     ///
     /// # Errors
-    /// What [`Scene::new`] refuses.
+    /// The scene is refused by [`Scene::new`].
     pub fn scene<R: Number>(&self) -> Result<Scene<R, VERTICES, SURFACES>, SceneError<R::Si>> {
         self.scene_of()
     }
     /// The scene of a number type, capacity and model.
     ///
     /// # Errors
-    /// What [`Scene::new`] refuses.
+    /// The scene is refused by [`Scene::new`].
     pub fn scene_of<R: Number, const V: usize, const S: usize, M: Model>(
         &self,
     ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {

@@ -36,7 +36,7 @@ const SETTINGS: [Setting; 3] = [
     },
 ];
 
-/// A float of the outside world, made from the f64 of the setting.
+/// A float of the solver's interface, converted from the f64 of the setting.
 trait Narrow: Real<Si = Self> {
     const NAME: &'static str;
     fn narrow(x: f64) -> Self;

@@ -1,4 +1,4 @@
-//! The jamming diagram at a depth: F_x/F_z across, M/(r F_z) up, both without unit.
+//! The jamming diagram at a depth: F_x/F_z horizontally, M/(r F_z) vertically, both dimensionless.
 
 use crate::plane::Vec2;
 
@@ -7,20 +7,21 @@ use crate::plane::Vec2;
 pub struct Diagram {
     /// mu, above 0.
     pub friction: f64,
-    /// lambda = l/(2 r mu), 0 or more.
+    /// lambda = l/(2 r mu), at least 0.
     pub lambda: f64,
 }
 
 impl Diagram {
-    /// Its corners, counter-clockwise, each the load of one point that slides in: the tip on the wall on the side of x, the corner of the
-    /// mouth on the other side; the tip on that side, the mouth on the side of x. Sides 0 and 2 are two points, 1 and 3 one wall.
+    /// Its corners, counter-clockwise, each the load of a single contact that slides in: the tip on the wall on the side of x, then the
+    /// corner of the mouth on the other side; the tip on that side, then the mouth on the side of x. Sides 0 and 2 represent two-point
+    /// contact, sides 1 and 3 one wall.
     pub fn corners(&self) -> [Vec2; 4] {
         let across = 1.0 / self.friction;
         let up = 2.0 * self.lambda + 1.0;
         [[across, -1.0], [-across, up], [-across, 1.0], [across, -up]]
     }
 
-    /// The signed distances of a load to the four lines, positive inside, in the order of the sides from [`Self::corners`] on.
+    /// The signed distances of a load to the four lines, positive inside, in the order of the sides of [`Self::corners`].
     pub fn distances(&self, [across, up]: Vec2) -> [f64; 4] {
         let Self { friction, lambda } = *self;
         let slope = friction * (1.0 + lambda);
@@ -40,7 +41,7 @@ impl Diagram {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// From its middle to its farthest corner, at most.
+    /// An upper bound of the distance from its centre to its farthest corner.
     pub(crate) fn size(&self) -> f64 {
         1.0 / self.friction + 2.0 * self.lambda + 1.0
     }

@@ -5,12 +5,12 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use crate::plane::{Side, Vec2, add, cross, dot, left, length, middle, placed, scaled, sides, sub};
 use crate::{Meter, Peg};
 
-/// The most clearance c of a peg in its hole: from there on a friction of 1 wedges no peg.
+/// The largest clearance c of a peg in its hole: above it, a friction of 1 wedges no peg.
 pub const MOST_CLEARANCE: f64 = 1.0 - FRAC_1_SQRT_2;
-/// Sides are parallel to this (rad): over the length of a peg their distance changes by a thousandth of a clearance of a thousandth.
+/// Tolerance of parallel sides (rad): over the length of a peg, their distance changes by a thousandth of a clearance of a thousandth.
 const PARALLEL: f64 = 1e-6;
 
-/// What is in the plane, world frame.
+/// The items in the plane, world frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     /// The vertices of the body (m), body frame, counter-clockwise.
@@ -61,7 +61,8 @@ impl Meter {
         best.map(|(_, meter)| meter)
     }
 
-    /// The less the better: the clearance, as far as it tells two apart, then the way from the start to the mouth (m).
+    /// The rank of a peg and hole, lower is better: the clearance, as far as it differs, then the distance from the
+    /// start to the mouth (m).
     fn rank(&self, scene: &Scene<'_>) -> [f64; 2] {
         let apart = length(sub(self.mouth, start(scene)));
         [(self.clearance() / PARALLEL).round(), apart]
@@ -112,7 +113,7 @@ impl Meter {
     }
 }
 
-/// The middle of the body's vertices at the start (m).
+/// The mean of the body's vertices at the start (m).
 fn start(scene: &Scene<'_>) -> Vec2 {
     let sum = scene
         .body
@@ -128,7 +129,7 @@ fn are_opposite(a: Vec2, b: Vec2) -> bool {
     dot(a, b) < 0.0 && cross(a, b).abs() <= PARALLEL
 }
 
-/// A point is in, on or behind something, to `near` (m).
+/// Whether a point is in, on or behind an item, to within `near` (m).
 fn is_covered(scene: &Scene<'_>, point: Vec2, near: f64) -> bool {
     let behind = |&(normal, offset): &(Vec2, f64)| dot(normal, point) <= offset + near;
     let within = |solid: &Solid<'_>| match solid.vertices {
@@ -138,7 +139,7 @@ fn is_covered(scene: &Scene<'_>, point: Vec2, near: f64) -> bool {
                 left(side.normal),
                 if vertices.len() == 2 { 1.0 } else { 0.0 },
             );
-            // A thin wall ends, too.
+            // A thin wall has ends.
             dot(side.normal, sub(point, side.from)) <= near
                 && dot(along, sub(point, side.to)) <= near
         }),
@@ -170,7 +171,8 @@ impl Peg {
         }
     }
 
-    /// In a pose, with the tip at the end that points inwards: the unit axis, the ends of the tip and the opposite ends (m), world frame.
+    /// The peg in a pose, with the tip at the end that points inwards: the unit axis, the ends of the tip and the opposite ends (m),
+    /// world frame.
     pub(crate) fn pointing(&self, pose: [f64; 3], inwards: Vec2) -> Placed {
         let axis = crate::plane::turned(self.axis, pose[2]);
         let ends = self.ends.map(|ends| ends.map(|end| placed(pose, end)));
@@ -192,9 +194,9 @@ impl Peg {
 
 /// A peg in the world.
 pub(crate) struct Placed {
-    /// The unit vector along it, into the hole.
+    /// The unit vector along the peg, into the hole.
     pub(crate) axis: Vec2,
-    /// The ends of its sides at the tip, and the other ones (m).
+    /// The ends of its sides at the tip, and the opposite ones (m).
     pub(crate) tip: [Vec2; 2],
     pub(crate) back: [Vec2; 2],
 }

@@ -1,8 +1,8 @@
-//! Vectors of the plane. Roots and angles are those of libm, with the same bits on every machine.
+//! Vectors of the plane. Roots and angles are computed by libm, with the same bits on every machine.
 
 use libm::{hypot, sincos};
 
-/// A vector or a place (m).
+/// A vector or a position (m).
 pub(crate) type Vec2 = [f64; 2];
 
 pub(crate) fn add(a: Vec2, b: Vec2) -> Vec2 {
@@ -44,7 +44,7 @@ pub(crate) fn turned([x, y]: Vec2, angle: f64) -> Vec2 {
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-/// A point of the body in the world.
+/// A point of the body in the world frame.
 pub(crate) fn placed([x, y, theta]: [f64; 3], point: Vec2) -> Vec2 {
     add([x, y], turned(point, theta))
 }
@@ -58,7 +58,7 @@ pub(crate) struct Side {
     pub(crate) normal: Vec2,
 }
 
-/// The sides of a polygon: two of a segment, none of a point.
+/// The sides of a polygon: two for a segment, none for a point.
 pub(crate) fn sides(vertices: &[Vec2]) -> impl Iterator<Item = Side> + '_ {
     let next = vertices.iter().cycle().skip(1);
     let side = |(&from, &to): (&Vec2, &Vec2)| {

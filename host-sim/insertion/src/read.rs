@@ -7,14 +7,14 @@ use crate::plane::{Vec2, add, cross, dot, left, scaled, sub};
 use crate::wedge::is_wedged;
 use crate::{Diagram, Meter};
 
-/// What rounding leaves open of a ratio of forces, and so of a place in the diagram, of its size: what f32 gives of the friction of
-/// a contact that slides is mu_d N to less.
+/// Uncertainty due to rounding of a ratio of forces, and so of a position in the diagram, relative to its size: in f32, the
+/// friction of a sliding contact equals mu_d N more accurately than this.
 const OPEN: f64 = 1.0 / 1024.0;
 
 /// A contact of the body, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction {
-    /// Where (m).
+    /// Its position (m).
     pub point: Vec2,
     /// The unit normal n towards the body.
     pub direction: Vec2,
@@ -31,7 +31,7 @@ impl Reaction {
     }
 }
 
-/// How a peg is in its hole.
+/// The condition of a peg in its hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// No wall touches it.
@@ -47,7 +47,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// All of them.
+    /// All verdicts.
     pub const ALL: [Self; 5] = [
         Self::Free,
         Self::OnePoint,
@@ -79,27 +79,27 @@ pub struct Insertion {
     pub fz: f64,
     /// M (N·m), counter-clockwise about the middle of the tip.
     pub m: f64,
-    /// lambda = l/(2 r mu); none without friction.
+    /// lambda = l/(2 r mu); `None` without friction.
     pub lambda: Option<f64>,
-    /// The signed distance to the nearest line of the diagram, positive inside; none where the load has no place in it.
+    /// The signed distance to the nearest line of the diagram, positive inside; `None` if the load has no position in it.
     pub margin: Option<f64>,
-    /// How many of the two walls touch it.
+    /// The number of walls that touch it.
     pub walls: usize,
-    /// What is to be said of it.
+    /// The peg's condition.
     pub verdict: Verdict,
 }
 
 impl Insertion {
-    /// The place of the load in the diagram, F_x/F_z and M/(r F_z); none where there is none.
+    /// The position of the load in the diagram, F_x/F_z and M/(r F_z); `None` if it has none.
     pub fn load(&self, radius: f64) -> Option<Vec2> {
         self.margin
             .map(|_| [self.fx / self.fz, self.m / (radius * self.fz)])
     }
 }
 
-/// What the walls do to a peg, in its frame.
+/// The reactions of the walls on a peg, in its frame.
 struct Walls {
-    /// The contacts whose normal is to the right of the way in, and those to the left.
+    /// The contacts whose normal points to the right of the insertion direction, and those to the left.
     right: Vec<Reaction>,
     left: Vec<Reaction>,
     fx: f64,
@@ -142,12 +142,12 @@ impl Walls {
 }
 
 impl Meter {
-    /// The meter of a frame; none where the peg is not in the hole.
+    /// The meter of a frame; `None` if the peg is not in the hole.
     pub fn read(&self, pose: [f64; 3], contacts: &[Reaction]) -> Option<Insertion> {
         let peg = self.peg.pointing(pose, self.inwards);
         let depth = self.depth(&peg)?;
         let walls = Walls::of(&peg, contacts);
-        // What stands on the bottom is not held by its walls alone.
+        // A peg that stands on the bottom is not held by the walls alone.
         let by_walls = walls.fz > 0.0 && walls.count() == contacts.len();
         let lambda = self.lambda(depth);
         let diagram = lambda.filter(|_| by_walls).map(|lambda| Diagram {
@@ -157,7 +157,7 @@ impl Meter {
         let load = [walls.fx, walls.m / self.radius].map(|part| part / walls.fz);
         let margin = diagram.map(|diagram| diagram.margin(load));
         let margin = margin.filter(|margin| margin.is_finite());
-        // The lines are exact to the tilt and to rounding.
+        // The lines are exact to within the tilt and rounding.
         let tilt = cross(self.inwards, peg.axis).abs();
         let open = |diagram: Diagram| 2.0 * tilt / self.friction + OPEN * diagram.size();
         let is_outside = |(diagram, margin)| margin < -open(diagram);
@@ -180,7 +180,7 @@ impl Meter {
         })
     }
 
-    /// l (m) of a peg that is in the hole.
+    /// l (m) of a peg in the hole.
     fn depth(&self, peg: &Placed) -> Option<f64> {
         let depth = |point| dot(self.inwards, sub(point, self.mouth));
         let ([a, b], [c, d]) = (peg.tip.map(depth), peg.back.map(depth));

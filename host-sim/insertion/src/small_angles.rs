@@ -1,4 +1,4 @@
-//! F_z by Whitney's formulas for small angles, from where the unloaded peg would be (m, rad, N). They know no weight.
+//! F_z by Whitney's formulas for small angles, from the pose of the unloaded peg (m, rad, N). They ignore weight.
 
 use crate::Meter;
 use crate::plane::{cross, dot, left, placed, sub, turned};
@@ -16,17 +16,17 @@ pub struct Springs {
     pub wrench: [f64; 3],
 }
 
-/// F_z (N) along the peg where it touches at one point, and at two.
+/// F_z (N) along the peg for one-point contact, and for two-point contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SmallAngles {
-    /// None where the unloaded peg would not touch the mouth.
+    /// `None` if the unloaded peg would not touch the mouth.
     pub one_point: Option<f64>,
-    /// None where the formula has one of the two pull.
+    /// `None` if one of the two contacts would pull according to the formula.
     pub two_points: Option<f64>,
 }
 
 impl Meter {
-    /// What the formulas say at depth l (m) of a peg in this pose under these springs.
+    /// The forces that the formulas give at depth l (m) for a peg in this pose under these springs.
     pub fn small_angles(&self, depth: f64, pose: [f64; 3], springs: &Springs) -> SmallAngles {
         let Springs {
             translation: k,
@@ -38,14 +38,14 @@ impl Meter {
         }
         let holding = [0, 1].map(|axis| springs.hand[axis] - springs.wrench[axis] / k);
         let arm = turned(sub(holding, [pose[0], pose[1]]), -pose[2]);
-        // The unloaded peg: the holding point at the hand, the spring of rotation at rest.
+        // The unloaded peg: the holding point is at the hand, and the rotational spring is at rest.
         let angle = pose[2] + springs.wrench[2] / k_t;
         let at_hand = sub(springs.hand, turned(arm, angle));
         let unloaded = [at_hand[0], at_hand[1], angle];
         let peg = self.peg.pointing(unloaded, self.inwards);
         let tip = sub(peg.middle(), self.mouth);
         let grip = length_along(placed(unloaded, arm), peg.middle(), peg.axis);
-        // e_0, t_0: as OBSTACLES 11 has them, or mirrored.
+        // e_0 and t_0 as in OBSTACLES 11, or mirrored.
         let e = -dot(left(self.inwards), tip);
         let t = libm::asin(cross(self.inwards, peg.axis).clamp(-1.0, 1.0));
         let side = if e + depth * t < 0.0 { -1.0 } else { 1.0 };
@@ -69,7 +69,7 @@ impl Meter {
     }
 }
 
-/// How far a point is above the tip, along the peg.
+/// Distance of a point above the tip, along the peg.
 fn length_along(point: [f64; 2], tip: [f64; 2], axis: [f64; 2]) -> f64 {
     -dot(axis, sub(point, tip))
 }

@@ -1,4 +1,4 @@
-//! What is a peg and a hole, and what is not.
+//! What counts as a peg and a hole, and what does not.
 
 use stiction_insertion::{MOST_CLEARANCE, Meter, Scene, Solid};
 
@@ -46,7 +46,7 @@ fn the_mouth_is_where_the_walls_begin_to_face_each_other() {
 fn a_through_hole_is_entered_from_where_the_body_is() {
     let meter = find(&PEG, [0.0, -0.3, 0.0], &hole()).expect("a hole");
     assert_eq!(meter.inwards.map(f64::round), [0.0, 1.0]);
-    // But for what has a bottom.
+    // Unless the hole has a bottom.
     let mut blind = hole();
     blind.push(block([-0.2, 0.2], [-0.1, -0.05]));
     let meter = find(&PEG, [0.0, -0.3, 0.0], &blind).expect("a hole");

@@ -1,4 +1,4 @@
-//! The meter against what is known of a peg in a hole: the exact balance of OBSTACLES 11, the wedging table, the parallelogram.
+//! The meter against known results for a peg in a hole: the exact balance of OBSTACLES 11, the wedging table, the parallelogram.
 
 use proptest::prelude::*;
 use stiction_insertion::{
@@ -100,7 +100,7 @@ fn the_exact_two_point_force_is_along_the_hole_and_the_meters_along_the_peg() {
     near(along_the_hole(pose[2], &found), 3.775724, 1e-7);
     near(found.fz, 3.722823, 1e-6);
     assert_eq!(found.verdict, Verdict::TwoPoint);
-    // The hand's force and moment balance the walls, about the middle of the tip.
+    // The hand's force and moment, about the middle of the tip, balance the walls.
     let springs = springs(0.0293, pose);
     let [fx, fy, moment] = springs.wrench;
     let (sin, cos) = pose[2].sin_cos();
@@ -108,7 +108,7 @@ fn the_exact_two_point_force_is_along_the_hole_and_the_meters_along_the_peg() {
     near(sin * fx - cos * fy, found.fz, 1e-8);
     near(moment - 0.04 * found.fx, found.m, 1e-8);
     let small = meter.small_angles(found.depth, pose, &springs);
-    // The formula has t_0 for sin t_0.
+    // The formula uses t_0 instead of sin t_0.
     near(small.two_points.expect("both press"), 3.515731, 2e-5);
 }
 
@@ -144,10 +144,10 @@ fn half_the_friction_at_the_same_place_is_jammed() {
         meter.read(pose, &[contact]).expect("in the hole")
     };
     assert_eq!(found(0.05).verdict, Verdict::Jammed);
-    // Drawn out: no load pushes it in.
+    // Pulled out: no load pushes it in.
     let drawn = found(-0.05);
     assert_eq!((drawn.verdict, drawn.margin), (Verdict::OnePoint, None));
-    // By more than the dynamic friction.
+    // Friction above the dynamic one.
     assert_eq!(found(0.12).verdict, Verdict::OnePoint);
 }
 
@@ -185,9 +185,9 @@ fn only_a_peg_in_its_hole_has_a_reading() {
         Some(Verdict::Free)
     );
     assert_eq!(meter.read([0.0, 1e-6, 0.0], &[]), None);
-    // The lower end of a tilted tip alone.
+    // Only the lower end of a tilted tip is below the mouth.
     assert_eq!(meter.read([0.0, -1e-5, 0.01], &[]), None);
-    // Beside the plate, and through it.
+    // Next to the plate, and through it.
     assert_eq!(meter.read([0.1, -0.01, 0.0], &[]), None);
     assert_eq!(meter.read([0.0, -0.31, 0.0], &[]), None);
 }
@@ -210,7 +210,7 @@ fn the_wedging_table() {
     }
 }
 
-/// The verdict on a peg with two points at l = `part` D_h, c = 0.001.
+/// The verdict on a peg in two-point contact at l = `part` D_h, c = 0.001.
 fn two_points(friction: f64, part: f64) -> Verdict {
     let width = 2.0 * RADIUS / 0.999;
     let alpha = part.atan();
@@ -244,7 +244,7 @@ fn a_peg_is_wedged_below_the_root_of_four_clearances_and_above_that_of_two() {
     assert_eq!(deepest_wedge(0.999999 * least, clearance), None);
 }
 
-/// What one point has that slides in, upright: the peg's side +1 (x) or -1, at this height above the tip.
+/// The reaction at one contact of an upright peg that slides in: on the peg's side +1 (x) or -1, at this height above the tip.
 fn slides_in(friction: f64, side: f64, height: f64) -> Reaction {
     Reaction {
         point: [side * RADIUS, height],
@@ -275,7 +275,7 @@ proptest! {
     fn two_points_that_slide_in_are_on_a_line_and_less_friction_is_outside(
         friction in 0.05_f64..1.0, deeper in 0.01_f64..5.0, share in 0.01_f64..0.99, less in 0.1_f64..0.95,
     ) {
-        // Deeper than what wedges.
+        // Deeper than the wedging depth.
         let depth = 2.0 * RADIUS * friction * (1.0 + deeper);
         let meter = meter(2.0 * RADIUS * (1.0 + 1e-9), friction);
         let load = |mu: f64| {

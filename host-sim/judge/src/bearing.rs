@@ -1,10 +1,11 @@
-//! What loads contacts can bear without moving: the cone of the wrenches of all reactions within friction, as sums of its edges
-//! with no negative part. Two answers that are certain, and between them nothing is said:
+//! The loads that contacts can bear without moving: the cone of the wrenches of all reactions within friction, represented as
+//! non-negative combinations of its edges. There are two answers that are certain; between them, nothing is decided:
 //!
-//! * [`bears`](Bearing::bears): some such sum is the load, by its parts; and so for every load that is nearly the same.
-//! * [`least`](Bearing::least): every such sum needs a reaction of at least this size, by a motion of the body: the work of
-//!   the load along a twist has to be taken up by the contacts, and one that gives N takes no more than N times the most that
-//!   an edge of its cone takes.
+//! * [`bears`](Bearing::bears): some combination of the edges equals the load, which its coefficients prove, and the same holds
+//!   for every load that is nearly equal.
+//! * [`least`](Bearing::least): every combination needs a reaction of at least this size, which a motion of the body proves:
+//!   the contacts have to absorb the work of the load along a twist, and a contact with normal force N absorbs at most N times
+//!   the most that an edge of its cone absorbs.
 
 use crate::finding::Bounds;
 use crate::frame::{Contact, Frame};
@@ -12,13 +13,13 @@ use crate::model::{Grip, LIMIT, Model};
 use crate::touch::Face;
 use crate::vector::{Vec2, Vec3, add, cross, cross3, dot3, length3, scaled, sub};
 
-/// The contacts of a body in a pose, and the friction that is counted on.
+/// The contacts of a body in a pose, and the friction that may be assumed.
 pub(crate) struct Bearing<'a> {
     model: &'a Model,
     grip: &'a Grip,
     pose: [f64; 3],
     contacts: Vec<Cone>,
-    /// What rounding leaves open: of an edge, relative, and of a load (N).
+    /// Uncertainty due to rounding: of an edge, relative, and of a load (N).
     unknown: f64,
     blur: f64,
 }
@@ -32,7 +33,7 @@ struct Cone {
 }
 
 impl<'a> Bearing<'a> {
-    /// Of all contacts of a frame, with the friction `mu` of each.
+    /// The cones of all contacts of a frame, with the friction `mu` of each.
     pub(crate) fn new(
         model: &'a Model,
         bounds: &Bounds,
@@ -70,17 +71,17 @@ impl<'a> Bearing<'a> {
         }
     }
 
-    /// What the contacts have to bear, with the hand at a place: the wrench of springs and weight.
+    /// The load on the contacts for a hand pose: the wrench of springs and weight.
     fn load(&self, hand: [f64; 3]) -> Vec3 {
         let load = self.model.load(self.pose, hand, self.grip);
         [load.force[0], load.force[1], load.moment / self.model.size]
     }
 
-    /// The contacts bear this load, and every one that differs from it by no more than rounding and the part `doubt` of its own
-    /// size, with no N beyond `limit` (N).
+    /// Whether the contacts bear this load, and every load that differs from it by no more than rounding and the fraction
+    /// `doubt` of its own magnitude, with no N beyond `limit` (N).
     pub(crate) fn bears(&self, hand: [f64; 3], doubt: f64, limit: f64) -> bool {
         let load = self.load(hand);
-        // Over all of a ball if over the corners of an octahedron around it.
+        // It holds on a whole ball if it holds at the corners of an octahedron around it.
         let radius = 3.0_f64.sqrt() * (self.blur + doubt * length3(load));
         (0..3).all(|axis| {
             [radius, -radius].iter().all(|shift| {
@@ -91,7 +92,7 @@ impl<'a> Bearing<'a> {
         })
     }
 
-    /// A wrench is a sum of three edges, without a negative part.
+    /// Whether a wrench is a non-negative combination of three edges.
     fn is_sum(&self, wrench: Vec3, limit: f64) -> bool {
         let edges: Vec<(usize, Vec3)> = (self.contacts.iter().enumerate())
             .flat_map(|(i, cone)| cone.edges.map(|edge| (i, edge)))
@@ -119,7 +120,7 @@ impl<'a> Bearing<'a> {
         false
     }
 
-    /// The largest N is at least this (N): infinite for a load that no reactions bear.
+    /// A lower bound of the largest N (N): infinite for a load that no reactions bear.
     pub(crate) fn least(&self, hand: [f64; 3]) -> f64 {
         let load = self.load(hand);
         self.twists()
@@ -127,8 +128,8 @@ impl<'a> Bearing<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// No reactions bear the load, however large: along some twist it does work that no contact takes up, whatever rounding made of
-    /// both.
+    /// Whether no reactions bear the load, however large: along some twist the load does work that no contact absorbs, whatever the
+    /// rounding errors of both.
     pub(crate) fn never_bears(&self, hand: [f64; 3]) -> bool {
         let load = self.load(hand);
         let free = |twist: &Vec3| {
@@ -137,8 +138,8 @@ impl<'a> Bearing<'a> {
         };
         let free: Vec<Vec3> = self.twists().filter(free).collect();
         let opening = unit(free.iter().fold([0.0; 3], |sum, twist| plus(sum, *twist)));
-        // Of free motions all sums are free. The nearer to the one that opens all contacts, the more certainly; the farther, the more the
-        // load drives it.
+        // All sums of free motions are free. The nearer a sum is to the motion that opens all contacts, the more certainly it is free;
+        // the farther it is from that motion, the more strongly the load drives it.
         let parts = [1.0, 0.5, 0.25, 0.125, 0.0625];
         let sums = free
             .iter()
@@ -161,13 +162,13 @@ impl<'a> Bearing<'a> {
             .flat_map(|normal| [1.0, -1.0].map(|side| unit(normal.map(|x| side * x))))
     }
 
-    /// The most work that a contact takes up along a unit twist, with N = 1.
+    /// The most work that a contact absorbs along a unit twist, with N = 1.
     fn taken(cone: &Cone, twist: Vec3) -> f64 {
         let [a, b] = cone.edges.map(|edge| dot3(twist, edge));
         -a.min(b)
     }
 
-    /// What a unit twist says of the largest N.
+    /// The lower bound of the largest N that follows from a unit twist.
     fn bound(&self, twist: Vec3, load: Vec3) -> f64 {
         let work = dot3(twist, load) - self.blur;
         if work <= 0.0 {

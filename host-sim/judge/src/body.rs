@@ -2,7 +2,7 @@
 
 use crate::vector::{add, cross, distance, scaled, sub};
 
-/// L (m) of a body: the largest distance of two vertices; 1 for a point.
+/// L (m) of a body: the largest distance between two vertices; 1 for a point.
 pub fn size(vertices: &[[f64; 2]]) -> f64 {
     let pairs = (vertices.iter()).flat_map(|&a| vertices.iter().map(move |&b| distance(a, b)));
     let largest = pairs.fold(0.0, f64::max);

@@ -1,5 +1,5 @@
-//! Two contacts that are not in one line (STATICS 5): by how much static friction falls short of holding them, and the drive of a
-//! slip on which both frictions oppose the motion.
+//! Two contacts that are not on one line (STATICS 5): the amount by which static friction fails to hold them, and the drive of a
+//! slip in which both frictions oppose the motion.
 
 use crate::frame::Contact;
 use crate::model::{Grip, Model, Wrench};
@@ -36,8 +36,8 @@ impl Brace<'_> {
         self.model.load(self.pose, hand, self.grip)
     }
 
-    /// By how much (N) the reactions leave the cones of a friction at least, of all that bear the load (E5); negative where some
-    /// lie inside. Minus infinity where the body is jammed.
+    /// The least amount (N) by which reactions that bear the load leave the cones of a given friction (E5); negative if some of
+    /// them lie inside. Minus infinity if the body is jammed.
     pub(crate) fn excess(&self, hand: [f64; 3], friction: Onset) -> f64 {
         let Wrench { force, moment } = self.load(hand);
         let [first, second] = self.feet();
@@ -53,7 +53,7 @@ impl Brace<'_> {
                 scaled(along, -dot(force, along)),
             ),
         ];
-        // Each cone edge as p + q lambda.
+        // Each cone edge in the form p + q lambda.
         let mut lines = Vec::with_capacity(4);
         for ((contact, rest), sign) in self.contacts.iter().zip(rest).zip([1.0, -1.0]) {
             let face = self.face(contact);
@@ -67,8 +67,8 @@ impl Brace<'_> {
         lowest_maximum(&lines)
     }
 
-    /// What drives a slip on (N), with friction against a motion of the body: positive while it goes on; a zero of (E6), in
-    /// units of the wrenches of both edges. `motion`: by how much the holding point and the angle changed (m, rad).
+    /// The drive of a slip (N), with friction opposing a motion of the body: positive while the slip continues; a zero of
+    /// (E6), in units of the wrenches of both edges. `motion`: the change of the holding point and of the angle (m, rad).
     pub(crate) fn drive(&self, hand: [f64; 3], motion: (Vec2, f64)) -> f64 {
         let size = self.model.size;
         let Wrench { force, moment } = self.load(hand);
@@ -94,7 +94,7 @@ impl Brace<'_> {
     }
 }
 
-/// The least over lambda of the largest of p + q lambda.
+/// The minimum over lambda of the maximum of p + q lambda.
 fn lowest_maximum(lines: &[(f64, f64)]) -> f64 {
     let falls = lines.iter().all(|(_, q)| *q < 0.0);
     let rises = lines.iter().all(|(_, q)| *q > 0.0);

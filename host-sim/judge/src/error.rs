@@ -1,4 +1,4 @@
-//! Input that cannot be used: the file, the line, what is wrong there and what is allowed.
+//! Unusable input: the file, the line, the problem there and what is allowed.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,10 @@
-//! Events from frame to frame: contacts come and go as reported, what is reported to move the body moves it, slips are counted, and a
+//! Events from frame to frame: contacts appear and disappear as reported, the body moves if an event says so, slips are counted, and a
 //! balance snaps where its branch folds and nowhere else.
 //!
-//! **Contacts.** `touch`, `land` and `jam` bring contacts, `lift` and `tip` take some; among half-planes nothing else does. Each leads
-//! from some states to some states, and a run of equal events is reported once: so all that are reported lead from the state of the frame
-//! before to that of this one, or they are not what happened. Among obstacles a slip or slide passes contacts on without a word.
+//! **Contacts.** `touch`, `land` and `jam` add contacts, `lift` and `tip` remove some; among half-planes no other event does. Each leads
+//! from certain states to certain states, and a run of equal events is reported once. So the reported events must lead from the state of
+//! the previous frame to that of this one; otherwise they are not what happened. Among obstacles, a slip or slide can replace contacts by
+//! others without an event.
 
 use std::cmp::Ordering;
 
@@ -18,10 +19,10 @@ use crate::slip::{EVENTS, Step};
 use crate::touch::Touch;
 use crate::vector::{between, distance, length, sub};
 
-/// Roundings of the farthest coordinate by which places may differ that are the same.
+/// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// What a frame and the one before tell of events; without a hand that held in both, of contacts and slips alone.
+/// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
 pub(crate) fn findings(
     model: &Model,
     bounds: &Bounds,
@@ -42,28 +43,28 @@ pub(crate) fn findings(
     all.into_iter().flatten().collect()
 }
 
-/// A contact comes by it.
+/// Whether the event adds a contact.
 const fn brings(event: Event) -> bool {
     matches!(event, Event::Touch | Event::Land | Event::Jam)
 }
 
-/// A contact goes by it.
+/// Whether the event removes a contact.
 const fn takes(event: Event) -> bool {
     matches!(event, Event::Lift | Event::Tip)
 }
 
-/// A contact may be passed on at an end of its side without a word.
+/// Whether a contact may be replaced at an end of its side without an event.
 fn passes_on(model: &Model, last: &Frame, next: &Frame) -> bool {
     let glides = |event: &Event| matches!(event, Event::Slip | Event::Slide | Event::Stop);
     let moves = last.slides() || next.slides() || next.events.iter().any(glides);
-    // Flat on a side a contact ends elsewhere as another one comes or goes.
+    // A flat contact gets a new end when another contact appears or disappears.
     let is_locked = [last, next]
         .iter()
         .any(|frame| frame.state == State::Locked);
     !model.scene.obstacles.is_empty() && (moves || (is_locked && !next.events.is_empty()))
 }
 
-/// Contacts come and go as reported. `None` where a list ends before the frame did.
+/// Whether contacts appear and disappear as reported. `None` if a list ended before the frame did.
 fn is_accounted(
     model: &Model,
     evolution: Evolution,
@@ -79,7 +80,7 @@ fn is_accounted(
         match told {
             (Ordering::Equal, false, false) | (Ordering::Greater, true, false) => true,
             (Ordering::Less, false, true) | (_, true, true) => true,
-            // What one contact has left another one may take over.
+            // Another contact may replace the one that opened.
             (Ordering::Equal, false, true) => next.events.len() > 1,
             _ => false,
         }
@@ -97,23 +98,23 @@ fn is_accounted(
     Some(sets && leads(model, evolution, last, next))
 }
 
-/// A state, and whether its contacts slide, as far as that is told.
+/// A state, and whether its contacts slide, as far as it is reported.
 type Stage = (State, bool);
 
-/// The events lead from one frame to another.
+/// Whether the events lead from one frame to another.
 fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> bool {
     let among_obstacles = !model.scene.obstacles.is_empty();
     let mut stages = vec![(last.state, last.slides())];
     for (i, &event) in next.events.iter().enumerate() {
-        // What slides slips where the hand jumps, as it does after the first event of a frame, where the angle snaps, or at an end of a
-        // side.
+        // A sliding contact slips when the hand jumps, as it does after the first event of a frame, when the angle snaps, or at an end
+        // of a side.
         let snapped = next.events[..i].contains(&Event::Snap);
         let passed = among_obstacles && (i > 0 || !next.has_contacts_of(last));
         let jumps = passed || snapped || (evolution == Evolution::Frame && i > 0);
         let passes = among_obstacles && next.events.len() > 1;
         let mut reached: Vec<Stage> = Vec::new();
         let mut ahead = stages;
-        // A run of equal events is told once.
+        // A run of equal events is reported once.
         while let Some(stage) = ahead.pop() {
             for next in after(stage, event, [passes, jumps]) {
                 if !reached.contains(&next) {
@@ -124,14 +125,14 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
         }
         stages = reached;
     }
-    // Where nothing is told, slides are the concern of their own laws.
+    // If no event is reported, other laws judge the slides.
     let is_next = |&(state, slides): &Stage| {
         state == next.state && (next.events.is_empty() || slides == next.slides())
     };
     stages.iter().any(is_next)
 }
 
-/// The stages to which an event leads from one. A slide begins and ends as reported, and ends without a word where nothing touches.
+/// The stages that an event can lead to. A slide begins and ends as reported, and ends without an event if nothing touches any more.
 fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
     use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
     let glides = matches!(state, SingleVertex | Edge | TwoVertex);
@@ -142,7 +143,7 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Jam, _) => &[Locked],
         (Event::Tip, Edge | Locked) => &[SingleVertex],
         (Event::Lift, SingleVertex | Edge) => &[NonContact],
-        // What one of two contacts has left another one may take over at an end of a side.
+        // At an end of a side, another contact may replace the one of the two that opened.
         (Event::Lift, TwoVertex) if passes => &[NonContact, SingleVertex, TwoVertex],
         (Event::Lift, TwoVertex | Corner) => &[NonContact, SingleVertex],
         (Event::Lift, Locked) => &[NonContact, Edge, TwoVertex, Corner],
@@ -151,11 +152,11 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Slip, _) if glides && (!slides || jumps) => return vec![(state, slides)],
         (Event::Snap, _) => return vec![(state, slides)],
         (Event::Grasp, _) => return vec![(state, slides)],
-        // What is let go slides no more.
+        // After a release, nothing slides.
         (Event::Release, _) => return vec![(state, slides), (state, false)],
         _ => &[],
     };
-    // What slides, opens and comes back at once has not stopped for it.
+    // A sliding contact that opens and closes again immediately has not stopped.
     let lasts = |&state: &State| match state {
         NonContact if slides => vec![(state, false), (state, true)],
         NonContact => vec![(state, false)],
@@ -164,7 +165,7 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
     all.iter().flat_map(lasts).collect()
 }
 
-/// `slips` is not less than what `events` tells of, and none without the other.
+/// Whether `slips` is at least the number of slips in `events`, and both are zero or neither is.
 fn are_counted(next: &Frame) -> Option<bool> {
     let runs = next
         .events
@@ -177,12 +178,12 @@ fn are_counted(next: &Frame) -> Option<bool> {
     Some((runs == 0) == (next.slips == 0) && next.slips as usize >= runs)
 }
 
-/// Places of both frames that differ by no more are the same (m).
+/// Positions in the two frames that differ by no more than this are equal (m).
 fn same(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> f64 {
     SAME * bounds.rounding * model.reach(last).max(model.reach(next))
 }
 
-/// The body is where it was to a few roundings, in places and angle.
+/// Whether the body is where it was to within a few roundings, in position and angle.
 fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool {
     let same = same(model, bounds, last, next);
     let ways = placed(model, last.pose)
@@ -192,7 +193,8 @@ fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool 
         && model.size * (next.pose[2] - last.pose[2]).abs() <= same
 }
 
-/// What is told to have moved the body has, and a slip its contacts. A slip of contacts with no force but rounding is as short as that.
+/// Whether events that move the body have moved it, and a slip its contacts. If the force on the contacts is only rounding, a slip may
+/// be that short.
 fn moves(
     model: &Model,
     bounds: &Bounds,
@@ -206,7 +208,7 @@ fn moves(
     if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
         return None;
     }
-    // What happens to a body that is out of balance may lead nowhere: contacts open and close again at one place.
+    // Events of a body that is out of balance may lead nowhere: contacts open and close again at the same place.
     if !next.status.is_followed() {
         return None;
     }
@@ -231,12 +233,12 @@ fn moves(
     if slips_alone && told.contains(&Event::Slip) && next.contacts.iter().all(stays) {
         return Some(false);
     }
-    // That a slide began or ended may be told of a body that is about to move.
+    // The start or end of a slide may be reported for a body that is only about to move.
     let is_about_to = matches!(told[..], [Event::Slide | Event::Stop]);
     Some(is_about_to || !is_still(model, bounds, last, next))
 }
 
-/// A balance snaps where its branch folds, and only there.
+/// Whether a balance snaps where its branch folds, and only there.
 pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let told = match next.events.as_slice() {
@@ -253,7 +255,7 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     }
     let contact = match next.state {
         State::Edge | State::Locked => return Some(!told),
-        // Two that slide may come to a fold of their own.
+        // Two sliding contacts may have a fold of their own.
         State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!told),
         State::NonContact => None,
         State::SingleVertex | State::Corner => Some(next.contacts.first()?),
@@ -276,7 +278,7 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     Some(told != is_followed)
 }
 
-/// The body turning about the contact that it had, or with one that slides, or about the hand.
+/// The body turning about its previous contact, with a sliding contact, or about the hand.
 fn pinned<'a>(step: &Step<'a>, (touch, slide): (Option<Touch>, Option<f64>), part: f64) -> Pin<'a> {
     let (model, last) = (step.model, step.last);
     let hand = between(last.hand, step.next.hand, part);

@@ -1,4 +1,4 @@
-//! A record of a trace: SI units, world frame, angles unwrapped; and how the hand goes from one to the next.
+//! A record of a trace: SI units, world frame, angles unwrapped; and how the hand moves from one record to the next.
 
 use crate::touch::Touch;
 
@@ -19,7 +19,7 @@ macro_rules! named {
                 }
             }
 
-            /// By its name in a trace.
+            /// The variant with this name in a trace.
             pub fn named(name: &str) -> Option<Self> {
                 match name {
                     $($name => Some(Self::$variant),)*
@@ -30,10 +30,10 @@ macro_rules! named {
     };
 }
 
-/// How the hand goes from frame to frame.
+/// How the hand moves from frame to frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Evolution {
-    /// Straight: a slip begins anywhere on its way.
+    /// Straight: a slip begins anywhere on its path.
     #[default]
     Path,
     /// It jumps: a slip begins at the end.
@@ -61,7 +61,7 @@ named! {
 named! {
     /// What happened in a frame.
     Event {
-        /// A vertex came to a surface.
+        /// A vertex reached a surface.
         Touch = "touch",
         /// A contact opened.
         Lift = "lift",
@@ -69,19 +69,19 @@ named! {
         Slip = "slip",
         /// The body left an edge and turns about one of its vertices.
         Tip = "tip",
-        /// A second vertex came to the surface of the first.
+        /// A second vertex reached the surface of the first.
         Land = "land",
         /// The rotation branch folded.
         Snap = "snap",
         /// Three or more contacts fix the body.
         Jam = "jam",
-        /// The hand took hold of the body.
+        /// The hand grasped the body.
         Grasp = "grasp",
         /// The hand let go of the body.
         Release = "release",
-        /// A contact begins to slide with the hand.
+        /// A contact began to slide with the hand.
         Slide = "slide",
-        /// It sticks again.
+        /// A sliding contact sticks again.
         Stop = "stop",
     }
 }
@@ -101,9 +101,9 @@ named! {
         Saturated = "saturated",
         /// The hand's sample was not finite; the last pose is held.
         HeldLast = "held-last",
-        /// The load asks for reactions beyond 64 k_h L: the body stays.
+        /// The load needs reactions beyond 64 k_h L: the body stays.
         Jammed = "jammed",
-        /// A budget ended before the hand's way did: the body has followed a part of it.
+        /// A budget ended before the hand's path did: the body has followed part of the path.
         Behind = "behind",
         /// The hand's swing leaves its rotation about the plane's normal ill-defined.
         Twist = "twist",
@@ -111,7 +111,7 @@ named! {
 }
 
 impl Status {
-    /// The body has followed the hand that is told, and is in balance with it: every law applies.
+    /// Whether the body has followed the reported hand and is in balance with it: then every law applies.
     pub(crate) const fn is_followed(self) -> bool {
         matches!(
             self,
@@ -123,23 +123,23 @@ impl Status {
 /// A contact of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// What touches what.
+    /// The pair of touching features.
     pub touch: Touch,
     /// Where they touch (m).
     pub point: [f64; 2],
-    /// The unit normal n towards the body, where the trace tells it.
+    /// The unit normal n towards the body, if the trace contains it.
     pub direction: Option<[f64; 2]>,
     /// N (N), on the body along n.
     pub normal: f64,
     /// T (N), on the body along the tangent (n_y, -n_x).
     pub friction: f64,
-    /// Where it slides with the hand, along (1) or against (-1) the tangent; 0 where it sticks. `None` in an older trace, in
-    /// which contacts do nothing but stick and slip.
+    /// 1 if it slides with the hand along the tangent, -1 if against it; 0 if it sticks. `None` in an older trace, in which
+    /// contacts only stick and slip.
     pub sliding: Option<i8>,
 }
 
 impl Contact {
-    /// It sticks, or the trace knows nothing else.
+    /// Whether it sticks, or the trace does not report slides.
     pub(crate) fn rests(&self) -> bool {
         self.sliding.unwrap_or(0) == 0
     }
@@ -162,7 +162,7 @@ pub struct Frame {
     pub state: State,
     /// The contacts.
     pub contacts: Vec<Contact>,
-    /// False where the format had no room for all contacts.
+    /// False if the format had no space for all contacts.
     pub complete: bool,
     /// Force (N) and moment about the holding point (N·m) of the hand's springs on the body.
     pub wrench: [f64; 3],
@@ -172,33 +172,33 @@ pub struct Frame {
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
-    /// The part of the hand's displacement that the body has not yet followed, where the trace tells it.
+    /// The fraction of the hand's displacement that the body has not yet followed, if the trace contains it.
     pub behind: Option<f64>,
 }
 
 impl Frame {
-    /// The same touch as in another frame.
+    /// Whether the contacts are those of another frame.
     pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
         self.contacts.len() == other.contacts.len()
             && (self.contacts.iter()).all(|contact| other.contact(contact.touch).is_some())
     }
 
-    /// It has contacts, and tells of each whether it slides.
+    /// Whether it has contacts and reports for each whether it slides.
     pub(crate) fn tells_slides(&self) -> bool {
         !self.contacts.is_empty() && (self.contacts.iter()).all(|contact| contact.sliding.is_some())
     }
 
-    /// A contact slides.
+    /// Whether a contact slides.
     pub(crate) fn slides(&self) -> bool {
         !self.contacts.iter().all(Contact::rests)
     }
 
-    /// The contact of a pair.
+    /// The contact between the features of `touch`.
     pub(crate) fn contact(&self, touch: Touch) -> Option<&Contact> {
         (self.contacts.iter()).find(|contact| contact.touch == touch)
     }
 
-    /// It has a contact with an obstacle.
+    /// Whether it has a contact with an obstacle.
     pub(crate) fn meets_obstacles(&self) -> bool {
         let mut touches = self.contacts.iter().map(|contact| contact.touch);
         touches.any(|touch| touch.obstacle().is_some())

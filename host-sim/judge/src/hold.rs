@@ -1,9 +1,9 @@
-//! Contacts that could have held: a body whose contacts bear the load where the hand was and where it is bears every load between
-//! them, as these are the sums of both, so that nothing happens to it and it stays. And `jammed`, which is told where the
-//! contacts could hold the body with reactions beyond 64 k_h L alone.
+//! Contacts that could have held the body: if they bear the load at the hand's previous and current pose, they bear every load in
+//! between, which is a combination of the two; so nothing happens to the body and it stays. And `jammed`, which is reported if
+//! the contacts can hold the body only with reactions beyond 64 k_h L.
 //!
-//! The friction that can be counted on is mu_s where contacts do nothing but stick and slip. Where they slide, too, a body
-//! without stiction has mu_d. It has stiction if in the frame before no reactions within mu_d bear the load.
+//! The friction that may be assumed is mu_s if contacts only stick and slip. If they can also slide, a body without stiction has
+//! mu_d. It has stiction if in the previous frame no reactions within mu_d bear the load.
 
 use crate::bearing::Bearing;
 use crate::finding::{Finding, law};
@@ -13,22 +13,22 @@ use crate::slip::Step;
 use crate::touch::Face;
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
-/// Reactions that are certainly within the limit, whether N is meant or the whole, and those that are certainly beyond, in units
-/// of it.
+/// Reactions that are certainly within the limit, whether the limit refers to N or to the whole reaction, and those that are
+/// certainly beyond it, in units of the limit.
 const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
-/// A load this large (k_h L) asks for large reactions anyway, and some number types refuse it.
+/// A load this large (k_h L) needs large reactions in any case, and some number types refuse it.
 const LOAD: f64 = 16.0;
 
-/// What a frame and the one before tell of contacts that hold.
+/// The findings on contacts that hold, from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
     let jammed = is_rightly_jammed(step).map(|holds| Finding::whether(law::JAMMED, holds));
     let_go.into_iter().chain(jammed).collect()
 }
 
-/// Two contacts at least keep the body from turning, and all contacts are known and stick.
+/// Whether at least two contacts keep the body from turning, and all contacts are known and stick.
 fn is_fixed(frame: &Frame) -> bool {
     frame.held
         && frame.complete
@@ -38,7 +38,7 @@ fn is_fixed(frame: &Frame) -> bool {
             .any(|contact| !contact.touch.shares_vertex(frame.contacts[0].touch))
 }
 
-/// The body went elsewhere although its contacts bear the load all along the hand's way.
+/// Whether the body moved although its contacts bear the load along the whole path of the hand.
 fn let_go(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let follows = last.status.is_followed();
@@ -46,7 +46,7 @@ fn let_go(step: &Step<'_>) -> Option<bool> {
     if !follows || !is_fixed(last) || !next.held || next.events.iter().any(is_taken) {
         return None;
     }
-    // Slips and slides of contacts that stay, and motions without an event, are other laws' concern.
+    // Slips and slides of contacts that stay, and motions without an event, are judged by other laws.
     let glides = |event: &Event| matches!(event, Event::Slip | Event::Slide | Event::Stop);
     let stays = next.events.iter().all(glides) && next.has_contacts_of(last);
     let moved = distance([last.pose[0], last.pose[1]], [next.pose[0], next.pose[1]])
@@ -64,7 +64,7 @@ fn bears_all_along(step: &Step<'_>) -> bool {
     let of_static = bearing(|face| face.friction_static);
     let of_dynamic = bearing(|face| face.friction_dynamic);
     let limit = LIMIT * step.model.unit_force();
-    // Beyond the limit a body is jammed, and stays no less.
+    // Beyond the limit a body is jammed, but it stays as well.
     let bears = |contacts: &Bearing<'_>| {
         let hands = [last.hand, next.hand];
         (hands.iter()).all(|hand| contacts.bears(*hand, step.bounds.slip, 2.0 * limit))
@@ -78,8 +78,8 @@ fn bears_all_along(step: &Step<'_>) -> bool {
     })
 }
 
-/// Somewhere on its way the hand's pull alone opens all gaps: a jam that is pulled apart may open (STATICS 5). The body goes and
-/// turns as the springs let it; where none holds its angle, as one of its size.
+/// Whether somewhere on its path the hand's pull alone opens all gaps: a jam that is pulled apart may open (STATICS 5). The body
+/// moves and turns as the springs allow; if none holds its angle, a stiffness k_h L² is assumed.
 fn opens(step: &Step<'_>) -> bool {
     let (model, last) = (step.model, step.last);
     let k = model.scene.stiffness_translation;
@@ -109,8 +109,8 @@ fn opens(step: &Step<'_>) -> bool {
     from <= to
 }
 
-/// A vertex in a corner bears what its two cones bear together, whatever its turn: it is not jammed where reactions within a limit (N) do
-/// so, nor where none do.
+/// Whether a vertex is jammed in a corner. It bears what its two cones together bear, whatever its turn: it is not jammed if reactions
+/// within a limit (N) bear the load, nor if none do.
 fn is_wedged(step: &Step<'_>, limit: f64) -> bool {
     let next = step.next;
     let force = step.model.load(next.pose, next.hand, step.grip).force;
@@ -135,15 +135,15 @@ fn is_wedged(step: &Step<'_>, limit: f64) -> bool {
     is_jam(edges(|face| face.friction_dynamic)) || is_jam(edges(|face| face.friction_static))
 }
 
-/// A body that is told to be jammed keeps its contacts, and they bear the load with no reactions within the limit; one that
-/// is told to be well has such reactions.
+/// Whether the jam is reported correctly: a jammed body keeps its contacts, and no reactions within the limit bear its
+/// load; a body with status ok has such reactions.
 fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
     let limit = LIMIT * step.model.unit_force();
     let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, next, mu);
     if next.status == Status::Jammed {
         let keeps = !next.events.is_empty() || next.has_contacts_of(step.last);
-        // In a corner the body turns on, and one of one line bears no more than its load.
+        // In a corner the body can still turn, and contacts on one line bear no more than the load.
         let several = matches!(next.state, State::TwoVertex | State::Locked | State::Corner);
         let is_borne_or_moves = |contacts: &Bearing<'_>| {
             contacts.bears(next.hand, step.bounds.slip, WITHIN * limit)

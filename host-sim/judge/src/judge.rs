@@ -1,4 +1,4 @@
-//! Frame after frame: what is remembered of those before, and the laws that follow from it.
+//! Frame after frame: the memory of previous frames, and the laws that depend on it.
 
 use crate::events;
 use crate::finding::{Bounds, Finding, law};
@@ -22,32 +22,32 @@ pub struct Judge {
     bounds: Bounds,
     evolution: Evolution,
     last: Option<Frame>,
-    /// The last one left the body out of balance, and said so.
+    /// Whether the last frame left the body out of balance and reported it.
     unbalanced: bool,
     hold: Hold,
     anchors: Vec<Anchor>,
     unreported: Unreported,
 }
 
-/// A contact, and the place that it may not leave, or not fall behind.
+/// A contact, and the position that it must not leave, or must not fall behind.
 #[derive(Clone, Copy, Debug)]
 struct Anchor {
     touch: Touch,
     sliding: Option<i8>,
-    /// Where it came to (m), as [`Model::mark`] has it; of one that slides, the farthest place.
+    /// The position at which it stopped (m), as given by [`Model::mark`]; for a sliding contact, the farthest one.
     place: Vec2,
 }
 
-/// What is known of the hand's hold.
+/// What is known of the hand's grip.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hold {
     grip: Option<Grip>,
-    /// The hand has held the body before.
+    /// Whether the hand has held the body before.
     was_held: bool,
 }
 
 impl Judge {
-    /// Of a trace whose first frame is still to come.
+    /// A judge for a trace whose first frame is still to come.
     pub fn new(scene: Scene, bounds: Bounds, evolution: Evolution) -> Self {
         Self {
             model: Model::new(scene),
@@ -61,12 +61,12 @@ impl Judge {
         }
     }
 
-    /// What is allowed.
+    /// The tolerances.
     pub const fn bounds(&self) -> &Bounds {
         &self.bounds
     }
 
-    /// The laws of a frame alone, of a body that is held at the scene's holding point for the first time, or not at all.
+    /// The laws of a single frame, for a body that is held at the scene's holding point for the first time, or not at all.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
         if let Some(unknown) = still::unknown(&self.model, frame) {
             return vec![unknown];
@@ -79,7 +79,7 @@ impl Judge {
     pub fn next(&mut self, frame: Frame) -> Vec<Finding> {
         let finite = still::finite(&frame);
         if !finite.holds() {
-            // Neither it nor what follows from it can be judged; the frame before stays the last one.
+            // Neither it nor its consequences can be judged; the previous frame remains the last one.
             return vec![finite];
         }
         if let Some(unknown) = still::unknown(&self.model, &frame) {
@@ -146,8 +146,8 @@ impl Judge {
         findings
     }
 
-    /// The body is out of balance and says so (STATICS 9, rule 8), or has followed a part of the hand's way that is not told; or
-    /// stays as it was when it last did.
+    /// Whether the body is out of balance and reports it (STATICS 9, rule 8), or has followed an unreported part of the hand's
+    /// path; or stays as it was when it last did.
     fn leaves_unbalanced(&self, frame: &Frame) -> bool {
         match frame.status {
             Status::Ambiguous | Status::Jammed | Status::Behind => true,
@@ -156,8 +156,8 @@ impl Judge {
         }
     }
 
-    /// Follows the hold: the scene's holding point at first, where it gives one; otherwise where the hand is when it takes
-    /// hold, in the pose of the frame before.
+    /// Tracks the grip: initially the scene's holding point, if given; otherwise the hand's position at the grasp, in the
+    /// pose of the previous frame.
     fn take_hold(&mut self, frame: &Frame) -> Finding {
         let grasps = frame.events.contains(&Event::Grasp);
         let was_held = self.hold.grip.is_some();
@@ -186,8 +186,8 @@ impl Judge {
         Finding::whether(law::HOLD, told)
     }
 
-    /// The hold of a hand that takes the body where it is. At the start a vertex that is near a surface is set onto it
-    /// first; then the springs tell by how much.
+    /// The grip of a hand that grasps the body where it is. At the start, a vertex close to a surface is first set onto
+    /// it; the springs then show by how much.
     fn taken(&self, frame: &Frame) -> Grip {
         let Some(last) = &self.last else {
             let grip = Grip::taken(self.model.scene.start, frame.hand);
@@ -216,7 +216,7 @@ impl Judge {
         Grip::taken(last.pose, frame.hand)
     }
 
-    /// A body that nothing moves is where it was.
+    /// A body that nothing moves stays where it was.
     fn rests(&self, frame: &Frame) -> Option<Finding> {
         let stays = match frame.status {
             Status::Saturated | Status::HeldLast => true,
@@ -225,12 +225,12 @@ impl Judge {
         };
         let before = match &self.last {
             Some(last) if stays || !frame.held => last.pose,
-            // What is near a surface at the start is set onto it.
+            // A vertex close to a surface at the start is set onto it.
             None if !frame.held && frame.contacts.is_empty() => self.model.scene.start,
             _ => return None,
         };
         let moved = match frame.contacts.first() {
-            // About a jammed corner the body is free to turn.
+            // A jammed body is free to turn about its corner.
             Some(corner) if frame.status == Status::Jammed && frame.state == State::Corner => {
                 let [was, is] =
                     [before, frame.pose].map(|pose| self.model.foot(pose, corner.touch));
@@ -243,7 +243,7 @@ impl Judge {
         Some(Finding::new(law::RESTS, moved / scale, self.bounds.gap))
     }
 
-    /// Contacts stay where they came to, as long as nothing happens that could move them; and those that slide go on.
+    /// Contacts stay where they stopped, as long as nothing happens that could move them; and sliding contacts move forward.
     fn keeps(&mut self, frame: &Frame) -> Vec<Finding> {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
         let is_quiet = !frame.events.iter().any(moves);
@@ -286,8 +286,8 @@ impl Judge {
             .collect()
     }
 
-    /// A contact that sticks stays, and one that slides goes one way: not without friction, nor without force, where the body
-    /// turns out of the way; nor, in an older trace, where it slides without saying so.
+    /// Whether a sticking contact has to stay, or a sliding one to move in one direction. It does not without friction, nor
+    /// without force, since the body may turn out of the way; nor in an older trace, in which it slides without reporting it.
     fn grips(&self, frame: &Frame, contact: &Contact) -> bool {
         let face = self.model.face(frame.pose, contact.touch);
         if contact.sliding.is_none() {
@@ -303,7 +303,7 @@ impl Judge {
     }
 }
 
-/// A vertex this near to a surface, of the body size, touches it from the beginning.
+/// A vertex this close to a surface, relative to the body size, touches it from the start.
 const START: f64 = 1e-5;
 
 fn later(last: &Frame, frame: &Frame) -> Finding {

@@ -1,5 +1,5 @@
-//! The scene with what follows from it, the hand's hold, and the forces on the body: hand, weight and reactions
-//! (N, N·m, world frame).
+//! The scene with derived quantities, the hand's grip, and the forces on the body: hand, weight and reactions (N, N·m,
+//! world frame).
 
 use crate::body::{centroid, size};
 use crate::finding::Bounds;
@@ -18,7 +18,7 @@ pub(crate) struct Model {
     centroid: Vec2,
     /// The surface farthest from the origin (m).
     farthest: f64,
-    /// Of the obstacles.
+    /// The sides of the obstacles.
     pub(crate) sides: Sides,
 }
 
@@ -32,7 +32,7 @@ pub(crate) struct Grip {
 }
 
 impl Grip {
-    /// Of a body that is taken hold of where it is.
+    /// The grip on a body that is grasped where it is.
     pub(crate) fn taken(pose: [f64; 3], hand: [f64; 3]) -> Self {
         let from_origin = [hand[0] - pose[0], hand[1] - pose[1]];
         Self {
@@ -49,27 +49,27 @@ pub(crate) struct Wrench {
     pub(crate) moment: f64,
 }
 
-/// The forces and moments that residuals of a frame are relative to.
+/// The forces and moments that the residuals of a frame are relative to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
-    /// Of forces (N).
+    /// The scale of forces (N).
     pub(crate) force: f64,
-    /// Of what comes from moments, as a force: moment / L (N).
+    /// The scale of moments, as a force: moment / L (N).
     pub(crate) moment: f64,
 }
 
-/// What is known of the force (N) and the moment (N·m) of the springs.
+/// The uncertainty of the force (N) and the moment (N·m) of the springs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Exactness {
     pub(crate) force: f64,
     pub(crate) moment: f64,
 }
 
-/// The memory length of a surface that gives none, and the shortest one, which 0 stands for, in units of L.
+/// In units of L: the default memory length of a surface, and the shortest one, which 0 stands for.
 const MEMORY: f64 = 1.0 / 4096.0;
 const SHORTEST: f64 = 1.0 / 524_288.0;
 
-/// The largest reaction that is borne as it is, in units of k_h L; beyond it a body is jammed.
+/// The largest reaction that is borne without a limit, in units of k_h L; beyond it a body is jammed.
 pub(crate) const LIMIT: f64 = 64.0;
 
 impl Model {
@@ -104,8 +104,8 @@ impl Model {
         self.scene.stiffness_translation * self.size
     }
 
-    /// D_c (m) of a contact; of a point, whose size says nothing, only where the scene gives one that is not too short for the size
-    /// that a solver may count it in (STATICS 10): up to 1 m, or half the radius from the lever of the holding point and the springs.
+    /// D_c (m) of a contact. For a point, whose size means nothing, only if the scene gives a length that is not too short for the
+    /// size that a solver may use (STATICS 10): up to 1 m, or half the radius from the lever of the holding point and the springs.
     fn memory(&self, face: &Face) -> Option<f64> {
         let is_point = self.scene.vertices.len() == 1;
         let largest = || {
@@ -122,15 +122,15 @@ impl Model {
         }
     }
 
-    /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own; infinite for mu_s = mu_d,
-    /// `None` where it is not known.
+    /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own. Infinite for mu_s = mu_d,
+    /// `None` if unknown.
     pub(crate) fn threshold(&self, face: &Face) -> Option<f64> {
         let memory = self.memory(face)?;
         let drop = face.friction_static - face.friction_dynamic;
         Some(self.scene.stiffness_translation * memory / drop.max(0.0))
     }
 
-    /// What the hand's springs give.
+    /// The wrench of the hand's springs.
     pub(crate) fn springs(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {
         let way = sub([hand[0], hand[1]], self.holding_point(pose, grip));
         Wrench {
@@ -139,7 +139,7 @@ impl Model {
         }
     }
 
-    /// Springs and weight together: what the contacts have to bear.
+    /// Springs and weight together: the load on the contacts.
     pub(crate) fn load(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {
         let springs = self.springs(pose, hand, grip);
         let lever = sub(
@@ -171,12 +171,12 @@ impl Model {
             .fold(self.size, |most, x| most.max(x.abs()))
     }
 
-    /// The same, and how far a vertex goes when the body turns by its whole angle.
+    /// The farthest coordinate, or how far a vertex moves when the body turns by its whole angle.
     pub(crate) fn reach(&self, frame: &Frame) -> f64 {
         self.extent(frame).max(self.size * frame.pose[2].abs())
     }
 
-    /// 64 roundings of that (m).
+    /// 64 roundings of the reach (m).
     pub(crate) fn carried(&self, frame: &Frame, bounds: &Bounds) -> f64 {
         64.0 * bounds.rounding * self.reach(frame)
     }
@@ -188,7 +188,7 @@ impl Model {
         self.size.max(far).max(carried)
     }
 
-    /// How exactly force (N) and moment (N·m) of the springs follow from the printed numbers.
+    /// The accuracy of the springs' force (N) and moment (N·m) as computed from the printed numbers.
     pub(crate) fn exactness(&self, frame: &Frame, grip: &Grip, bounds: &Bounds) -> Exactness {
         let springs = self.springs(frame.pose, frame.hand, grip);
         let [x, y, phi] = frame.hand;
@@ -203,7 +203,7 @@ impl Model {
         }
     }
 
-    /// What forces and moments of a frame are relative to; `bound`: the residual that is allowed.
+    /// The scale of forces and moments of a frame; `bound` is the allowed residual.
     pub(crate) fn scale(&self, frame: &Frame, grip: &Grip, bound: f64, rounding: f64) -> Scale {
         let springs = self.springs(frame.pose, frame.hand, grip);
         let largest = (frame.contacts.iter())
@@ -215,7 +215,7 @@ impl Model {
         let extent = self.extent(frame).max(x.abs()).max(y.abs());
         let floor = carried * self.scene.stiffness_translation * extent;
         let force = largest.max(floor).max(f64::MIN_POSITIVE);
-        // A force that is known to a rounding has a moment that is known to its lever times that.
+        // If a force is known to within a rounding, its moment is known to within its lever times that.
         let holding = self.holding_point(frame.pose, grip);
         let levers = (frame.contacts.iter())
             .map(|contact| distance(self.foot(frame.pose, contact.touch), holding));
@@ -230,7 +230,7 @@ impl Model {
     }
 }
 
-/// The normal and the tangential part of the reaction that bears a force, with a unit normal.
+/// The normal and the tangential part of the reaction that balances a force, for a unit normal.
 pub(crate) fn borne(force: Vec2, normal: Vec2) -> (f64, f64) {
     let tangent = [normal[1], -normal[0]];
     (-dot(force, normal), -dot(force, tangent))

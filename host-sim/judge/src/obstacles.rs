@@ -1,8 +1,8 @@
-//! The laws of one frame among obstacles: how deep the body is, whether each contact is on its side and faces it, and what touches
-//! without being a contact.
+//! The laws of one frame among obstacles: how deep the body is, whether each contact is on its side and faces it, and which features
+//! touch without being a contact.
 //!
-//! **Tolerance.** Two contacts on one obstacle that are closer than 2^-19 L are one, so the ends of sides are known to that, besides
-//! what holds for gaps. That something touches is certain only where the gap is rounding, in two frames running.
+//! **Tolerance.** Two contacts on one obstacle that are closer than 2^-19 L are one, so the ends of sides are known only to that
+//! accuracy, in addition to the tolerance of gaps. A touch is certain only if the gap is within rounding in two consecutive frames.
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Frame};
@@ -15,25 +15,25 @@ use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Contacts on one obstacle that are closer than this (L) are one.
 pub(crate) const OVERLAP: f64 = 1.0 / 524_288.0;
-/// Roundings of the farthest coordinate that a gap may be of a pair that touches.
+/// The largest gap of a touching pair, in roundings of the farthest coordinate.
 const CLOSED: f64 = 8.0;
-/// Normals whose product is more than this are the same.
+/// Normals whose dot product exceeds this are equal.
 const SAME_NORMAL: f64 = 1.0 - 1e-9;
 
-/// The vertices of the body in the world.
+/// The vertices of the body in the world frame.
 pub(crate) fn placed(model: &Model, pose: [f64; 3]) -> Vec<Vec2> {
     let vertices = model.scene.vertices.iter();
     vertices.map(|&vertex| Scene::place(pose, vertex)).collect()
 }
 
-/// How deep the body is in an obstacle at most (m); negative where it is apart from all.
+/// The greatest depth of the body in an obstacle (m); negative if it is apart from all.
 pub(crate) fn depth(model: &Model, frame: &Frame) -> f64 {
     let body = placed(model, frame.pose);
     let apart = (model.scene.obstacles.iter()).map(|o| separation(&body, &o.vertices));
     -apart.fold(f64::INFINITY, f64::min)
 }
 
-/// Two contacts with one obstacle are at one place.
+/// Whether two contacts with one obstacle are at the same place.
 pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
     let place = |contact: &Contact| model.foot(frame.pose, contact.touch);
     (frame.contacts.iter().enumerate()).any(|(i, a)| {
@@ -45,7 +45,7 @@ pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
     })
 }
 
-/// Contacts with obstacles are on their sides, which face the body; directions that are reported are the normals.
+/// Contacts with obstacles are on their sides, which face the body; reported directions are the normals.
 pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut beyond, mut hidden) = (0.0_f64, 0.0_f64);
@@ -73,7 +73,7 @@ pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
     findings
 }
 
-/// What the rounding of its ends leaves open of the normal of a side.
+/// The uncertainty of a side's normal due to the rounding of its ends.
 fn blur(model: &Model, bounds: &Bounds, touch: Touch) -> f64 {
     let [from, to] = match touch {
         Touch::Surface { .. } => return 0.0,
@@ -83,16 +83,16 @@ fn blur(model: &Model, bounds: &Bounds, touch: Touch) -> f64 {
     4.0 * bounds.rounding * length(from).max(length(to)) / distance(from, to)
 }
 
-/// What touched in the frame before without being a contact.
+/// Features that touched in the previous frame without being a contact.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Unreported {
-    /// Each with whether it is known to have opened.
+    /// Each pair, with whether it is known to have opened.
     pairs: Vec<(Touch, bool)>,
 }
 
 impl Unreported {
-    /// A pair that touches in two frames running, as far as can be told, is a contact; but for one that has opened and is not
-    /// far yet.
+    /// A pair that touches in two consecutive frames, as far as is certain, is a contact; except one that has opened and has
+    /// not moved away yet.
     pub(crate) fn next(
         &mut self,
         model: &Model,
@@ -123,7 +123,7 @@ impl Unreported {
     }
 }
 
-/// The pairs whose gap is no more than rounding, away from the ends of their sides.
+/// The pairs whose gap is within rounding, away from the ends of their sides.
 fn closed(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Touch> {
     let zone = CLOSED / 64.0 * model.carried(frame, bounds);
     let body = placed(model, frame.pose);
@@ -139,8 +139,8 @@ fn closed(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Touch> {
     pairs.filter(is_closed).collect()
 }
 
-/// The contacts of a frame speak for a pair: one at its place on the same obstacle or of the same normal, or two in one line with it,
-/// on both sides of it.
+/// Whether the contacts of a frame represent a pair: by one at its place on the same obstacle or with the same normal, or by two on
+/// one line with it, on both sides of it.
 fn represents(model: &Model, bounds: &Bounds, frame: &Frame, touch: Touch) -> bool {
     let pose = frame.pose;
     let (place, face) = (model.foot(pose, touch), model.face(pose, touch));

@@ -1,11 +1,11 @@
-//! The first place on a way at which a function reaches a level: where static friction gives way, to within what is allowed.
+//! The first point on a path at which a function reaches a level: where static friction gives way, within the tolerance.
 
-/// Parts of the way that are looked at, each halved where the function may reach the level inside.
+/// Parts into which the path is divided, each halved if the function may reach the level inside.
 const PARTS: u32 = 16;
-/// So often.
+/// Number of halvings.
 const HALVINGS: u32 = 44;
 
-/// A function on a way from 0 to 1, minus infinity beyond a place from which on it is not defined.
+/// A function on a path from 0 to 1, minus infinity beyond the point from which it is undefined.
 #[derive(Clone, Copy)]
 pub(crate) struct Way<'a>(pub(crate) &'a dyn Fn(f64) -> Option<f64>);
 
@@ -14,8 +14,7 @@ impl Way<'_> {
         (self.0)(part).unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The first part, from `begin` on, at which the function is at least `level`; or else its highest value where it was
-    /// looked at.
+    /// The first point, starting at `begin`, at which the function is at least `level`; otherwise its highest evaluated value.
     pub(crate) fn reaches(&self, level: f64, begin: f64) -> Result<f64, f64> {
         let mut from = (begin, self.at(begin));
         let mut highest = from.1;
@@ -34,8 +33,9 @@ impl Way<'_> {
         Err(highest)
     }
 
-    /// The same within a part at whose beginning the function is below. Where neither ends nor middle reach the level, it
-    /// is looked for inside if the bend through these three could; four times as much, in fact.
+    /// The same within a part at whose start the function is below the level. If neither its ends nor its middle reach
+    /// the level, the interior is searched if the curvature through these three points could reach it; four times the
+    /// curvature, to be safe.
     fn between(
         &self,
         level: f64,
@@ -66,7 +66,7 @@ impl Way<'_> {
             })
     }
 
-    /// The zero between two parts at which the function has different signs.
+    /// The zero between two points at which the function has different signs.
     pub(crate) fn zero(&self, (mut a, mut b): (f64, f64)) -> f64 {
         let sign = self.at(a).signum();
         for _ in 0..HALVINGS {

@@ -1,5 +1,5 @@
-//! The geometry of a pair in a pose: where it is, its line, its gap, where on its side it is, and whether the shapes beside it leave
-//! it room. World frame unless said otherwise (m).
+//! The geometry of a pair in a pose: its position, its line, its gap, its position on its side, and whether the adjacent sides leave
+//! it space. World frame unless stated otherwise (m).
 
 use crate::frame::Contact;
 use crate::model::Model;
@@ -8,22 +8,22 @@ use crate::shape::{ends, neighbours, outward, sides};
 use crate::touch::{Face, Touch};
 use crate::vector::{Vec2, cross, dot, scaled, sub, turned};
 
-/// Lines whose angle (rad) and distance (L) are no more than this may be one.
+/// Lines whose angle (rad) and distance (L) do not exceed this may be the same.
 const LINE: f64 = 1e-5;
-/// And are one within this.
+/// Within this, they are the same.
 const SAME_LINE: f64 = 1e-9;
 
-/// What a normal does as the body turns.
+/// How a normal behaves as the body turns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Facing {
-    /// It stays in the world: world frame.
+    /// It is fixed in the world: world frame.
     World(Vec2),
     /// It turns with the body: body frame.
     Body(Vec2),
 }
 
 impl Facing {
-    /// In the world, with the body at an angle.
+    /// The normal in the world frame, with the body at an angle.
     pub(crate) fn at(self, theta: f64) -> Vec2 {
         match self {
             Self::World(normal) => normal,
@@ -32,22 +32,22 @@ impl Facing {
     }
 }
 
-/// Whether two contacts are in one line.
+/// Whether two contacts are on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lined {
     Yes,
     No,
-    /// It cannot be told.
+    /// It is uncertain.
     Maybe,
 }
 
-/// The point of the body frame that is at a place of the world.
+/// The point of the body frame at a point of the world.
 fn in_body(pose: [f64; 3], place: Vec2) -> Vec2 {
     turned(sub(place, [pose[0], pose[1]]), -pose[2])
 }
 
 impl Model {
-    /// The scene has this pair.
+    /// Whether the scene has this pair.
     pub(crate) fn has(&self, touch: Touch) -> bool {
         let corners = |obstacle: usize| self.scene.obstacles.get(obstacle).map(|o| &o.vertices);
         let body = &self.scene.vertices;
@@ -98,7 +98,7 @@ impl Model {
         }
     }
 
-    /// Where a contact is.
+    /// The position of a contact.
     pub(crate) fn foot(&self, pose: [f64; 3], touch: Touch) -> Vec2 {
         match touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {
@@ -110,7 +110,7 @@ impl Model {
         }
     }
 
-    /// The point of the body that is at a contact, body frame.
+    /// The point of the body at a contact, body frame.
     pub(crate) fn held(&self, pose: [f64; 3], touch: Touch) -> Vec2 {
         match touch.vertex() {
             Some(vertex) => self.scene.vertices[vertex],
@@ -118,7 +118,7 @@ impl Model {
         }
     }
 
-    /// n·x - b of the vertex, or of the body's side at the corner: negative inside.
+    /// n·x - b for the vertex, or for the body's side at the corner: negative inside.
     pub(crate) fn gap(&self, pose: [f64; 3], touch: Touch) -> f64 {
         let foot = self.foot(pose, touch);
         match touch {
@@ -140,7 +140,7 @@ impl Model {
         }
     }
 
-    /// How far a contact is from the nearer end of its side: negative beyond it. Half-planes have none.
+    /// The distance of a contact from the nearer end of its side: negative beyond it. Half-planes have no ends.
     pub(crate) fn inside_ends(&self, pose: [f64; 3], touch: Touch) -> f64 {
         let foot = self.foot(pose, touch);
         let (place, [low, high]) = match touch {
@@ -159,7 +159,7 @@ impl Model {
         (place - low).min(high - place)
     }
 
-    /// How deep the shape beside the vertex or corner is behind the line that it touches: at most 0 where the line supports it.
+    /// How deep the shape next to the vertex or corner is behind the line that it touches: at most 0 if the line supports it.
     pub(crate) fn unsupported(&self, pose: [f64; 3], touch: Touch) -> f64 {
         let below = |shape: &[Vec2], index: usize, normal: Vec2| {
             let gaps = neighbours(shape, index).map(|next| dot(normal, sub(next, shape[index])));
@@ -182,15 +182,15 @@ impl Model {
         }
     }
 
-    /// The direction along which a [`mark`](Self::mark) goes as the body slides along t: t of a vertex in the world, of a corner in the
-    /// body frame.
+    /// The direction in which a [`mark`](Self::mark) moves as the body slides along t: t for a vertex, in the world frame; for a
+    /// corner, in the body frame.
     pub(crate) fn along(&self, touch: Touch) -> Vec2 {
         let (Facing::World([x, y]) | Facing::Body([x, y])) = self.facing(touch);
         [y, -x]
     }
 
-    /// The place that a contact keeps while it sticks: of a vertex in the world, as it is told; at a corner in the body, reversed, so
-    /// that it grows as the body goes on.
+    /// The position that a contact keeps while it sticks: for a vertex in the world, as reported; for a corner in the body, reversed,
+    /// so that it grows as the body moves on.
     pub(crate) fn mark(&self, pose: [f64; 3], contact: &Contact) -> Vec2 {
         match contact.touch.vertex() {
             Some(_) => contact.point,
@@ -198,7 +198,7 @@ impl Model {
         }
     }
 
-    /// Whether two contacts lie in one line, with one normal. `unknown`: what places are known to (m).
+    /// Whether two contacts lie on one line, with the same normal. `unknown`: the uncertainty of positions (m).
     pub(crate) fn lined(&self, pose: [f64; 3], [a, b]: [Touch; 2], unknown: f64) -> Lined {
         if let (Some(a), Some(b)) = (a.surface(), b.surface()) {
             return if a == b { Lined::Yes } else { Lined::No };
@@ -229,7 +229,7 @@ impl Model {
         }
     }
 
-    /// Every pair with an obstacle that may touch; corners that are covered are left out.
+    /// Every pair with an obstacle that may touch, except covered corners.
     pub(crate) fn pairs_with(&self, obstacle: usize) -> Vec<Touch> {
         let shape = &self.scene.obstacles[obstacle].vertices;
         let vertices = 0..self.scene.vertices.len();

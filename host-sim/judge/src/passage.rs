@@ -1,12 +1,13 @@
-//! From one frame to the next among obstacles: contacts change only where something is told, or where a slide passes an end of a
-//! side; and no side is passed through, where the way between the frames is known.
+//! From one frame to the next among obstacles: contacts change only if an event is reported, or if a slide passes an end of a side;
+//! and no side is passed through, if the path between the frames is known.
 //!
-//! **The way.** A body in the air goes straight, holding point and angle, as the hand does, if nothing happens. One that sticks on a
-//! single contact turns about it. All other ways are not known from two frames, and are not judged; but that a single contact
-//! whose reaction stays within dynamic friction all along the hand's way is not left at all, whatever is told of slips.
+//! **The path.** If nothing happens, a body in the air moves straight in holding point and angle, as the hand does. A body that
+//! sticks on a single contact turns about it. All other paths cannot be derived from two frames and are not judged, with one
+//! exception: a single contact whose reaction stays within dynamic friction along the whole path of the hand is not left at all,
+//! whatever slips are reported.
 //!
-//! Through a side goes a vertex whose gap to it closes between its ends, or a corner whose gap to a side of the body does; by the
-//! smaller of how deep it gets and how far from the end it went in.
+//! A vertex passes through a side if its gap to the side closes between the side's ends; a corner does if its gap to a side of the
+//! body closes. The amount is the smaller of its greatest depth and of its distance from the end where it entered.
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Frame};
@@ -20,12 +21,12 @@ use crate::slip::{Step, static_excess};
 use crate::touch::Touch;
 use crate::vector::{Vec2, add, between, distance, dot, scaled, sub, turned};
 
-/// Places that are looked at on a way.
+/// Points on a path at which the pose is evaluated.
 const PLACES: u32 = 64;
-/// Halvings of the place where a gap closes.
+/// Halvings when locating the point at which a gap closes.
 const HALVINGS: u32 = 40;
 
-/// What a frame and the one before tell of obstacles.
+/// The findings on obstacles from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
@@ -42,14 +43,14 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     changes.into_iter().chain(through).chain(let_go).collect()
 }
 
-/// The longest way of a vertex (m).
+/// The longest path of a vertex (m).
 fn motion(model: &Model, from: [f64; 3], to: [f64; 3]) -> f64 {
     let ways = placed(model, from).into_iter().zip(placed(model, to));
     ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
         + model.size * ((to[2] - from[2]).abs() - 1.0).max(0.0)
 }
 
-/// Without an event every contact with an obstacle that is gone was passed on to one that is there now, and every new one comes so.
+/// Whether, without an event, every lost contact with an obstacle was replaced by a current one, and every new contact replaced an old one.
 fn changes(step: &Step<'_>) -> Option<bool> {
     let (model, last, next) = (step.model, step.last, step.next);
     if !next.events.is_empty() || !(last.meets_obstacles() || next.meets_obstacles()) {
@@ -84,7 +85,7 @@ fn changes(step: &Step<'_>) -> Option<bool> {
     Some(lost.iter().all(goes) && gained.iter().all(comes))
 }
 
-/// Two pairs are of the same or neighbouring vertices and sides, of the body and of what is around it.
+/// Whether two pairs belong to the same or neighbouring vertices and sides, of the body and of its surroundings.
 fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
     let of_body = |touch| match touch {
         Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {
@@ -96,7 +97,7 @@ fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
         let shape = |obstacle: usize| &model.scene.obstacles[obstacle].vertices;
         match touch {
             Touch::Surface { .. } => None,
-            // With the sides that it is one with.
+            // Including the sides that form one line with it.
             Touch::Side { obstacle, side, .. } => {
                 let normal = outward(shape(obstacle), side);
                 let foot = scaled(normal, dot(normal, shape(obstacle)[side]));
@@ -111,14 +112,14 @@ fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
     let [a, b] = pairs.map(of_body);
     let around = match pairs.map(of_obstacle) {
         [Some(a), Some(b)] => gap_of_segments(a, b) <= near,
-        // From a half-plane to an obstacle that stands on it, where the places alone tell; not between half-planes.
+        // Between a half-plane and an obstacle that stands on it, only positions count; there is no passage between half-planes.
         [None, None] => false,
         _ => true,
     };
     gap_of_segments(a, b) <= near && around
 }
 
-/// How far the body goes through a side (m), where its way is known.
+/// How far the body passes through a side (m), if its path is known.
 fn through(step: &Step<'_>) -> Option<f64> {
     let (model, last, next) = (step.model, step.last, step.next);
     match (last.contacts.as_slice(), next.contacts.as_slice()) {
@@ -150,8 +151,8 @@ fn sticks(frame: &Frame) -> bool {
     (frame.contacts.iter()).all(|contact| contact.sliding == Some(0))
 }
 
-/// A single contact with an obstacle that sticks was left, although dynamic friction holds it all along the hand's way, and nothing
-/// came in between.
+/// Whether a single sticking contact with an obstacle was left, although dynamic friction holds it along the whole path of the hand
+/// and nothing else happened.
 fn let_go(step: &Step<'_>) -> Option<bool> {
     let (model, last, next) = (step.model, step.last, step.next);
     let [contact] = last.contacts.as_slice() else {
@@ -191,14 +192,14 @@ fn let_go(step: &Step<'_>) -> Option<bool> {
     Some(holds)
 }
 
-/// A straight way of holding point and angle.
+/// A straight path of holding point and angle.
 struct Straight<'a> {
     step: &'a Step<'a>,
     held: Vec2,
-    /// Of the holding point, and the angle.
+    /// The holding point and the angle at the start.
     from: [f64; 3],
     to: [f64; 3],
-    /// How far a vertex may go on it, and may be off it where a weight turns the body (m).
+    /// The largest displacement of a vertex on the path, and its largest deviation from it if a weight turns the body (m).
     longest: f64,
     off: f64,
 }
@@ -234,7 +235,7 @@ impl<'a> Straight<'a> {
         self.pose(between(self.from, self.to, part))
     }
 
-    /// How far the body goes through a side (m) on a way that is no longer than this one.
+    /// How far the body passes through a side (m) on a path that is no longer than this one.
     fn through(&self, way: &dyn Fn(f64) -> [f64; 3]) -> f64 {
         let model = self.step.model;
         let body = placed(model, way(0.0));
@@ -249,7 +250,7 @@ impl<'a> Straight<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// A gap that is negative by no more than this is closed (m).
+    /// The most negative gap that counts as closed (m).
     fn allowed(&self) -> f64 {
         let Bounds { gap, .. } = *self.step.bounds;
         gap * self
@@ -258,13 +259,13 @@ impl<'a> Straight<'a> {
             .length_scale(self.step.last, self.step.bounds)
     }
 
-    /// The same through the side of one pair.
+    /// The same for the side of one pair.
     fn entered(&self, way: &dyn Fn(f64) -> [f64; 3], touch: Touch) -> f64 {
         let model = self.step.model;
         let gap = |part: f64| model.gap(way(part), touch) + self.allowed();
         let part = |i: u32| f64::from(i) / f64::from(PLACES);
         let mut before = gap(0.0);
-        // How far from the ends it went in.
+        // Distance from the ends where it entered.
         let mut inside: Option<f64> = None;
         let mut most = 0.0_f64;
         for i in 1..=PLACES {
@@ -284,7 +285,7 @@ impl<'a> Straight<'a> {
     }
 }
 
-/// Where a gap that is open at one part and closed at another one closes.
+/// The point at which a gap closes that is open at one point and closed at another.
 fn zero(gap: &dyn Fn(f64) -> f64, mut open: f64, mut closed: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(open, closed);

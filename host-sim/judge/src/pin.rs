@@ -1,27 +1,27 @@
-//! A point of the body that is pinned at a place while the body turns about it in balance of moments (STATICS 3.1): the balance that
-//! continues the one before, and the friction in it.
+//! A point of the body that is pinned while the body turns about it in balance of moments (STATICS 3.1): the balance that continues
+//! the previous one, and the friction in it.
 
 use crate::model::{Grip, Model, borne};
 use crate::pairs::Facing;
 use crate::vector::{Vec2, add, cross, dot, length, scaled, sub, turned};
 
-/// The largest turn (rad) that is taken in one step.
+/// The largest turn (rad) in one step.
 const STEP: f64 = 0.05;
-/// The finest part of a way that is looked at.
+/// The finest subdivision of a path, as a number of halvings.
 const FINEST: u32 = 24;
 
-/// A contact, and who holds the body.
+/// A contact, and the grip on the body.
 #[derive(Clone, Copy)]
 pub(crate) struct Foot<'a> {
     pub(crate) model: &'a Model,
     pub(crate) grip: &'a Grip,
-    /// The normal of what it touches.
+    /// The normal of the touched side.
     pub(crate) facing: Facing,
-    /// Levers up to this length are not told from none (m).
+    /// Levers up to this length are treated as zero (m).
     pub(crate) shortest: f64,
 }
 
-/// A point of the body (body frame) at a place of the world: where a contact is.
+/// A point of the body (body frame) at a point of the world: the position of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spot {
     pub(crate) held: Vec2,
@@ -29,7 +29,8 @@ pub(crate) struct Spot {
 }
 
 impl Spot {
-    /// A part of the straight way to another one: of a vertex that goes along a side, or a corner along which the body goes.
+    /// The spot at a fraction of the straight path to another one: for a vertex that moves along a side, or a corner along
+    /// which the body moves.
     pub(crate) fn towards(self, other: Self, part: f64) -> Self {
         let between = |a: Vec2, b: Vec2| add(a, scaled(sub(b, a), part));
         Self {
@@ -45,7 +46,7 @@ pub(crate) struct Pin<'a> {
     foot: Foot<'a>,
     spot: Spot,
     hand: [f64; 3],
-    /// Of a contact that slides along its face: mu_d, negative against the tangent.
+    /// For a contact that slides along its face: mu_d, negative against the tangent.
     slide: Option<f64>,
 }
 
@@ -59,7 +60,7 @@ impl<'a> Foot<'a> {
         }
     }
 
-    /// Sliding with the hand along the face through a spot, which stays in the world (E10).
+    /// The pin for a contact that slides with the hand along the face through a spot that is fixed in the world (E10).
     pub(crate) const fn sliding(self, spot: Spot, hand: [f64; 3], friction: f64) -> Pin<'a> {
         Pin {
             foot: self,
@@ -78,8 +79,8 @@ impl Pin<'_> {
         (lever(self.foot.grip.point), lever(model.centroid()))
     }
 
-    /// The moment (N·m), the left side of (E1) about the foot or of (E10) about the holding point, and how it falls with theta: what
-    /// it costs to turn.
+    /// The moment (N·m), the left side of (E1) about the foot or of (E10) about the holding point, and its decrease with theta: the
+    /// resistance to turning.
     fn moment(&self, theta: f64) -> (f64, f64) {
         match self.slide {
             None => self.moment_pinned(theta),
@@ -97,7 +98,7 @@ impl Pin<'_> {
         let k = scene.stiffness_translation;
         let ahead = sub(sub([self.hand[0], self.hand[1]], self.spot.at), lever);
         let pressed = -dot(normal, add(scaled(ahead, k), weight));
-        // With a turn: how N grows, how its moment does.
+        // Change of N with the angle, and of its moment.
         let grows = k * cross(lever, normal);
         let couple = scene.stiffness_rotation * (self.hand[2] - self.foot.grip.offset - theta);
         (
@@ -131,7 +132,7 @@ impl Pin<'_> {
         borne(add(spring, model.weight()), self.foot.facing.at(theta))
     }
 
-    /// Nothing holds the angle or turns it.
+    /// Whether nothing holds or turns the angle.
     fn is_neutral(&self) -> bool {
         let scene = &self.foot.model.scene;
         let (lever, heavy) = self.levers(0.0);
@@ -140,7 +141,7 @@ impl Pin<'_> {
             && (scene.weight == 0.0 || length(heavy) <= self.foot.shortest)
     }
 
-    /// The balance next to an angle, on the same stable branch.
+    /// The balance close to an angle, on the same stable branch.
     fn near(&self, theta: f64) -> Option<f64> {
         if self.is_neutral() {
             return Some(theta);
@@ -163,7 +164,7 @@ impl Pin<'_> {
         (self.moment(at).1 > 0.0).then_some(at)
     }
 
-    /// Two angles are on one stable branch.
+    /// Whether two angles are on one stable branch.
     pub(crate) fn on_one_branch(&self, a: f64, b: f64) -> bool {
         self.is_neutral()
             || (b - a).abs() <= STEP * STEP
@@ -171,7 +172,7 @@ impl Pin<'_> {
     }
 }
 
-/// Follows the balance along a way from its beginning (part 0) to a part: the angle there, `None` where the branch folds.
+/// Follows the balance along a path from its start (part 0) to `part`: returns the angle there, `None` if the branch folds.
 pub(crate) fn follow<'a>(pin: impl Fn(f64) -> Pin<'a>, theta: f64, part: f64) -> Option<f64> {
     if let Some(balance) = pin(part).near(theta) {
         return Some(balance);

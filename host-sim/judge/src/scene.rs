@@ -1,5 +1,5 @@
-//! What a judge needs of a scene file: body, springs, surfaces, obstacles, the initial holding point. SI units; keys of which it needs
-//! nothing are for the program that runs the scene to check.
+//! The part of a scene file that a judge needs: body, springs, surfaces, obstacles, the initial holding point. SI units; other keys
+//! are left to the program that runs the scene.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -20,7 +20,7 @@ mod obstacle;
 pub struct Scene {
     /// Vertices of the body (m), body frame, counter-clockwise; 1: a point, 2: a rod.
     pub vertices: Vec<[f64; 2]>,
-    /// The pose of the body before the first record: x, y (m), theta (rad), of the body frame in the world.
+    /// The pose of the body before the first record: x, y (m), theta (rad) of the body frame in the world.
     pub start: [f64; 3],
     /// W (N), at the centroid, along world -y.
     pub weight: f64,
@@ -49,12 +49,12 @@ pub struct Surface {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
-    /// D_c (m), as given: 0 for the shortest length that is told apart, `None` for the default.
+    /// D_c (m), as given: 0 for the shortest length that is resolved, `None` for the default.
     pub memory: Option<f64>,
 }
 
 impl Surface {
-    /// What a contact with it is of.
+    /// The properties of the surface that a contact needs.
     pub(crate) const fn face(&self) -> Face {
         Face {
             normal: self.normal,
@@ -117,11 +117,11 @@ struct SurfaceEntry {
     memory: Option<Spanned<f64>>,
 }
 
-/// So many vertices, surfaces and corners a scene may have: they are looked at in pairs, a million of them. It is sixteen times what the
-/// solver takes.
+/// The largest number of vertices, surfaces and corners of a scene: they are examined in pairs, a million of them. It is sixteen times
+/// the solver's capacity.
 const MOST: usize = 1024;
 
-/// The text of a scene, for messages with its lines.
+/// The text of a scene, for messages with line numbers.
 struct Text<'a> {
     file: &'a Path,
     text: &'a str,
@@ -238,7 +238,7 @@ impl Text<'_> {
         })
     }
 
-    /// A coefficient of friction, and what it is of.
+    /// A coefficient of friction, and what it belongs to.
     fn friction(
         &self,
         (what, name): (&str, &str),
@@ -256,7 +256,7 @@ impl Text<'_> {
         }
     }
 
-    /// A memory length, of its own or of all.
+    /// A memory length, of the surface itself or the common one.
     fn memory(
         &self,
         key: &str,
@@ -275,7 +275,7 @@ impl Scene {
     /// Reads a scene file.
     ///
     /// # Errors
-    /// The file cannot be read, or as [`Scene::parse`].
+    /// The file cannot be read, or as for [`Scene::parse`].
     pub fn read(file: &Path) -> Result<Self, InputError> {
         let bytes = stiction_text::read(file);
         let bytes = bytes.map_err(|problem| InputError::of_file(file, problem))?;
@@ -287,7 +287,7 @@ impl Scene {
     /// Reads a scene from text; `file` is its name in messages.
     ///
     /// # Errors
-    /// It is not TOML, or a key that is needed is missing, of the wrong type or out of range.
+    /// The text is not TOML, or a required key is missing, of the wrong type or out of range.
     pub fn parse(file: &Path, text: &str) -> Result<Self, InputError> {
         let source = Text { file, text };
         let document: Document = toml::from_str(text)
@@ -332,13 +332,13 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Where a point of the body frame is in the world, for a pose of the body.
+    /// The position of a point of the body frame in the world, for a pose of the body.
     pub(crate) fn place(pose: [f64; 3], point: Vec2) -> Vec2 {
         add([pose[0], pose[1]], turned(point, pose[2]))
     }
 }
 
-/// The first name that was there before.
+/// The first name that occurred before.
 fn second(names: &[&str]) -> Option<usize> {
     let mut known = HashSet::new();
     names.iter().position(|name| !known.insert(name))

@@ -1,9 +1,9 @@
-//! Convex shapes, vertices counter-clockwise (m): sides, normals, and how far two shapes are apart (one: a point, two: a segment
-//! with two sides).
+//! Convex shapes, vertices counter-clockwise (m): sides, normals, and the distance between two shapes (one vertex: a point, two:
+//! a segment with two sides).
 
 use crate::vector::{Vec2, distance, dot, length, scaled, sub};
 
-/// How many sides a shape has: none of a point, two of a segment.
+/// The number of sides of a shape: none for a point, two for a segment.
 pub(crate) fn sides(shape: &[Vec2]) -> usize {
     if shape.len() < 2 { 0 } else { shape.len() }
 }
@@ -13,14 +13,14 @@ pub(crate) fn ends(shape: &[Vec2], side: usize) -> [Vec2; 2] {
     [shape[side], shape[(side + 1) % shape.len()]]
 }
 
-/// The unit normal of a side, out of the shape.
+/// The unit normal of a side, pointing out of the shape.
 pub(crate) fn outward(shape: &[Vec2], side: usize) -> Vec2 {
     let [from, to] = ends(shape, side);
     let [x, y] = sub(to, from);
     scaled([y, -x], 1.0 / length([x, y]))
 }
 
-/// The vertices before and after one; none of a point.
+/// The vertices before and after a vertex; none for a point.
 pub(crate) fn neighbours(shape: &[Vec2], index: usize) -> impl Iterator<Item = Vec2> + '_ {
     let count = shape.len();
     let places = [(index + 1) % count, (index + count - 1) % count];
@@ -30,8 +30,7 @@ pub(crate) fn neighbours(shape: &[Vec2], index: usize) -> impl Iterator<Item = V
         .map(|k| shape[k])
 }
 
-/// The largest gap along the axes of both shapes: the depth of one in the other where it is negative, and no more than their
-/// distance where it is positive.
+/// The largest gap along the axes of both shapes: if negative, the depth of one in the other; if positive, at most their distance.
 pub(crate) fn separation(a: &[Vec2], b: &[Vec2]) -> f64 {
     if let ([a], [b]) = (a, b) {
         return distance(*a, *b);
@@ -50,14 +49,14 @@ fn beyond(shape: &[Vec2], other: &[Vec2]) -> f64 {
         let normal = outward(shape, side);
         most = most.max(along(shape[side], normal));
         if shape.len() == 2 {
-            // A segment ends, too.
+            // A segment also has an axis along itself.
             most = most.max(along(shape[side], [normal[1], -normal[0]]));
         }
     }
     most
 }
 
-/// The distance of two segments, either of which may be a point (m).
+/// The distance between two segments, either of which may be a point (m).
 pub(crate) fn gap_of_segments(a: [Vec2; 2], b: [Vec2; 2]) -> f64 {
     let to_segment = |point: Vec2, [from, to]: [Vec2; 2]| {
         let along = sub(to, from);
@@ -104,7 +103,7 @@ mod tests {
         assert_eq!(at(3.0, 1.5), 1.0);
         let wall = [[-1.0, 0.5], [0.25, 0.5]];
         assert_eq!(separation(&BOX, &wall), -0.25);
-        // A wall ends: beside it a point is apart, and on its line no less.
+        // A wall has ends: a point beyond an end is apart from it, even on its line.
         assert_eq!(separation(&wall, &[[1.0, 0.5]]), 0.75);
         assert_eq!(separation(&wall, &[[0.0, 0.25]]), 0.25);
         assert_eq!(separation(&[[0.0, 3.0]], &[[4.0, 0.0]]), 5.0);

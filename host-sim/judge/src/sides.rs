@@ -1,30 +1,30 @@
-//! What is known of obstacles before any frame: which coplanar sides are one, and which corners are covered (m, world frame).
+//! Properties of the obstacles that do not depend on a frame: which coplanar sides are one, and which corners are covered (m,
+//! world frame).
 
 use crate::body::size;
 use crate::scene::{Obstacle, Scene};
 use crate::shape::{ends, gap_of_segments, outward, sides};
 use crate::vector::{Vec2, cross, dot, sub};
 
-/// Corners and sides that are closer than this are at one place, in body sizes and rad.
+/// Corners and sides that are closer than this coincide, in body sizes and rad.
 const SAME: f64 = 1e-9;
 
-/// Of every obstacle, by its index.
+/// The properties of every obstacle, by its index.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sides {
-    /// Of every side: from where to where along its tangent the line reaches that it makes with the coplanar sides of equal friction
-    /// that join it (m).
+    /// For every side: the interval along its tangent of the line that it forms with the adjoining coplanar sides of equal friction (m).
     runs: Vec<Vec<[f64; 2]>>,
-    /// Of every corner: another obstacle, or a half-plane, lies over it.
+    /// For every corner: whether another obstacle, or a half-plane, lies over it.
     covered: Vec<Vec<bool>>,
 }
 
-/// A side of an obstacle, as a part of a line.
+/// A side of an obstacle, as a segment of a line.
 #[derive(Clone, Copy)]
 struct Part {
     normal: Vec2,
     from: Vec2,
     friction: (f64, f64, Option<f64>),
-    /// Along the tangent.
+    /// The interval along the tangent.
     span: [f64; 2],
 }
 
@@ -52,7 +52,7 @@ impl Part {
     }
 }
 
-/// Where points are along the tangent of a normal, the lowest and the highest.
+/// The lowest and highest position of points along the tangent of a normal.
 fn span(normal: Vec2, points: [Vec2; 2]) -> [f64; 2] {
     let [a, b] = points.map(|point| dot([normal[1], -normal[0]], point));
     [a.min(b), a.max(b)]
@@ -82,12 +82,12 @@ impl Sides {
         }
     }
 
-    /// From where to where along its tangent a side reaches, with those that it is one with (m).
+    /// The interval along its tangent of a side together with those that it is one with (m).
     pub(crate) fn run(&self, obstacle: usize, side: usize) -> [f64; 2] {
         self.runs[obstacle][side]
     }
 
-    /// Something lies over a corner, or another corner at its place.
+    /// Whether something lies over a corner, or another corner coincides with it.
     pub(crate) fn is_covered(&self, obstacle: usize, corner: usize) -> bool {
         self.covered[obstacle][corner]
     }

@@ -1,7 +1,7 @@
-//! Contacts that slide with the hand: what one frame tells of them, and what two do.
+//! Contacts that slide with the hand: what follows from one frame, and from two.
 //!
-//! **Tolerance.** T = -s mu_d N is asked for as exactly as at the end of a slip, and a foot goes back by no more than a contact
-//! that sticks may move. Signs of velocities count where these are larger than what the trace's places leave open.
+//! **Tolerance.** T = -s mu_d N has to hold as exactly as at the end of a slip, and a foot may move back by no more than a
+//! sticking contact may move. Signs of velocities count if the velocities exceed the uncertainty of the positions in the trace.
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State};
@@ -9,11 +9,11 @@ use crate::model::{Grip, Model};
 use crate::slip::{EVENTS, Step, drive, static_excess};
 use crate::vector::{Vec3, cross, cross3, dot3, length3, sub};
 
-/// Where the normals of the contacts leave one motion of the body, the largest sine between two of them is at least this; where
-/// they leave none, their volume.
+/// If the normals of the contacts leave one motion of the body, the largest sine between two of them is at least this; if they
+/// leave none, their volume.
 const APART: f64 = 1e-3;
 
-/// What a frame tells of contacts that slide, in balance.
+/// The findings on sliding contacts from one frame in balance.
 pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> Vec<Finding> {
     if !frame.slides() {
         return Vec::new();
@@ -40,8 +40,8 @@ pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) 
     findings
 }
 
-/// The signs of all slides are those of a motion that keeps every contact closed. `None` where the normals do not tell
-/// which motion that is.
+/// Whether the signs of all slides are those of a motion that keeps every contact closed. `None` if the normals do not
+/// determine that motion.
 fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> {
     let first = frame.contacts.first()?.touch;
     let is_corner = (frame.contacts.iter()).all(|contact| contact.touch.shares_vertex(first));
@@ -65,7 +65,7 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     }
     let twist = unit(twist);
     let volume = (normals.iter()).fold(0.0_f64, |most, n| most.max(dot3(*n, twist).abs()));
-    // A vertex in a corner, or contacts that keep the body from any motion.
+    // A vertex in a corner, or contacts that leave the body no motion.
     if is_corner || volume > APART {
         return Some(false);
     }
@@ -83,7 +83,7 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     Some(fits(1.0) || fits(-1.0))
 }
 
-/// What a frame and the one before tell of slides.
+/// The findings on slides from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     findings.extend(told(step).map(|holds| Finding::whether(law::SLIDE_TOLD, holds)));
@@ -91,8 +91,8 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     findings
 }
 
-/// A slide begins with `slide`, ends with `stop`, or something else happened that explains it. `None` where contacts without
-/// friction, or without force, may do as they like.
+/// Whether a slide begins with `slide` and ends with `stop`, or another event explains it. `None` if a contact has no
+/// friction or no force, since it may then do either.
 fn told(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let usable = |frame: &Frame| {
@@ -131,7 +131,7 @@ fn told(step: &Step<'_>) -> Option<bool> {
     Some((!begins || has(Event::Slide)) && (!ends || has(Event::Stop)))
 }
 
-/// A contact that bore more than mu_d N has stiction, and slips before it slides.
+/// Whether a contact has stiction: it bore more than mu_d N, and slips before it slides.
 pub(crate) fn has_stiction(step: &Step<'_>) -> bool {
     let last = step.last;
     let Some(face) = step.one_friction(last) else {
@@ -143,7 +143,7 @@ pub(crate) fn has_stiction(step: &Step<'_>) -> bool {
         && static_excess(reaction, face.friction_dynamic) > step.allowed(false)
 }
 
-/// The force on a contact is nothing but rounding: the vertex swings along its surface as the body turns out of the way.
+/// Whether the force on a contact is only rounding: the vertex swings along its surface as the body turns out of the way.
 pub(crate) fn is_idle(
     model: &Model,
     bounds: &Bounds,
@@ -155,7 +155,7 @@ pub(crate) fn is_idle(
     contact.normal.hypot(contact.friction) <= bounds.residual * scale.moment
 }
 
-/// A slide on one surface goes on as long as N does not rise to N*, where it sticks.
+/// A slide on one surface continues as long as N does not rise to N*, where it sticks.
 fn stops(step: &Step<'_>) -> Option<Finding> {
     let (last, next) = (step.last, step.next);
     let face = step.one_friction(next)?;

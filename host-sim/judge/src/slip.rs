@@ -1,14 +1,14 @@
-//! Slips, from the frame before and the hand's straight way: where they begin and where they end (STATICS 3.2, 4, 5, 7).
+//! Slips, from the previous frame and the hand's straight path: where they begin and where they end (STATICS 3.2, 4, 5, 7).
 //!
-//! In a frame with a single slip and nothing else the contacts stick at their old places until static friction gives way;
-//! there the hand is frozen, the contacts go to their new places and stick for the rest of the frame. So with the old
-//! places and the hand's way comes the part tau of it at which the slip begins, and with the new places the balance at tau,
-//! in which |T| = mu_d N must hold. Nothing of it is taken from the solver.
+//! In a frame with a single slip and nothing else, the contacts stick at their old positions until static friction gives
+//! way; there the hand is frozen, the contacts move to their new positions and stick for the rest of the frame. So the old
+//! positions and the hand's path give the fraction tau of the path at which the slip begins, and the new positions give the
+//! balance at tau, in which |T| = mu_d N must hold. Nothing of this is taken from the solver.
 //!
-//! **Tolerance.** Places are known to the rounding of the trace and forces so to that of coordinate × stiffness, and tau to
-//! within the parts tau_- <= tau <= tau_+ at which the old contacts come that near to the limit of static friction and are
-//! that far beyond it. A slip is lawful if its end is one for some tau between. Where the limit is met steeply, as mostly,
-//! that is a point; where it is met at a grazing angle, what is not known about tau is not held against the trace.
+//! **Tolerance.** Positions are known to the rounding of the trace, forces therefore to that of coordinate × stiffness, and
+//! tau to within the range tau_- <= tau <= tau_+ in which the old contacts come that close to the limit of static friction
+//! and go that far beyond it. A slip is lawful if its end is valid for some tau in that range. If the limit is met steeply,
+//! as is usual, the range is a point; if it is met at a grazing angle, the uncertainty of tau is not held against the trace.
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State};
@@ -24,13 +24,13 @@ mod chain;
 mod pair;
 mod vertex;
 
-/// A solver that lists no more events than this may have left out what came after the last one.
+/// A solver that lists no more events than this may have omitted later ones.
 pub(crate) const EVENTS: usize = 16;
 
 /// The friction at which a slip begins.
 pub(crate) type Onset = fn(&Face) -> f64;
 
-/// A frame and the one before.
+/// A frame and the previous one.
 #[derive(Clone, Copy)]
 pub(crate) struct Step<'a> {
     pub(crate) model: &'a Model,
@@ -41,7 +41,7 @@ pub(crate) struct Step<'a> {
     pub(crate) next: &'a Frame,
 }
 
-/// The laws of slips on a frame; none where they do not apply.
+/// The laws of slips on a frame; none if they do not apply.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     if step.is_single() {
         return step.single(|_| true);
@@ -56,13 +56,13 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
 }
 
 impl<'a> Step<'a> {
-    /// A single slip of contacts that were there, and are there still, and nothing else.
+    /// Whether the frame has a single slip of contacts that existed before and still exist, and nothing else.
     fn is_single(&self) -> bool {
         let (last, next) = (self.last, self.next);
         next.events == [Event::Slip] && !next.slides() && self.slips_once(last)
     }
 
-    /// The same, but that the contacts did not stick where the slip ended: they slid on with the hand.
+    /// The same, except that the contacts did not stick at the end of the slip: they slid on with the hand.
     fn goes_on(&self) -> bool {
         let is_slip = matches!(
             self.next.events.as_slice(),
@@ -71,19 +71,19 @@ impl<'a> Step<'a> {
         is_slip && self.next.slides() && self.slips_once(self.last)
     }
 
-    /// A slip of contacts that stuck before and are there still.
+    /// Whether contacts that stuck before and still exist slip exactly once.
     fn slips_once(&self, last: &Frame) -> bool {
         self.next.slips == 1 && self.slips_alone(last)
     }
 
-    /// Slips and nothing else are as many as lead from the old places to the new ones.
+    /// Whether the number of slips, if nothing else happens, is the number that leads from the old positions to the new ones.
     fn counted(&self) -> Option<bool> {
         let next = self.next;
         if next.events != [Event::Slip] || next.slides() || !self.slips_alone(self.last) {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {
-            // What one slip explains are not several.
+            // If one slip explains the displacement, there are not several.
             let one = self.single(|_| true);
             let is_one = !one.is_empty() && one.iter().all(Finding::holds);
             return (self.evolution == Evolution::Path && is_one).then_some(next.slips == 1);
@@ -92,7 +92,7 @@ impl<'a> Step<'a> {
         Some(count == next.slips)
     }
 
-    /// Contacts that stuck before and are there still.
+    /// Whether all contacts stuck before and still exist.
     fn slips_alone(&self, last: &Frame) -> bool {
         let next = self.next;
         next.status.is_followed()
@@ -109,7 +109,7 @@ impl<'a> Step<'a> {
         self.model.face(self.next.pose, touch)
     }
 
-    /// The same of all contacts of a frame, if their frictions are one.
+    /// The same for all contacts of a frame, if their frictions are equal.
     pub(crate) fn one_friction(&self, frame: &Frame) -> Option<Face> {
         let of = |contact: &Contact| self.model.face(frame.pose, contact.touch);
         let first = of(frame.contacts.first()?);
@@ -122,7 +122,7 @@ impl<'a> Step<'a> {
         between(self.last.hand, self.next.hand, part)
     }
 
-    /// A force relative to the largest in both frames, and what is allowed.
+    /// A force relative to the largest in both frames, with its bound.
     pub(crate) fn finding(&self, law: &'static str, force: f64, is_braced: bool) -> Finding {
         let Bounds { slip, rounding, .. } = *self.bounds;
         let scale = |frame| {
@@ -132,9 +132,9 @@ impl<'a> Step<'a> {
         Finding::new(law, force / scale(self.last).max(scale(self.next)), slip)
     }
 
-    /// What is found of a slip that began at mu_s N; or else at mu_d N, where the body may have had no stiction, as sliding
-    /// contacts leave it (a trace does not tell), and no slide led away. On one surface one does, as a rule: a slip that begins
-    /// so and goes on as a slide is none, nor is one of an edge.
+    /// The findings on a slip that began at mu_s N. Otherwise on one that began at mu_d N, if the body may have had no
+    /// stiction, as sliding contacts leave it (a trace does not report it), and no slide followed. On one surface, a slide
+    /// normally does: a start at mu_d N is not accepted for a slip that goes on as a slide, nor for one of an edge.
     fn single(&self, counts: impl Fn(&Finding) -> bool) -> Vec<Finding> {
         let from = |onset: Onset| {
             let mut findings = match (self.next.state, self.next.contacts.as_slice()) {
@@ -160,7 +160,7 @@ impl<'a> Step<'a> {
         if holds(&without) { without } else { findings }
     }
 
-    /// The direction along t in which a contact has gone, if it has: farther than rounding.
+    /// The direction along t in which a contact has moved, if it moved farther than rounding.
     fn direction(&self, contact: &Contact) -> Option<f64> {
         let (model, touch) = (self.model, contact.touch);
         let before = model.mark(self.last.pose, self.last.contact(touch)?);
@@ -202,7 +202,7 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Where a contact of a frame is.
+    /// The spot of a contact in a frame.
     fn spot(&self, frame: &Frame, contact: &Contact) -> Spot {
         Spot {
             held: self.model.held(frame.pose, contact.touch),
@@ -210,8 +210,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Begin and end of a slip, and the part of the hand's way at which it happened. `fixed`: by how much static friction
-    /// falls short at the old places; `sliding`: what drives the slip on, at the new ones (N).
+    /// Start and end of a slip, and the fraction of the hand's path at which it happened. `fixed`: the amount by which
+    /// static friction falls short at the old positions; `sliding`: the drive of the slip at the new ones (N).
     fn ends(
         &self,
         fixed: Way<'_>,
@@ -231,7 +231,7 @@ impl<'a> Step<'a> {
         if self.evolution == Evolution::Path || found.0.iter().all(Finding::holds) {
             return found;
         }
-        // After the first event of a frame the hand jumps, and the slip may be the end of that.
+        // After the first event of a frame the hand jumps, and the slip may happen at the end of that jump.
         let at_the_end = match fixed.at(1.0) {
             end if end >= -allowed => Ok([1.0; 3]),
             end => Err(end),
@@ -244,7 +244,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// The same where the slip begins within three parts of the hand's way, or with the highest that static friction fell short.
+    /// The same if the slip begins within a window of three fractions of the hand's path, or given the largest shortfall of
+    /// static friction.
     fn ends_in(
         &self,
         window: Result<[f64; 3], f64>,
@@ -282,8 +283,8 @@ impl<'a> Step<'a> {
         unit.bound / unit.residual
     }
 
-    /// After other events the contacts are where the last slip left them, and stick from there on. A slip in the course of
-    /// which a contact opens may end out of balance, and the body turn after it: it is left out.
+    /// After other events the contacts are where the last slip left them, and stick from there on. A slip during which a
+    /// contact opens may end out of balance, after which the body turns: such slips are excluded.
     fn last_of_several(&self) -> Option<Finding> {
         let (last, next) = (self.last, self.next);
         let contact = next.contacts.first()?;
@@ -309,7 +310,7 @@ impl<'a> Step<'a> {
             let pin = |back: f64| foot.pinned(spot, self.hand(1.0 - back));
             Some(pin(back).reaction(follow(pin, next.pose[2], back)?))
         };
-        // A hand that takes hold does all of it at its end.
+        // If the hand has just grasped, the slip happens at the end of its path.
         let left = [1.0, -1.0].map(|sign| {
             let excess = |back| Some(drive(reaction(back)?, face.friction_dynamic, sign));
             let end = Way(&excess).at(0.0);
@@ -324,12 +325,12 @@ impl<'a> Step<'a> {
     }
 }
 
-/// By how much (N) a reaction (N, T) lies outside a cone.
+/// The amount (N) by which a reaction (N, T) lies outside a cone.
 pub(crate) fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
     (friction.abs() - mu * normal) / mu.hypot(1.0)
 }
 
-/// By how much (N) a contact that slides along `sign`·t is driven on: -sign T - mu_d N.
+/// The drive (N) of a contact that slides along `sign`·t: -sign T - mu_d N.
 pub(crate) fn drive((normal, friction): (f64, f64), mu: f64, sign: f64) -> f64 {
     (-sign * friction - mu * normal) / mu.hypot(1.0)
 }

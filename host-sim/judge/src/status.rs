@@ -1,8 +1,8 @@
-//! What a status excuses, and whether its frame bears it out.
+//! What a status excuses, and whether its frame shows the reported condition.
 //!
-//! * `held-last` and `saturated`: the hand's sample was not used, so the record is that of the frame before but for its time.
-//! * `event-limit`: there are as many events as that. The frame is in balance, and judged as any other.
-//! * `behind`: the part of the hand's way that is left is told.
+//! * `held-last` and `saturated`: the hand's sample was not used, so the record repeats that of the previous frame except for its time.
+//! * `event-limit`: there are as many events as the limit. The frame is in balance, and judged like any other.
+//! * `behind`: the remaining fraction of the hand's displacement is reported.
 //! * `jammed` and `ambiguous`: see [`of_balance`].
 //! * `iteration-limit` and `twist` excuse nothing.
 
@@ -14,14 +14,14 @@ use crate::slip::{EVENTS, Step};
 use crate::touch::Face;
 use crate::yielding::can_move;
 
-/// A body at one place whose contacts have opened and closed again so often does so without an end: it has no more than so many contacts
-/// that could be the first to open.
+/// If the contacts of a body at one place have opened and closed this often, they would do so without end: the body has no more contacts
+/// than this that could be the first to open.
 const ROUNDS: usize = 4;
 
-/// At least so many slips fit into a frame before `event-limit`.
+/// The smallest number of slips that justifies `event-limit`.
 const SLIPS: u32 = 100;
 
-/// A status alone, and with the frame before.
+/// Whether a status agrees with its frame alone, and with the previous frame.
 pub(crate) fn told(last: Option<&Frame>, next: &Frame) -> bool {
     let left = next.behind.is_some_and(|part| part > 0.0 && part <= 1.0);
     match next.status {
@@ -32,7 +32,7 @@ pub(crate) fn told(last: Option<&Frame>, next: &Frame) -> bool {
     }
 }
 
-/// But for the time, a hand that does not hold, and one that lets go.
+/// Whether a frame repeats another, except for the time, for a hand that does not hold, and for one that lets go.
 fn repeats(last: &Frame, next: &Frame) -> bool {
     let lets_go = next.events == [Event::Release];
     let is_free = !last.held && !next.held;
@@ -43,14 +43,14 @@ fn repeats(last: &Frame, next: &Frame) -> bool {
         && (lets_go || (same_forces && next.events.is_empty() && next.slips == 0))
 }
 
-/// A body that is told to be out of balance could neither stay in balance nor move. `None` where nothing of the kind is told.
+/// Whether a body that is reported to be out of balance could neither stay in balance nor move. `None` if no such status is reported.
 pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
     match next.status {
         Status::Ambiguous => {}
         _ => return None,
     }
-    // Under a hand that stays nothing happens: what was found of the frame before holds of this one.
+    // Nothing happens under a hand at rest: the finding on the previous frame holds for this one.
     let goes_on = step.last.status == next.status && repeats(step.last, next);
     if !next.complete || !next.held || goes_on {
         return None;
@@ -58,8 +58,8 @@ pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
     Some(is_stuck(step.model, step.bounds, step.grip, next))
 }
 
-/// No reactions within friction bear the load of a body with several contacts, and no motion follows it; or motions have followed one
-/// another without an end.
+/// Whether no reactions within friction bear the load of a body with several contacts, and no motion follows it; or whether motions
+/// have followed one another without end.
 fn is_stuck(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> bool {
     let several = matches!(
         frame.state,

@@ -1,4 +1,4 @@
-//! The laws of one frame: geometry and balance, from nothing but the scene, the hold and the frame.
+//! The laws of one frame: geometry and balance, from nothing but the scene, the grip and the frame.
 
 use std::collections::BTreeSet;
 
@@ -27,14 +27,14 @@ pub(crate) fn finite(frame: &Frame) -> Finding {
     Finding::whether(law::FINITE, holds)
 }
 
-/// A contact is of what the scene does not have.
+/// The finding on a contact that refers to a feature that the scene does not have.
 pub(crate) fn unknown(model: &Model, frame: &Frame) -> Option<Finding> {
     let is_known = |contact: &Contact| model.has(contact.touch);
     let all = frame.contacts.iter().all(is_known);
     (!all).then(|| Finding::whether(law::EXISTS, false))
 }
 
-/// The state's name, and contacts that are there twice.
+/// The state's name, and contacts that are listed twice.
 pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 2] {
     let contacts = &frame.contacts;
     let named = match contacts.as_slice() {
@@ -52,7 +52,7 @@ pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 
     ]
 }
 
-/// Two contacts, by what they have in common.
+/// Whether two contacts have the state's name, according to what they have in common.
 fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> bool {
     if pair[0].shares_vertex(pair[1]) {
         return frame.state == State::Corner;
@@ -64,7 +64,7 @@ fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> 
     }
 }
 
-/// Vertices, surfaces, obstacles and contacts.
+/// Findings on vertices, surfaces, obstacles and contacts.
 pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut inside, mut off, mut apart) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -93,7 +93,7 @@ pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
         .collect()
 }
 
-/// Springs, balance, friction. Without all contacts: the springs alone, and the contacts that are known.
+/// Findings on springs, balance and friction. If not all contacts are known: on the springs alone, and on the known contacts.
 pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> Vec<Finding> {
     let scale = model.scale(frame, grip, bounds.residual, bounds.rounding);
     let springs = model.springs(frame.pose, frame.hand, grip);
@@ -114,7 +114,7 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
     let exact = model.exactness(frame, grip, bounds);
     let wrench = (distance([fx, fy], springs.force) / exact.force)
         .max((told - springs.moment).abs() / exact.moment);
-    // Two reactions and more share a load whose moment decides between them.
+    // Two or more reactions share a load, and the moment determines the shares.
     let of_reaction = if frame.contacts.len() > 1 {
         scale.moment
     } else {
@@ -136,7 +136,7 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         .collect()
 }
 
-/// No hand, no wrench.
+/// Without a hand there is no wrench.
 pub(crate) fn idle(frame: &Frame) -> Finding {
     Finding::whether(law::IDLE, frame.wrench == [0.0; 3])
 }

@@ -1,4 +1,4 @@
-//! What the judge found over a whole trace: of every law, on how many frames it was looked at, and the worst.
+//! The judge's findings over a whole trace: for every law, on how many frames it was checked, and the worst.
 
 use std::collections::BTreeMap;
 
@@ -33,15 +33,15 @@ pub struct Survey {
     pub frames: u64,
     /// Frames that broke a law.
     pub unlawful: u64,
-    /// By the name of the law.
+    /// The results by name of the law.
     pub laws: BTreeMap<&'static str, LawSurvey>,
-    /// The worst frames, the gravest first.
+    /// The worst frames, the worst first.
     pub worst: Vec<Violation>,
     keep: usize,
 }
 
 impl Survey {
-    /// Of a trace that is still to come; so many of its worst frames are kept.
+    /// A survey of a trace that is still to come, which keeps this many of its worst frames.
     pub fn new(keep: usize) -> Self {
         Self {
             keep,
@@ -78,7 +78,7 @@ impl Survey {
         }
     }
 
-    /// No frame broke a law.
+    /// Whether no frame broke a law.
     pub fn is_lawful(&self) -> bool {
         self.unlawful == 0
     }

@@ -1,5 +1,5 @@
-//! What touches what: a vertex of the body on a half-plane or on a side of an obstacle, or a corner of an obstacle on a side of
-//! the body.
+//! Which features touch: a vertex of the body on a half-plane or on a side of an obstacle, or a corner of an obstacle on a side
+//! of the body.
 
 use crate::vector::Vec2;
 
@@ -34,7 +34,7 @@ pub enum Touch {
 }
 
 impl Touch {
-    /// The vertex of the body that touches, if one does.
+    /// The vertex of the body that touches, if any.
     pub(crate) const fn vertex(self) -> Option<usize> {
         match self {
             Self::Surface { vertex, .. } | Self::Side { vertex, .. } => Some(vertex),
@@ -42,7 +42,7 @@ impl Touch {
         }
     }
 
-    /// The half-plane that is touched, if one is.
+    /// The touched half-plane, if any.
     pub(crate) const fn surface(self) -> Option<usize> {
         match self {
             Self::Surface { surface, .. } => Some(surface),
@@ -50,7 +50,7 @@ impl Touch {
         }
     }
 
-    /// The obstacle that is touched, if one is.
+    /// The touched obstacle, if any.
     pub(crate) const fn obstacle(self) -> Option<usize> {
         match self {
             Self::Surface { .. } => None,
@@ -58,7 +58,7 @@ impl Touch {
         }
     }
 
-    /// Both are of one vertex of the body.
+    /// Whether both belong to the same vertex of the body.
     pub(crate) fn shares_vertex(self, other: Self) -> bool {
         self.vertex().is_some() && self.vertex() == other.vertex()
     }
@@ -83,12 +83,12 @@ impl Face {
         [self.normal[1], -self.normal[0]]
     }
 
-    /// Sticking and sliding are told apart.
+    /// Whether static and dynamic friction differ.
     pub(crate) fn jumps(&self) -> bool {
         self.friction_static > self.friction_dynamic
     }
 
-    /// Its coefficients and memory are those of another one.
+    /// Whether its coefficients and memory equal those of another face.
     pub(crate) fn rubs_as(&self, other: &Self) -> bool {
         let of = |face: &Self| (face.friction_static, face.friction_dynamic, face.memory);
         of(self) == of(other)

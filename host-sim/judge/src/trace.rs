@@ -1,4 +1,4 @@
-//! Reads a trace record by record, JSON Lines or CSV, and names file, line and key where it cannot.
+//! Reads a trace record by record, JSON Lines or CSV; errors name the file, the line and the key.
 
 mod json;
 mod table;
@@ -12,8 +12,8 @@ use crate::frame::{Event, Frame, State, Status};
 use crate::scene::Scene;
 use crate::touch::Touch;
 
-/// A record may be so long (bytes): 192 contacts, one for each vertex and corner of the largest scene, of a kilobyte each take less
-/// than a quarter of it.
+/// The longest allowed record (bytes): 192 contacts, one for each vertex and corner of the largest scene, of a kilobyte each take
+/// less than a quarter of it.
 const LONGEST_RECORD: usize = 1 << 20;
 
 /// A trace that is being read: an iterator over its frames, each with its line, counted from 1.
@@ -29,17 +29,17 @@ enum Lines {
     Table(Box<table::Rows>),
 }
 
-/// A line, counted from 1, and its frame or what is wrong with it.
+/// A line, counted from 1, and its frame or the problem.
 type Line = (u64, Result<Frame, String>);
 
 impl Trace {
-    /// Opens a trace of a scene; its format is told by the extension, `jsonl` or `csv`.
+    /// Opens a trace of a scene; its extension, `jsonl` or `csv`, determines the format.
     ///
     /// # Errors
-    /// The file cannot be read, is neither, or its header lacks a column.
+    /// The file cannot be read, has neither extension, or its header lacks a column.
     pub fn open(file: &Path, scene: &Scene) -> Result<Self, InputError> {
         let open = || {
-            // As long as it likes: it is read record by record.
+            // The file may have any length: it is read record by record.
             let opened = stiction_text::open(file, u64::MAX);
             opened
                 .map(|opened| BufReader::with_capacity(1 << 16, opened))
@@ -74,7 +74,7 @@ impl Trace {
 impl Iterator for Trace {
     type Item = Result<(u64, Frame), InputError>;
 
-    /// The next frame; nothing after an error.
+    /// The next frame; none after an error.
     fn next(&mut self) -> Option<Self::Item> {
         if self.failed {
             return None;
@@ -89,7 +89,7 @@ impl Iterator for Trace {
     }
 }
 
-/// What a scene calls its surfaces and obstacles, and how many vertices they and the body have.
+/// The scene's names of surfaces and obstacles, and the numbers of their vertices and of the body's.
 struct Names {
     surfaces: Vec<String>,
     obstacles: Vec<String>,
@@ -97,7 +97,7 @@ struct Names {
     vertices: usize,
 }
 
-/// What a trace says of what touches what: keys that are absent are `None`.
+/// A trace's description of a touch: absent keys are `None`.
 struct Told<'a> {
     vertex: Option<usize>,
     surface: Option<&'a str>,
@@ -119,7 +119,7 @@ impl Names {
         })
     }
 
-    /// What touches what in a contact.
+    /// The touching features of a contact.
     fn touch(&self, contact: usize, told: &Told<'_>) -> Result<Touch, String> {
         let obstacle = |name: &str| {
             let place = self.obstacles.iter().position(|known| known == name);

@@ -1,4 +1,4 @@
-//! Vectors of the plane, as pairs; wrenches and twists, as threes.
+//! Vectors of the plane, as pairs; wrenches and twists, as triples.
 
 pub(crate) type Vec2 = [f64; 2];
 /// Force and moment / L, or velocity and turn × L.
@@ -39,7 +39,7 @@ pub(crate) fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-/// The point at a part of the straight way from one pose (x, y, angle) to another.
+/// The point at a fraction of the straight path from one pose (x, y, angle) to another.
 pub(crate) fn between(from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
     std::array::from_fn(|k| from[k] + (to[k] - from[k]) * part)
 }

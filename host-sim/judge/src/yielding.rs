@@ -1,12 +1,12 @@
 //! Whether a body that is out of balance could move: contacts open, one sticks and the body turns about it, one slides, or two do. The
-//! springs let the body go as the forces on it want it, against friction, and no contact closes (STATICS 5, 6). An answer that it can is
-//! certain; near to a limit it is not given.
+//! springs let the body move as the forces on it demand, against friction, and no contact closes (STATICS 5, 6). A positive answer is
+//! certain; near a limit, the answer is negative.
 
 use crate::frame::Frame;
 use crate::model::{Grip, Model};
 use crate::vector::{Vec2, Vec3, cross, dot3, length3, sub};
 
-/// Velocities and reactions count from this part of the largest on.
+/// Velocities and reactions count if they exceed this fraction of the largest.
 const CLEAR: f64 = 1e-3;
 
 /// A contact: wrenches of unit forces along its normal and its tangent, moments about the holding point over L, and mu_d.
@@ -16,15 +16,15 @@ struct Contact {
     friction: f64,
 }
 
-/// A body with its contacts, and what the hand and the weight do to it.
+/// A body with its contacts, and the load of hand and weight.
 struct Body {
     contacts: Vec<Contact>,
     load: Vec3,
-    /// How far a force of 1 N takes the holding point, and a moment over L of 1 N the turn times L (m).
+    /// How far a force of 1 N moves the holding point, and the turn times L that a moment over L of 1 N causes (m).
     yields: Vec3,
 }
 
-/// Some motion follows the load, clearly.
+/// Whether some motion clearly follows the load.
 pub(crate) fn can_move(model: &Model, grip: &Grip, frame: &Frame) -> bool {
     let holding = model.holding_point(frame.pose, grip);
     let load = model.load(frame.pose, frame.hand, grip);
@@ -78,12 +78,12 @@ impl Body {
         dot3(line, self.twist(wrench))
     }
 
-    /// The largest velocity that counts as none.
+    /// The largest velocity that counts as zero.
     fn slow(&self) -> f64 {
         CLEAR * length3(self.twist(self.load))
     }
 
-    /// Contacts but for some open.
+    /// Whether all contacts open, except the given ones.
     fn opens(&self, but: &[usize], wrench: Vec3) -> bool {
         (self.contacts.iter().enumerate())
             .filter(|(i, _)| !but.contains(i))
@@ -121,7 +121,7 @@ impl Body {
             && self.opens(&[i], wrench)
     }
 
-    /// About a contact that sticks.
+    /// Whether the body turns about a sticking contact.
     fn turns(&self, i: usize) -> bool {
         let Contact {
             normal,
@@ -153,7 +153,8 @@ impl Body {
             && self.opens(&pair.map(|(i, _)| i), wrench)
     }
 
-    /// How much of two wrenches it takes that nothing goes along two lines; `None` where they are not told apart, or push the wrong way.
+    /// The multiples of two wrenches that prevent motion along two lines;
+    /// `None` if they are linearly dependent, or push in the wrong direction.
     fn closing(&self, [(a, of_a), (b, of_b)]: [(Vec3, Vec3); 2]) -> Option<[f64; 2]> {
         let [aa, ab] = [self.along(a, of_a), self.along(a, of_b)];
         let [ba, bb] = [self.along(b, of_a), self.along(b, of_b)];

@@ -1,4 +1,4 @@
-//! The chip at the pace of the real clock, its serial line on a unix socket.
+//! The chip at the pace of the real clock, with its serial line on a unix socket.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
@@ -9,29 +9,30 @@ use std::time::{Duration, Instant};
 
 use crate::chip::{Chip, MEGAHERTZ};
 
-/// It is looked after so often (µs).
+/// The time that the chip runs between two checks of its line (µs).
 const SLICE: u32 = 200;
-/// So far it may fall behind the real clock before its own is slow instead.
+/// The largest delay behind the real clock that is caught up; a longer one slows down the chip's clock instead.
 const BEHIND: Duration = Duration::from_millis(20);
-/// So many bytes may be on their way to it; more wait at the other end.
+/// The largest number of bytes in transit to the chip; more wait at the other end.
 const ON_THE_WAY: usize = 256;
 
-/// What is to be done with the chip between two slices.
+/// An action on the chip between two slices.
 type Look = Box<dyn FnOnce(&mut Chip) + Send>;
 
-/// A chip that runs in a thread of its own until this is dropped.
+/// A chip that runs in its own thread until this handle is dropped.
 #[derive(Debug)]
 pub struct Board {
-    /// Without it the thread ends.
+    /// When this is dropped, the thread ends.
     looks: Option<Sender<Look>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Board {
-    /// Runs the chip with what lies in its flash, from [`FLASH`](crate::FLASH) on, from the moment on in which its line, a socket made
-    /// here, is first opened. The line may be closed and opened again; what is sent to nobody is lost.
+    /// Runs the chip with the contents of its flash, which starts at [`FLASH`](crate::FLASH). It starts when its line, a socket
+    /// created here, is first opened. The line may be closed and opened again; bytes sent while it is closed are lost.
     ///
     /// # Errors
+    /// The socket cannot be created, or the thread cannot be started.
     /// The socket cannot be made, or the thread not be started.
     pub fn start(flash: Vec<u8>, socket: &Path) -> io::Result<Self> {
         let listener = UnixListener::bind(socket)?;
@@ -45,13 +46,13 @@ impl Board {
         })
     }
 
-    /// Looks at the chip between two of its instructions; nothing where it has ended.
+    /// Runs an action on the chip between two of its instructions; `None` if the chip has ended.
     pub fn look<T: Send + 'static>(
         &self,
         at: impl FnOnce(&mut Chip) -> T + Send + 'static,
     ) -> Option<T> {
         let (sender, seen) = mpsc::channel();
-        // Nobody may be there any more to whom it is said.
+        // The receiver may be gone.
         let look: Look = Box::new(move |chip| drop(sender.send(at(chip))));
         self.looks.as_ref()?.send(look).ok()?;
         seen.recv().ok()
@@ -62,13 +63,13 @@ impl Drop for Board {
     fn drop(&mut self) {
         self.looks = None;
         if let Some(thread) = self.thread.take() {
-            // It has nothing to say.
+            // The thread returns nothing.
             let _ = thread.join();
         }
     }
 }
 
-/// Slice by slice, each as long as it takes.
+/// Runs the chip slice by slice, each at the pace of the real clock.
 fn run(mut chip: Chip, looks: &Receiver<Look>, listener: &UnixListener) {
     let slice = Duration::from_micros(SLICE.into());
     let mut line: Option<UnixStream> = None;
@@ -108,14 +109,14 @@ fn run(mut chip: Chip, looks: &Receiver<Look>, listener: &UnixListener) {
     }
 }
 
-/// The line, if somebody opens it.
+/// The line, if a client opens it.
 fn opened(listener: &UnixListener) -> Option<UnixStream> {
     let (line, _) = listener.accept().ok()?;
     line.set_nonblocking(true).ok()?;
     Some(line)
 }
 
-/// Brings the chip what was sent to it. Whether the line is still open.
+/// Passes the bytes sent to the chip on to it. Returns whether the line is still open.
 fn takes(chip: &mut Chip, line: &mut UnixStream) -> bool {
     let mut bytes = [0; ON_THE_WAY];
     let room = ON_THE_WAY.saturating_sub(chip.coming());
@@ -132,7 +133,7 @@ fn takes(chip: &mut Chip, line: &mut UnixStream) -> bool {
     }
 }
 
-/// Hands on what the chip has sent; what nobody reads is lost. Whether the line is still open.
+/// Passes on the bytes that the chip has sent; bytes that nobody reads are lost. Returns whether the line is still open.
 fn gives(line: &mut UnixStream, bytes: &[u8]) -> bool {
     match line.write_all(bytes) {
         Ok(()) => true,

@@ -1,4 +1,4 @@
-//! What the core reads and writes: the memory and the peripherals of the crate, and those that it leaves out.
+//! The bus of the core: the memory and the peripherals of the crate, and the peripherals that the crate lacks.
 
 use rp2040_emu::Bus;
 use rp2040_emu::bus::ppb::Ppb;
@@ -8,30 +8,30 @@ use crate::chip::MEGAHERTZ;
 use crate::uart::Uart;
 use crate::watchdog::Watchdog;
 
-/// Peripherals, each of them 16 KB, whose upper 12 KB change bits of the registers in the lower 4.
+/// Peripherals of 16 KB each; their upper 12 KB set and clear bits of the registers in the lower 4.
 const UART0: u32 = 0x4003_4000;
 pub(crate) const TIMER: u32 = 0x4005_4000;
 const WATCHDOG: u32 = 0x4005_8000;
 const PERIPHERAL: u32 = !0x3FFF;
-/// What the crate leaves out.
+/// The peripherals that the crate lacks.
 #[derive(Debug, Default)]
 pub(crate) struct Own {
     pub(crate) uart: Uart,
     pub(crate) watchdog: Watchdog,
     /// Cycles since power-up.
     pub(crate) now: u64,
-    /// A peripheral that acts by itself was read or written.
+    /// A peripheral that acts on its own was read or written.
     pub(crate) is_touched: bool,
 }
 
-/// What the core reads and writes.
+/// The address space that the core reads and writes.
 pub(crate) struct Fabric<'a> {
     pub(crate) bus: &'a mut Bus,
     pub(crate) own: &'a mut Own,
 }
 
 impl Fabric<'_> {
-    /// The word at an address of a peripheral that the crate leaves out.
+    /// The word at an address of a peripheral that the crate lacks.
     #[inline]
     fn own_read(&mut self, at: u32) -> Option<u32> {
         if at >> 28 != 4 {
@@ -51,7 +51,7 @@ impl Fabric<'_> {
         None
     }
 
-    /// The same where it is written.
+    /// Writes such a word; returns whether the address belongs to such a peripheral.
     #[inline]
     fn own_write(&mut self, at: u32, value: u32) -> bool {
         if at >> 28 != 4 {
@@ -86,7 +86,7 @@ impl Fabric<'_> {
     }
 }
 
-/// The byte or half word at an address, of its word.
+/// The byte or half word at an address, in the low bits of its word.
 const fn part(word: u32, at: u32) -> u32 {
     word >> (at % 4 * 8)
 }
@@ -118,7 +118,7 @@ impl CoreBus for Fabric<'_> {
 
     #[inline]
     fn write8(&mut self, at: u32, value: u8) {
-        // A peripheral gets a byte in all four places of its word.
+        // A peripheral sees a byte in all four positions of its word.
         if !self.own_write(at, u32::from(value) * 0x0101_0101) {
             self.bus.write8(at, value);
         }

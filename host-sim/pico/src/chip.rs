@@ -1,4 +1,4 @@
-//! The chip: one core of the RP2040, its memory and what surrounds it, one instruction after the other.
+//! The chip: one core of the RP2040, its memory and its peripherals, one instruction after another.
 
 use rp2040_emu::core::CortexM0Plus;
 use rp2040_emu::{Config, Emulator, ROM_SIZE};
@@ -6,29 +6,29 @@ use rp2040_emu::{Config, Emulator, ROM_SIZE};
 use crate::bus::{Fabric, Own, TIMER};
 use crate::handlers::{FIRST_INTERRUPT, Handlers};
 
-/// Where the flash begins.
+/// The start of the flash.
 pub const FLASH: u32 = 0x1000_0000;
 /// The clock of the chip (MHz).
 pub const MEGAHERTZ: u32 = 125;
-/// The vector table lies behind the second boot stage.
+/// The vector table follows the second boot stage.
 pub const VECTORS: u32 = 0x100;
 
-/// Of the timer: which of its alarms ask for their interrupts, 0 to 3.
+/// Timer register: the alarms, 0 to 3, that request their interrupts.
 const ALARMS: u32 = TIMER + 0x40;
 /// The interrupt of the serial line.
 const UART0_INTERRUPT: u8 = 20;
 
-/// The chip. Its clock counts cycles from power-up on, and goes on when the chip is reset.
+/// The chip. Its clock counts cycles from power-up, and continues when the chip is reset.
 pub struct Chip {
     emulator: Emulator,
     flash: Vec<u8>,
     own: Own,
-    /// When a peripheral next does something by itself (cycles).
+    /// The next time at which a peripheral does something on its own (cycles).
     next: u64,
     /// When the chip was last reset (cycles).
     reset_at: u64,
     resets: u32,
-    /// Of its pins, by what is connected to them.
+    /// The levels of its pins, set by the connected devices.
     levels: u32,
     handlers: Handlers,
 }
@@ -46,7 +46,7 @@ impl std::fmt::Debug for Chip {
 }
 
 impl Chip {
-    /// After power-up, with what lies in its flash, from [`FLASH`] on.
+    /// A chip after power-up, with the contents of its flash, which starts at [`FLASH`].
     pub fn new(flash: Vec<u8>) -> Self {
         let mut emulator = Emulator::new(Config::default());
         emulator.load_bootrom(&[0; ROM_SIZE]);
@@ -83,45 +83,45 @@ impl Chip {
         self.resets
     }
 
-    /// The longest time since power-up that the handler of an interrupt took, with all that interrupted it (cycles).
+    /// The longest time since power-up that the handler of an interrupt took, including all that interrupted it (cycles).
     pub const fn longest(&self, interrupt: u32) -> u64 {
         self.handlers.longest(interrupt)
     }
 
-    /// Bytes come over the serial line from now on.
+    /// Bytes that arrive over the serial line from now on.
     pub fn bring(&mut self, bytes: &[u8]) {
         self.own.uart.bring(bytes, self.own.now);
         self.settle();
     }
 
-    /// How many bytes are on their way to it.
+    /// The number of bytes in transit to it.
     pub fn coming(&self) -> usize {
         self.own.uart.coming()
     }
 
-    /// Bytes that have left it by the serial line since the last call.
+    /// The bytes that it has sent over the serial line since the last call.
     pub fn gone(&mut self) -> Vec<u8> {
         self.own.uart.gone()
     }
 
-    /// What is connected to the pins of a mask, bit by bit, gives them these levels from now on.
+    /// From now on, connected devices set the pins in a mask to these levels, bit by bit.
     pub const fn set_pins(&mut self, mask: u32, levels: u32) {
         self.levels = self.levels & !mask | levels & mask;
         self.emulator.bus.gpio_in = self.levels;
     }
 
-    /// A word of memory, or of a register whose reading changes nothing.
+    /// A word of memory, or of a register that can be read without a side effect.
     pub fn word(&mut self, at: u32) -> u32 {
         self.emulator.bus.read32(at & !3)
     }
 
-    /// A piece of memory.
+    /// A range of memory.
     pub fn bytes(&self, from: u32, length: u32) -> Vec<u8> {
         let byte = |at: u32| self.emulator.peek(at & !3).to_le_bytes()[(at & 3) as usize];
         (from..from + length).map(byte).collect()
     }
 
-    /// Writes a piece of its RAM.
+    /// Writes to its RAM.
     pub fn load(&mut self, to: u32, bytes: &[u8]) {
         self.emulator.load_image(to, bytes);
     }
@@ -149,32 +149,32 @@ impl Chip {
         self.core().regs.pc()
     }
 
-    /// The next instruction is the one at this address; the core sleeps no longer.
+    /// Continues at this address; the core no longer sleeps.
     pub fn go_on_at(&mut self, at: u32) {
         let core = self.core_mut();
         core.wake();
         core.regs.set_pc(at);
     }
 
-    /// It serves a hard fault.
+    /// Whether it is in the hard fault handler.
     pub fn is_in_hard_fault(&self) -> bool {
         self.core().is_in_hardfault()
     }
 
-    /// The instruction at an address of the flash, the first half of a long one.
+    /// The instruction at an address of the flash, or the first half of a long one.
     pub fn instruction(&self, at: u32) -> Option<u16> {
         let offset = at.wrapping_sub(FLASH) as usize;
         let bytes = self.flash.get(offset..)?.first_chunk()?;
         Some(u16::from_le_bytes(*bytes))
     }
 
-    /// It has failed twice over, and does nothing more by itself.
+    /// Whether it is locked up by a second fault, and does nothing more on its own.
     pub fn is_locked_up(&self) -> bool {
         let core = self.core();
         core.is_halted() && core.is_in_hardfault()
     }
 
-    /// Runs for so many cycles, or an instruction longer.
+    /// Runs for this many cycles, or up to one instruction longer.
     pub fn run(&mut self, cycles: u64) {
         let end = self.own.now + cycles;
         while self.own.now < end {
@@ -186,7 +186,7 @@ impl Chip {
         }
     }
 
-    /// Nothing happens until an interrupt comes, or up to a time (cycles).
+    /// Sleeps until an interrupt occurs, or up to a time (cycles).
     fn sleep(&mut self, end: u64) {
         if self.emulator.bus.nvics[0].pending_and_enabled() != 0 && !self.is_locked_up() {
             self.core_mut().wake();
@@ -197,11 +197,11 @@ impl Chip {
         }
     }
 
-    /// One instruction, or the entry of an exception. The cycles that it took.
+    /// Executes one instruction, or the entry of an exception. Returns the cycles that it took.
     pub fn step(&mut self) -> u64 {
         let at = self.at();
         let active = self.emulator.bus.ppb[0].active;
-        // The crate's core interrupts no interrupt.
+        // The crate's core does not let an interrupt preempt another one.
         let hides = active != 0 && self.is_preempted(active);
         let Emulator { cores, bus, .. } = &mut self.emulator;
         if hides {
@@ -220,7 +220,7 @@ impl Chip {
             cores[0].invalidate_decode_cache_regions(bus.pending_invalidation_regions);
             bus.pending_invalidation_regions = 0;
         }
-        // No instruction but a branch leads elsewhere than to the next one; an exception is entered in 15 cycles, too.
+        // Only branches lead to another address than the next one; the entry of an exception takes 15 cycles, one less as well.
         let is_active = bus.ppb[0].active;
         let after = cores[0].regs.pc();
         let length = self.instruction(at).map_or(2, length);
@@ -235,7 +235,7 @@ impl Chip {
         cycles
     }
 
-    /// An interrupt waits that comes before all that are active.
+    /// Whether a pending interrupt has a higher priority than all active ones.
     fn is_preempted(&self, active: u64) -> bool {
         let nvic = &self.emulator.bus.nvics[0];
         if nvic.pending_and_enabled() == 0 {
@@ -251,7 +251,7 @@ impl Chip {
         waiting.is_some_and(|(_, waiting)| highest.is_none_or(|active| i16::from(waiting) < active))
     }
 
-    /// Time goes on.
+    /// Advances the time.
     fn pass(&mut self, cycles: u64) {
         self.own.now += cycles;
         self.emulator.bus.advance_lazy_scheduled(cycles);
@@ -262,7 +262,8 @@ impl Chip {
         }
     }
 
-    /// What happens up to now around the core, and when the next thing does. An interrupt that is asked for waits, unless it is active.
+    /// Processes all events around the core up to now, and schedules the
+    /// next one. A requested interrupt becomes pending, unless it is active.
     fn settle(&mut self) {
         let Own {
             uart,
@@ -291,7 +292,7 @@ impl Chip {
     }
 }
 
-/// Of an instruction, by its first half (bytes).
+/// The length of an instruction, from its first half (bytes).
 pub const fn length(instruction: u16) -> u32 {
     if instruction >> 11 > 0b11100 { 4 } else { 2 }
 }

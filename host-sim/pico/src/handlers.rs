@@ -1,12 +1,12 @@
-//! How long the handlers of interrupts take, with all that interrupts them.
+//! How long interrupt handlers take, including all that interrupts them.
 
-/// Exceptions of interrupts begin here.
+/// Exception number of the first interrupt.
 pub(crate) const FIRST_INTERRUPT: u32 = 16;
 
-/// The handlers, by exceptions.
+/// The handlers, by exception number.
 #[derive(Debug)]
 pub(crate) struct Handlers {
-    /// When they began, those that are active (cycles).
+    /// The start time of each active handler (cycles).
     begun: [u64; u64::BITS as usize],
     /// The longest time of each (cycles).
     longest: [u64; u64::BITS as usize],
@@ -20,7 +20,8 @@ impl Handlers {
         }
     }
 
-    /// Exceptions that were active, and are, bit by bit, where an instruction that began at a time took so many cycles.
+    /// Records the active exceptions before and after an instruction, bit by bit; the instruction began at `now` and
+    /// took `cycles`.
     pub(crate) fn pass(&mut self, [before, after]: [u64; 2], now: u64, cycles: u64) {
         let changed = (0..u64::BITS).filter(|exception| (before ^ after) >> exception & 1 != 0);
         for exception in changed {

@@ -1,11 +1,13 @@
-//! A Raspberry Pi Pico in this process: from an image to what its RP2040 does, cycle by cycle.
+//! A Raspberry Pi Pico in this process: from an image to the behaviour of its RP2040, cycle by cycle.
 //!
-//! [`Chip`] is the chip with one of its cores and what the firmware uses of it, [`Board`] the chip at the pace of the real clock with
-//! its serial line on a unix socket.
+//! [`Chip`] is the chip with one of its cores and the peripherals that the firmware uses, [`Board`] the chip at the pace of the real
+//! clock with its serial line on a unix socket.
 //!
-//! Processor, memory, clocks and timer are those of the crate `rp2040-emu`. Added here are what it leaves out: interrupts that
-//! interrupt others, a serial line that receives, a watchdog that resets the chip. Its branches take the three cycles of a Cortex-M0
-//! and are corrected to the two of a Cortex-M0+: every instruction takes what Arm's manual (DDI 0484C, table 3-1) states for a memory
+//! Processor, memory, clocks and timer come from the crate `rp2040-emu`. This package adds what it lacks: interrupts that preempt
+//! others, a serial line that receives, a watchdog that resets the chip. The crate's branches take the three cycles of a Cortex-M0
+//! and are corrected to the two of a Cortex-M0+: every instruction takes the time that Arm's manual (DDI 0484C, table 3-1) states for
+//! a memory without wait states. Not emulated are misses of the cache through which the chip executes code from its flash, the second
+//! core, and USB.
 //! without wait states. Left out are misses of the cache through which the chip runs code from its flash, the second core, and USB.
 
 #[cfg(unix)]

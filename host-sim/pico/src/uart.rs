@@ -1,4 +1,4 @@
-//! UART0 of the chip, a PL011 (RP2040 datasheet, section 4.2): bytes go over its line at its baud rate, in both directions.
+//! UART0 of the chip, a PL011 (RP2040 datasheet, section 4.2): bytes travel over its line at its baud rate, in both directions.
 
 use std::collections::VecDeque;
 
@@ -16,17 +16,17 @@ const RAISED: u32 = 0x3C;
 const MASKED: u32 = 0x40;
 const CLEAR: u32 = 0x44;
 
-/// Causes of its interrupt.
+/// The causes of its interrupt.
 const CAN_RECEIVE: u32 = 1 << 4;
 const CAN_SEND: u32 = 1 << 5;
 const TIMEOUT: u32 = 1 << 6;
 const OVERRUN: u32 = 1 << 10;
 
-/// Bytes that wait in it, each way, where its queues are on.
+/// The capacity of each of its two queues (bytes), if they are enabled.
 const DEPTH: usize = 32;
-/// Bits of a byte on the line: a start bit, 8 of data, a stop bit.
+/// Bits per byte on the line: a start bit, 8 data bits, a stop bit.
 const BITS: u64 = 10;
-/// Received bytes are reported after so many bits without another one.
+/// Received bytes are reported after this many bit times without another byte.
 const SILENT_BITS: u64 = 32;
 
 /// Its registers, and the line.
@@ -38,23 +38,23 @@ pub(crate) struct Uart {
     control: u32,
     levels: u32,
     mask: u32,
-    /// Causes that stay until they are cleared.
+    /// Causes that remain until they are cleared.
     raised: u32,
     received: VecDeque<u8>,
     to_send: VecDeque<u8>,
-    /// A byte came for which there was no room.
+    /// A byte arrived when the queue was full.
     overrun: bool,
-    /// When the byte on the line is there, in and out, and when nothing has come for long (cycles).
+    /// When the byte on the line is complete, in each direction, and when the line has been silent long enough (cycles).
     next_in: Option<u64>,
     next_out: Option<u64>,
     silent_at: Option<u64>,
-    /// Bytes on their way to the chip, and those that have left it.
+    /// Bytes in transit to the chip, and those that have left it.
     coming: VecDeque<u8>,
     gone: Vec<u8>,
 }
 
 impl Uart {
-    /// Bytes come over the line from now (cycles) on, one after the other.
+    /// Bytes that arrive over the line from now (cycles) on, one after another.
     pub(crate) fn bring(&mut self, bytes: &[u8], now: u64) {
         self.coming.extend(bytes);
         if self.next_in.is_none() && !self.coming.is_empty() {
@@ -62,17 +62,17 @@ impl Uart {
         }
     }
 
-    /// How many are on their way.
+    /// The number of bytes in transit to the chip.
     pub(crate) fn coming(&self) -> usize {
         self.coming.len()
     }
 
-    /// What has left the chip since the last call.
+    /// The bytes that have left the chip since the last call.
     pub(crate) fn gone(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.gone)
     }
 
-    /// The chip is reset; the line goes on.
+    /// Resets the chip's side; the line continues.
     pub(crate) fn reset(&mut self) {
         *self = Self {
             next_in: self.next_in,
@@ -82,18 +82,18 @@ impl Uart {
         };
     }
 
-    /// When it does something by itself (cycles).
+    /// The next time at which it does something on its own (cycles).
     pub(crate) fn due(&self) -> u64 {
         let times = [self.next_in, self.next_out, self.silent_at];
         times.into_iter().flatten().min().unwrap_or(u64::MAX)
     }
 
-    /// It asks for its interrupt.
+    /// Whether it requests its interrupt.
     pub(crate) fn interrupts(&self) -> bool {
         self.causes() & self.mask != 0
     }
 
-    /// Everything that happens up to now (cycles).
+    /// Processes everything that happens up to now (cycles).
     pub(crate) fn advance(&mut self, now: u64) {
         while let Some(at) = self.next_in.filter(|at| *at <= now) {
             self.arrive(at);
@@ -111,11 +111,11 @@ impl Uart {
         }
     }
 
-    /// The byte on the line is there.
+    /// A byte on the line is complete.
     fn arrive(&mut self, at: u64) {
         let byte = self.coming.pop_front();
         self.next_in = (!self.coming.is_empty()).then(|| at + self.cycles(BITS));
-        /// Of the control register: the line is on, and receives.
+        /// Bits of the control register: the line is enabled, and receives.
         const ON: u32 = 1 | 1 << 9;
         if self.control & ON != ON {
             return;
@@ -129,7 +129,7 @@ impl Uart {
         }
     }
 
-    /// The time of so many bits: a bit takes 16 of its divisor, whose fraction counts in 64ths.
+    /// The time of a number of bits: a bit takes 16 times its divisor, whose fraction counts in 64ths.
     fn cycles(&self, bits: u64) -> u64 {
         let divisor = u64::from(self.divisor * 64 + self.fraction);
         (bits * 16 * divisor / 64).max(1)
@@ -144,7 +144,7 @@ impl Uart {
         }
     }
 
-    /// Bytes of a queue at which it asks for attention, by the field of its register.
+    /// The fill level of a queue at which it requests attention, from the field of its register.
     fn level(&self, field: u32) -> usize {
         self.depth() * [1, 2, 4, 6, 7, 4, 4, 4][field as usize % 8] / 8
     }
@@ -159,7 +159,7 @@ impl Uart {
         self.raised | (u32::from(can_receive) * CAN_RECEIVE)
     }
 
-    /// A register is read.
+    /// Reads a register.
     pub(crate) fn read(&mut self, offset: u32) -> u32 {
         match offset {
             DATA => self.take(),
@@ -170,7 +170,7 @@ impl Uart {
         }
     }
 
-    /// What a register holds that can be written bit by bit.
+    /// The contents of a register that can be written bit by bit.
     pub(crate) fn stored(&self, offset: u32) -> u32 {
         match offset {
             DIVISOR => self.divisor,
@@ -184,7 +184,7 @@ impl Uart {
         }
     }
 
-    /// A register is written, at a time (cycles).
+    /// Writes a register, at a time (cycles).
     pub(crate) fn write(&mut self, offset: u32, value: u32, now: u64) {
         match offset {
             DATA => self.put(value as u8, now),
@@ -237,7 +237,7 @@ impl Uart {
 mod tests {
     use super::*;
 
-    /// 921 600 baud at 125 MHz: 8 and 31/64.
+    /// A UART at 921 600 baud and 125 MHz: divisor 8 and 31/64.
     fn on() -> Uart {
         let mut uart = Uart::default();
         uart.write(DIVISOR, 8, 0);

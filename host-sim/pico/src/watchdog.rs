@@ -1,11 +1,11 @@
-//! The watchdog of the chip (RP2040 datasheet, section 4.7): unless it is loaded again in time, the chip is reset.
+//! The watchdog of the chip (RP2040 datasheet, section 4.7): it resets the chip unless it is reloaded in time.
 
-/// Its registers, by offset; the others are those of the crate.
+/// Its registers, by offset; the crate implements the others.
 const CONTROL: u32 = 0x00;
 const LOAD: u32 = 0x04;
 const REASON: u32 = 0x08;
 
-/// Of the control register.
+/// Bits of the control register.
 const ENABLED: u32 = 1 << 30;
 const TRIGGER: u32 = 1 << 31;
 
@@ -13,14 +13,14 @@ const TRIGGER: u32 = 1 << 31;
 #[derive(Debug, Default)]
 pub(crate) struct Watchdog {
     control: u32,
-    /// It resets the chip then (cycles), where it is enabled.
+    /// When it resets the chip (cycles), if it is enabled.
     ends: u64,
     /// Why the chip was reset.
     reason: u32,
 }
 
 impl Watchdog {
-    /// One of these registers is its own.
+    /// Whether a register is implemented here.
     pub(crate) const fn has(offset: u32) -> bool {
         offset <= REASON
     }
@@ -36,7 +36,7 @@ impl Watchdog {
         }
     }
 
-    /// It has reset the chip.
+    /// Records that it has reset the chip.
     pub(crate) fn reset(&mut self) {
         let forced = self.control & TRIGGER != 0;
         *self = Self {
@@ -45,7 +45,7 @@ impl Watchdog {
         };
     }
 
-    /// What a register holds.
+    /// The contents of a register.
     pub(crate) const fn read(&self, offset: u32) -> u32 {
         match offset {
             CONTROL => self.control,
@@ -54,11 +54,11 @@ impl Watchdog {
         }
     }
 
-    /// A register is written, at a time (cycles) of so many in a µs.
+    /// Writes a register, at a time (cycles), with `per_us` cycles per µs.
     pub(crate) fn write(&mut self, offset: u32, value: u32, (now, per_us): (u64, u64)) {
         match offset {
             CONTROL => self.control = value,
-            // It counts down twice in a µs: erratum RP2040-E1.
+            // It counts down twice per µs: erratum RP2040-E1.
             LOAD => self.ends = now + u64::from(value & 0xFF_FFFF) * per_us / 2,
             _ => {}
         }

@@ -1,4 +1,4 @@
-"""A box that is dragged over a floor: run.png."""
+"""Drags a box over a floor and plots the run as run.png."""
 
 import numpy as np
 import stiction

@@ -1,8 +1,8 @@
-"""What `Solver.run` takes of a hand of a million frames, beside the solver alone: speed.py PROGRAM [REPEATS]
+"""The time of `Solver.run` for a hand of a million frames, compared with the solver alone: speed.py PROGRAM [REPEATS]
 
-PROGRAM is `stiction`, built in release. The hand is that of a bundled scene, again and again; the time of the solver is what `stiction run`
-says: measured around the solver's steps, without reading samples, recording answers and writing. Of both the least of several runs in
-turn. "contacts" is what the contacts of the run take when they are asked for.
+PROGRAM is a release build of `stiction`. The hand repeats that of a bundled scene; the time of the solver is the one that `stiction run`
+reports: it is measured around the solver's steps, without reading samples, recording answers and writing. Both times are the best of
+several alternating runs. "contacts" is the time to compute the contacts of the run on demand.
 """
 
 import re
@@ -26,14 +26,14 @@ def hand(scene):
 
 
 def solver_time(program, name, file, number):
-    """Of the solver alone (ns per frame), by the program's summary."""
+    """The time of the solver alone (ns per frame), from the program's summary."""
     arguments = [program, "run", name, "--hand", file, "--number", number]
     summary = subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
     return float(re.search(r"mean time\s+([\d.]+) ns", summary).group(1))
 
 
 def timed(work):
-    """What comes of a piece of work, and what it takes (ns per frame)."""
+    """The result of a task, and its time (ns per frame)."""
     begun = time.perf_counter()
     done = work()
     return done, (time.perf_counter() - begun) / FRAMES * 1e9

@@ -1,5 +1,5 @@
-//! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. What is only Python, from tables
-//! to plots, is in `package/`.
+//! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. The pure Python half, from
+//! tables to plots, is in `package/`.
 
 mod rows;
 mod run;
@@ -25,7 +25,7 @@ mod _stiction {
     use pyo3::prelude::*;
     use stiction_core::{Event, StateKind, Status};
 
-    /// The names for which numbers stand, in their order, and the version.
+    /// The names that numbers stand for, in order, and the version.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("STATES", StateKind::ALL.map(StateKind::name).to_vec())?;
@@ -35,7 +35,7 @@ mod _stiction {
     }
 }
 
-/// What is wrong with a value, for Python.
+/// A Python error about a value.
 fn refused(problem: impl ToString) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(problem.to_string())
 }

@@ -1,4 +1,4 @@
-//! Frames, contacts and events as rows of numbers, which are the elements of numpy's structured arrays (`package/stiction/_tables.py`).
+//! Frames, contacts and events as rows of numbers, the elements of numpy's structured arrays (`package/stiction/_tables.py`).
 
 use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};
@@ -14,7 +14,7 @@ pub(crate) struct FrameRow {
     depth: f64,
     wrench: [f64; 3],
     longest_slip: f64,
-    /// Not a number where there is no budget.
+    /// NaN without a budget.
     behind: f64,
     slips: u32,
     held: u8,
@@ -28,7 +28,7 @@ pub(crate) struct FrameRow {
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct ContactRow {
     point: [f64; 2],
-    /// Not a number where the scene has no obstacles.
+    /// NaN if the scene has no obstacles.
     direction: [f64; 2],
     normal: f64,
     friction: f64,
@@ -43,7 +43,7 @@ pub(crate) struct ContactRow {
     padding: u8,
 }
 
-/// An event of a frame. Aligned as the words in which numpy has it.
+/// An event of a frame, aligned to numpy's words.
 #[repr(C, align(8))]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct EventRow {
@@ -61,10 +61,10 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Whether they are those of a run.
+    /// Checks that they are the tables of a run.
     ///
     /// # Errors
-    /// A row is of a frame that is not there, is out of order, or has a number that stands for nothing.
+    /// A row belongs to a frame that does not exist, is out of order, or contains an undefined state, status or event.
     pub(crate) fn check(&self) -> Result<(), String> {
         let of_contacts = self.contacts.iter().map(|row| row.frame);
         in_order("contacts", of_contacts, self.frames.len())?;
@@ -72,16 +72,16 @@ impl Rows<'_> {
         in_order("events", of_events, self.frames.len())?;
         match (0..self.frames.len()).find(|&i| self.frame_with((i, &[], &[])).is_none()) {
             Some(row) => Err(format!(
-                "`frames`, row {row}: state or status stands for nothing"
+                "`frames`, row {row}: the state or status is undefined"
             )),
             None if self.events.iter().any(|row| event(row.event).is_none()) => {
-                Err("`events`: an event stands for nothing".to_owned())
+                Err("`events`: an event is undefined".to_owned())
             }
             None => Ok(()),
         }
     }
 
-    /// The frames, in their order.
+    /// The frames, in order.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> {
         let (mut contacts, mut events) = (self.contacts, self.events);
         (0..self.frames.len()).filter_map(move |i| {
@@ -139,12 +139,12 @@ fn in_order(
     ))
 }
 
-/// The event of a number.
+/// The event with this number.
 fn event(number: u8) -> Option<Event> {
     Event::ALL.get(usize::from(number)).copied()
 }
 
-/// No index.
+/// The value that represents no index.
 const NONE: i8 = -1;
 
 /// An index: at most 64 vertices, 16 surfaces, 32 obstacles and 128 corners.

@@ -1,4 +1,4 @@
-//! Runs: what a solver gave, as tables; judged, written as traces, drawn.
+//! Runs: the answers of a solver, as tables; judged, written as traces, drawn.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -19,11 +19,11 @@ use crate::rows::Rows;
 use crate::scene::Scene;
 use crate::tables::{Contacts, Tables, Words};
 
-/// What runs of a scene in a number type and an evolution have in common.
+/// The common properties of the runs of a scene in a number type and an evolution.
 pub(crate) struct Head {
     /// Without frames.
     run: record::Run,
-    /// The scene's.
+    /// The scene's text.
     text: String,
 }
 
@@ -36,7 +36,7 @@ impl Head {
     }
 }
 
-/// What a solver gave: frames, contacts and events.
+/// The answers of a solver: frames, contacts and events.
 #[pyclass(frozen, module = "stiction._stiction")]
 pub(crate) struct Run {
     head: Arc<Head>,
@@ -60,7 +60,7 @@ fn write(head: &Head, rows: Rows<'_>, file: &Path, format: Format) -> std::io::R
 
 #[pymethods]
 impl Run {
-    /// Of the words of three tables.
+    /// A run from the words of three tables.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -83,7 +83,7 @@ impl Run {
         self.tables.frames.clone_ref(py)
     }
 
-    /// The words of the contacts, which are made when they are asked for first.
+    /// The words of the contacts, which are computed on the first access.
     #[getter]
     fn contacts(&self, py: Python<'_>) -> Py<Words> {
         self.tables.contacts(py)
@@ -121,7 +121,7 @@ impl Run {
             .map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))
     }
 
-    /// Judges every frame by the laws alone: how many are unlawful, and the report.
+    /// Judges every frame by the laws alone: returns how many are unlawful, and the report.
     fn judge(&self, py: Python<'_>) -> PyResult<(u64, String)> {
         let (head, read) = (&self.head, self.tables.read(py));
         let rows = read.rows()?;
@@ -161,5 +161,5 @@ fn judged(head: &Head, rows: Rows<'_>) -> Result<(u64, String), Box<dyn Error + 
     Ok((survey.unlawful, verdict(&survey, &notes)))
 }
 
-/// So many of the worst frames are listed, as by `stiction check`.
+/// The number of worst frames that are listed, as by `stiction check`.
 const WORST: usize = 10;

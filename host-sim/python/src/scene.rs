@@ -11,7 +11,7 @@ use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::{positive, refused};
 
-/// A scene: a body, what holds it and what it may touch. It does not change.
+/// A scene: a body, the springs that hold it and what it may touch. It is immutable.
 #[pyclass(frozen, module = "stiction._stiction")]
 pub(crate) struct Scene {
     pub(crate) source: Source,
@@ -24,7 +24,7 @@ impl Scene {
         Ok(Self { source, file })
     }
 
-    /// For the solver of a number type.
+    /// The scene file for the solver of a number type.
     pub(crate) fn file_in(&self, number: Number) -> Result<SceneFile, InputError> {
         SceneFile::parse(self.source.clone(), number.limit())
     }
@@ -38,7 +38,7 @@ impl Scene {
         Self::new(Source::read(&path).map_err(refused)?)
     }
 
-    /// The text of a scene file; `name` is that of the file in messages.
+    /// The text of a scene file; `name` is the file's name in messages.
     #[staticmethod]
     #[pyo3(signature = (text, name = "scene.toml"))]
     fn from_text(text: &str, name: &str) -> PyResult<Self> {
@@ -65,7 +65,7 @@ impl Scene {
         self.source.file().display().to_string()
     }
 
-    /// The body's vertices (m), in its own frame.
+    /// The body's vertices (m), in the body frame.
     #[getter]
     fn vertices(&self) -> Vec<(f64, f64)> {
         self.file.vertices.iter().copied().map(pair).collect()
@@ -95,7 +95,7 @@ impl Scene {
         (file.stiffness_translation, file.stiffness_rotation)
     }
 
-    /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own.
+    /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own times.
     #[pyo3(signature = (path = None, rate = None))]
     fn hand<'py>(
         &self,

@@ -23,7 +23,7 @@ pub(crate) struct Solver {
     evolution: Evolution,
     budget: Option<u32>,
     session: Session,
-    /// Samples so far.
+    /// The number of samples so far.
     samples: u64,
 }
 
@@ -59,7 +59,7 @@ impl Solver {
         })
     }
 
-    /// One frame: the hand goes to x, y (m), phi (rad).
+    /// One frame: the hand moves to x, y (m), phi (rad).
     #[pyo3(signature = (x, y, phi, *, held, depth, t))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn step(
@@ -81,9 +81,9 @@ impl Solver {
         Run::new(Arc::clone(&self.head), Tables::of_frame(py, &frame))
     }
 
-    /// All rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
-    /// (x, y, z, w), placed as the scene's `[hand]` says. Nothing of the array is copied, and other threads run meanwhile. Contacts are
-    /// made when they are asked for.
+    /// Runs all rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and
+    /// quaternion (x, y, z, w), placed as in the scene's `[hand]`. The array is not copied, and other threads run meanwhile. Contacts are
+    /// computed on demand.
     #[pyo3(signature = (hand, *, t, held, rate))]
     fn run(
         &mut self,
@@ -136,7 +136,7 @@ impl Solver {
         }
     }
 
-    /// A copy that goes on from here by itself.
+    /// A copy that continues independently from here.
     fn snapshot(&self) -> Self {
         Self {
             file: Arc::clone(&self.file),
@@ -149,11 +149,11 @@ impl Solver {
         }
     }
 
-    /// Back to a snapshot.
+    /// Returns to a snapshot.
     fn restore(&mut self, snapshot: &Self) -> PyResult<()> {
         if !Arc::ptr_eq(&self.head, &snapshot.head) {
             return Err(refused(
-                "`snapshot` is of another solver, allowed: one of this solver",
+                "`snapshot` belongs to another solver, allowed: one of this solver",
             ));
         }
         self.session = snapshot.session.clone();
@@ -161,7 +161,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Back to the scene's start.
+    /// Returns to the scene's start.
     fn reset(&mut self) -> PyResult<()> {
         self.session = self.session()?;
         self.samples = 0;
@@ -186,14 +186,14 @@ impl Solver {
         self.budget
     }
 
-    /// Frames so far.
+    /// The number of frames so far.
     fn __len__(&self) -> usize {
         self.samples as usize
     }
 }
 
 impl Solver {
-    /// The run of so many samples, without Python's lock.
+    /// The run of a number of samples, without Python's lock.
     fn follow(
         &mut self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! The tables of a run as arrays of numpy. Rows are written into its memory, or it takes theirs.
+//! The tables of a run as numpy arrays. Rows are written into numpy's memory, or numpy takes over theirs.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -26,7 +26,7 @@ pub(crate) struct Tables {
     contacts: Mutex<Contacts>,
 }
 
-/// Contacts as a table, or what it is made of.
+/// Contacts as a table, or the data from which it is computed.
 pub(crate) enum Contacts {
     Table(Py<Words>),
     Later(Box<dyn session::Contacts>),
@@ -41,7 +41,7 @@ impl Tables {
         }
     }
 
-    /// The words of the contacts, which are made when they are asked for first.
+    /// The words of the contacts, which are computed on the first access.
     pub(crate) fn contacts(&self, py: Python<'_>) -> Py<Words> {
         let locked = self.contacts.lock_py_attached(py);
         let mut contacts = locked.unwrap_or_else(PoisonError::into_inner);
@@ -53,7 +53,7 @@ impl Tables {
         table
     }
 
-    /// For reading, with Python's lock.
+    /// The tables for reading, with Python's lock.
     pub(crate) fn read<'py>(&self, py: Python<'py>) -> Read<'py> {
         let contacts = self.contacts(py);
         let [frames, contacts, events] =
@@ -66,7 +66,7 @@ impl Tables {
     }
 }
 
-/// Tables that nobody writes.
+/// Tables that nobody writes to.
 pub(crate) struct Read<'py> {
     frames: PyReadonlyArray1<'py, u64>,
     contacts: PyReadonlyArray1<'py, u64>,
@@ -87,7 +87,7 @@ impl Read<'_> {
     }
 }
 
-/// The contacts of frames, one after the other.
+/// The contacts of consecutive frames.
 #[derive(Default)]
 struct ContactRows {
     rows: Vec<ContactRow>,
@@ -101,7 +101,7 @@ impl ContactRows {
         all
     }
 
-    /// Those of the next frame.
+    /// Adds those of the next frame.
     fn add(&mut self, contacts: &[ContactRecord]) {
         let row = |contact| ContactRow::new(self.frames, contact);
         self.rows.extend(contacts.iter().map(row));
@@ -109,7 +109,7 @@ impl ContactRows {
     }
 }
 
-/// Frames and their events, one after the other.
+/// Consecutive frames and their events.
 pub(crate) struct FrameRows<'a> {
     frames: &'a mut [FrameRow],
     filled: u32,
@@ -117,7 +117,7 @@ pub(crate) struct FrameRows<'a> {
 }
 
 impl FrameRows<'_> {
-    /// The next frame.
+    /// Adds the next frame.
     pub(crate) fn add(&mut self, frame: &Frame) {
         let event = |&event| EventRow::new(self.filled, event);
         self.events.extend(frame.events.iter().map(event));
@@ -129,10 +129,10 @@ impl FrameRows<'_> {
 }
 
 impl Tables {
-    /// Of so many frames, which are filled without Python's lock: in memory of numpy, which has it in large pages.
+    /// Tables of a number of frames, which are filled without Python's lock, in numpy's memory, which uses large pages.
     ///
     /// # Errors
-    /// There is not so much memory.
+    /// There is not enough memory.
     pub(crate) fn filled(
         py: Python<'_>,
         frames: usize,
@@ -151,7 +151,7 @@ impl Tables {
         Ok(Self::new(words.unbind(), Contacts::Later(contacts), events))
     }
 
-    /// Of one frame.
+    /// The tables of one frame.
     pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Self {
         let mut contacts = ContactRows::default();
         contacts.add(&frame.contacts);

@@ -1,10 +1,10 @@
-"""What it is for two runs to be the same."""
+"""Comparison of two runs."""
 
 import numpy as np
 
 
 def same(one, other, without=()):
-    """The same bits in all fields of all tables, where what is not a number is the same as itself."""
+    """Whether all fields of all tables have the same bits; NaN equals NaN."""
     for name in ("frames", "contacts", "events"):
         a, b = getattr(one, name), getattr(other, name)
         assert a.dtype == b.dtype and len(a) == len(b), name

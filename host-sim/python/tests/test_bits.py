@@ -1,4 +1,4 @@
-"""The package has the bits of the program: its traces to the byte, in every number type and evolution, among obstacles and without."""
+"""The package returns the bits of the program: identical traces, in every number type and evolution, with and without obstacles."""
 
 import copy
 import pathlib
@@ -23,7 +23,7 @@ SCENES = [
     "table-edge",
     "vertex-stick-slip",
 ]
-# Enough for 100 000 frames of all scenes together in a number type and an evolution.
+# Enough for 100 000 frames over all scenes in a number type and an evolution.
 RATE = 2000.0
 FRAMES = {}
 
@@ -42,7 +42,7 @@ def test_a_run_has_the_bytes_of_the_program(stiction_run, tmp_path, name, number
 
 def test_these_were_100_000_frames_of_each():
     if len(FRAMES) < 6 * len(SCENES):
-        pytest.skip("not all were run")
+        pytest.skip("not all scenes were run")
     for number in ("f32", "f64", "fixed"):
         assert sum(FRAMES[name, number, "path"] for name in SCENES) >= 100_000
 
@@ -79,7 +79,8 @@ numbers = st.sampled_from(["f32", "f64", "fixed"])
 def test_any_hand_has_the_bytes_of_the_program(stiction_run, tmp_path_factory, hand, number, name):
     folder = tmp_path_factory.mktemp("hand")
     scene = stiction.Scene.bundled(name)
-    # A recorded hand is placed in the scene by adding its origin, after which there is no -0.
+    # A recorded hand is placed in the scene by adding the scene's origin, after which there is no
+    # -0.
     array = np.array(hand) + 0.0
     trace = stiction_run(name, "--hand", recorded(folder, array), "--number", number)
     stiction.Solver(scene, number=number).run(array).write_trace(folder / "trace.jsonl")

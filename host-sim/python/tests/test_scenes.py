@@ -1,4 +1,4 @@
-"""Scenes from values: the bits of a scene file, and errors in its words."""
+"""Scenes from values: the same bits as from a scene file, and the same error messages."""
 
 import pickle
 

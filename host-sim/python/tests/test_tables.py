@@ -21,7 +21,7 @@ def test_tables_cannot_be_written(run):
 def test_contacts_and_events_are_of_frames_in_order(run):
     for table in (run.contacts, run.events):
         assert (np.diff(table["frame"].astype(int)) >= 0).all()
-    # The hand's springs bear the load that the contacts have: the weight is what differs.
+    # The hand's springs bear the load of the contacts: the difference is the weight.
     vertical = np.bincount(run.contacts["frame"], minlength=len(run)) > 0
     assert (run.frames["state"][vertical] != stiction.STATES.index("non-contact")).all()
     assert (run.frames["state"][~vertical] == stiction.STATES.index("non-contact")).all()
@@ -81,7 +81,7 @@ def test_figures(run):
     figures = run.figures()
     assert {"trajectory", "forces", "motion", "strip"} <= set(figures)
     assert all("<svg" in svg[:300] for svg in figures.values())
-    # Two of paths and forces, three of the motion, five snapshots.
+    # Two axes of paths and forces, three of the motion, five snapshots.
     assert len(run.plot().axes) == 10
 
 

@@ -1,4 +1,4 @@
-"""Types and documentation: checked as a user's tools do."""
+"""Types and documentation, checked with the tools of users."""
 
 import doctest
 import inspect
@@ -25,7 +25,7 @@ def test_types(command, tmp_path):
 
 
 def public():
-    """Names and values of all that is public."""
+    """Names and values of the public interface."""
     for name in stiction.__all__:
         value = getattr(stiction, name)
         yield name, value

@@ -1,4 +1,4 @@
-//! The build script of a board: which scene is compiled in, where the linker finds flash and RAM, what it must know of the log.
+//! The build script of a board: which scene is compiled in, where the linker finds flash and RAM, and the linker's settings for the log.
 
 use std::env;
 use std::fs;
@@ -11,25 +11,25 @@ use crate::compile::{OwnScene, compile};
 use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
 
-/// In what one board differs from another.
+/// The properties in which boards differ.
 #[derive(Clone, Debug)]
 pub struct BoardBuild {
-    /// For another target there is nothing to do.
+    /// For any other target, there is nothing to do.
     pub target: &'static str,
-    /// What its solver computes with.
+    /// The number type of its solver.
     pub number: NumberType,
-    /// What the solver of the board's own scene has, as any scene may come over the wire: obstacles with the feature `obstacles`
-    /// alone. That of a scene file which is named by STICTION_SCENE has what this scene needs.
+    /// The capacity of the solver for the board's own scene, since any scene may arrive over the wire: for obstacles only with
+    /// the feature `obstacles`. For a scene file named by STICTION_SCENE, the solver has the capacity that this scene needs.
     pub room: SceneModel,
-    /// The file of the scene that is compiled in where none is named, in the folder of the package or by a path from there.
+    /// The file of the scene that is compiled in by default, in the folder of the package or as a path from there.
     pub scene: &'static str,
-    /// Where flash and RAM are, as the linker is to read it: a file likewise. None: the crates of the chip know it, and what else the
-    /// linker must be given.
+    /// The linker script with the location of flash and RAM, also a file in the package. `None`: the crates of the chip provide it,
+    /// together with the other linker settings.
     pub memory: Option<&'static str>,
 }
 
 impl BoardBuild {
-    /// Does all that the script of a board's package has to do: `scene.rs` in the folder of the build, and what the linker needs.
+    /// Runs the build script of a board's package: writes `scene.rs` in the build folder, and what the linker needs.
     pub fn run(&self) -> ExitCode {
         println!("cargo::rerun-if-changed=build.rs");
         match self.built() {
@@ -41,7 +41,7 @@ impl BoardBuild {
         }
     }
 
-    /// The room that the package's features ask for.
+    /// The capacity that the package's features ask for.
     fn room_of_features(&self) -> SceneModel {
         match env::var_os("CARGO_FEATURE_OBSTACLES") {
             Some(_) => self.room,
@@ -74,7 +74,7 @@ impl BoardBuild {
     }
 }
 
-/// The linker finds flash and RAM by a copy of this file in the folder of the build.
+/// Copies this file to the build folder, where the linker reads the location of flash and RAM.
 fn link(memory: &Path, folder: &Path) -> Result<(), InputError> {
     println!("cargo::rerun-if-changed={}", memory.display());
     fs::copy(memory, folder.join("memory.x"))
@@ -85,7 +85,7 @@ fn link(memory: &Path, folder: &Path) -> Result<(), InputError> {
     Ok(())
 }
 
-/// What cargo sets for every build script.
+/// An environment variable that cargo sets for every build script.
 fn variable(name: &str) -> Result<String, InputError> {
     env::var(name).map_err(|error| InputError::of_file(Path::new(name), error))
 }

@@ -7,8 +7,8 @@ use stiction_core::{Description, Fixed, ObstacleDescription, SurfaceDescription}
 
 use crate::written::WrittenScene;
 
-/// The C code of a scene for the library of a number type: `static const stiction_scene NAME`, and beside it what its pointers lead to.
-/// `name` is a C identifier.
+/// The C code of a scene for the library of a number type: `static const stiction_scene NAME`, and the arrays that its pointers refer
+/// to. `name` is a C identifier.
 pub fn c_source(scene: &WrittenScene, number: NumberType, name: &str) -> String {
     let code = |d: &Description<'_, f32>, o: &[ObstacleDescription<'_, f32>]| whole(name, d, o);
     match number {
@@ -63,7 +63,7 @@ fn whole(
     code
 }
 
-/// Adds a list of a kind to the code, if there is anything in it; the members of the scene that lead to it.
+/// Adds a list of one kind to the code, unless it is empty; returns the members of the scene that refer to it.
 fn list(code: &mut String, kind: &str, name: &str, items: impl Iterator<Item = String>) -> String {
     let items: Vec<String> = items.collect();
     if items.is_empty() {
@@ -119,7 +119,7 @@ fn row(numbers: &[f32]) -> String {
     format!("{{{}}}", numbers.join(", "))
 }
 
-/// What reads back to the same bits.
+/// The decimal representation that reads back to the same bits.
 fn float(number: f32) -> String {
     format!("{number:?}f")
 }

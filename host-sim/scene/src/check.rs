@@ -1,4 +1,4 @@
-//! Numbers of a scene file: finite, within the number type, as many as the key takes.
+//! Checks the numbers of a scene file: finite, within the number type, and as many as the key requires.
 
 use crate::document::{Number, Numbers};
 use crate::source::{InputError, Source, excerpt};
@@ -7,12 +7,12 @@ use crate::source::{InputError, Source, excerpt};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Check<'a> {
     source: &'a Source,
-    /// The largest size of a number.
+    /// The largest magnitude of a number.
     limit: f64,
 }
 
 impl<'a> Check<'a> {
-    /// Checks values of `source`, which may be as large as `limit`.
+    /// Checks values of `source` with magnitudes up to `limit`.
     pub(crate) const fn new(source: &'a Source, limit: f64) -> Self {
         Self { source, limit }
     }
@@ -22,7 +22,7 @@ impl<'a> Check<'a> {
         self.source
     }
 
-    /// The largest size of a number.
+    /// The largest magnitude of a number.
     pub(crate) const fn limit(&self) -> f64 {
         self.limit
     }
@@ -35,7 +35,7 @@ impl<'a> Check<'a> {
         Ok(value)
     }
 
-    /// A number that may be absent.
+    /// An optional number.
     pub(crate) fn number_or(
         &self,
         key: &str,
@@ -55,7 +55,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// N numbers; `names` says which.
+    /// N numbers; `names` lists their meanings.
     pub(crate) fn numbers<const N: usize>(
         &self,
         key: &str,
@@ -71,7 +71,7 @@ impl<'a> Check<'a> {
         Ok(values)
     }
 
-    /// What is allowed, where `value` is not.
+    /// If `value` is not allowed, the error states what is.
     fn finite(&self, value: f64) -> Result<(), String> {
         if value.abs() <= self.limit {
             Ok(())
@@ -80,7 +80,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// "`key` is value, allowed: ...", with the line.
+    /// The message "`key` is value, allowed: ...", with the line.
     pub(crate) fn error<T: std::fmt::Debug>(
         &self,
         key: &str,

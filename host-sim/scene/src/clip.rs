@@ -1,24 +1,26 @@
-//! Obstacles cut to what a number type can represent: a corner beyond its range is replaced by corners at the edge of the range. From the obstacles of a file to those of the solver, and from the solver's indices back to the file's.
+//! Obstacles clipped to what a number type can represent: corners beyond its range are replaced by corners at the edge of the range.
+//! Converts from the obstacles of a file to those of the solver, and from the solver's indices back to the file's.
 
 use stiction_core::{Parameter, Real, SceneError, SiFloat, Touch};
 
 use crate::obstacle::ObstacleInfo;
 use crate::written::WrittenScene;
 
-/// What the solver's obstacles, corners and sides are in the file.
+/// The file's indices of the solver's obstacles, corners and sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Indices(Vec<Kept>);
 
-/// An obstacle of which something is within reach.
+/// An obstacle of which at least a part is in range.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Kept {
     obstacle: usize,
-    /// For each of its corners the file's, which is also the name of the side that begins there; of an added corner the one before it.
+    /// For each of its corners, the file's index, which is also that of the side that begins there; for an added corner, that of the
+    /// previous corner.
     corners: Vec<usize>,
 }
 
 impl Indices {
-    /// What touches what, by the indices of the file.
+    /// The touching features, with the indices of the file.
     #[must_use]
     pub fn touch(&self, touch: Touch) -> Touch {
         match touch {
@@ -50,13 +52,13 @@ impl Indices {
         }
     }
 
-    /// An obstacle of the solver in the file.
+    /// The file's index of an obstacle of the solver.
     #[must_use]
     pub fn obstacle(&self, obstacle: usize) -> Option<usize> {
         self.0.get(obstacle).map(|kept| kept.obstacle)
     }
 
-    /// An obstacle and a corner of it.
+    /// The file's indices of an obstacle and a corner of it.
     fn original(&self, obstacle: usize, corner: usize) -> (usize, usize) {
         match self.0.get(obstacle) {
             Some(kept) => {
@@ -67,13 +69,13 @@ impl Indices {
         }
     }
 
-    /// A refusal, by the indices of the file.
+    /// A refusal, with the indices of the file.
     pub(crate) fn error<F>(&self, error: SceneError<F>) -> SceneError<F> {
         let parameter = self.parameter(error.parameter);
         SceneError { parameter, ..error }
     }
 
-    /// What is refused, by the indices of the file.
+    /// The refused parameter, with the indices of the file.
     #[must_use]
     pub fn parameter(&self, parameter: Parameter) -> Parameter {
         let whole = |obstacle| self.original(obstacle, 0).0;
@@ -96,21 +98,21 @@ impl Indices {
     }
 }
 
-/// A corner in a polygon that is cut.
+/// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Corner {
     place: [f64; 2],
-    /// The number of the file's corner; of an added one that of the corner before it, whose side it is on.
+    /// The file's index of the corner; for an added one, that of the previous corner, on whose side it lies.
     number: usize,
     is_added: bool,
 }
 
-/// The obstacles of a scene within the range of a number type, and what they are in the file where any was cut.
+/// The obstacles of a scene within the range of a number type, and their indices in the file if any was clipped.
 pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     scene: &WrittenScene,
 ) -> (Vec<ObstacleInfo>, Option<Indices>) {
     let size = length(scene);
-    // A little less, for rounding.
+    // Slightly less, to allow for rounding.
     let range = (1.0 - 1e-6) * R::RANGE.to_si(R::Si::ONE).widen() * size;
     let is_within = |corner: &[f64; 2]| beyond(*corner) <= range;
     let mut corners = scene.obstacles.iter().flat_map(|o| &o.vertices);
@@ -144,14 +146,14 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     (kept, Some(Indices(indices)))
 }
 
-/// The larger coordinate of a place and half the other, which a number type bounds.
+/// The larger coordinate of a point plus half the other: the bound that a number type checks.
 fn beyond([x, y]: [f64; 2]) -> f64 {
     let (x, y) = (x.abs(), y.abs());
     x.max(y) + x.min(y) / 2.0
 }
 
 /// The part of a polygon, a wall or a pin within the range. Added corners are farther than `least` from each other and from the line
-/// between their neighbours; of a polygon that is thinner nothing is left.
+/// between their neighbours; of a thinner polygon nothing is left.
 fn within(corners: Vec<Corner>, range: f64, least: f64) -> Vec<Corner> {
     let is_polygon = corners.len() > 2;
     let mut rest = corners;
@@ -182,10 +184,10 @@ fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The part where `depth`, an affine function, is not negative.
+/// The part in which `depth`, an affine function, is not negative.
 fn cut(corners: &[Corner], depth: impl Fn([f64; 2]) -> f64) -> Vec<Corner> {
     let mut kept = Vec::new();
-    // A wall has one side, there and back.
+    // A wall has one side, traversed in both directions.
     let sides = if corners.len() == 2 { 1 } else { corners.len() };
     for (k, &corner) in corners.iter().enumerate() {
         let (a, b) = (corner.place, corners[(k + 1) % corners.len()].place);
@@ -205,7 +207,7 @@ fn cut(corners: &[Corner], depth: impl Fn([f64; 2]) -> f64) -> Vec<Corner> {
     kept
 }
 
-/// L (m): the body's largest vertex distance; that of a point as the solver takes it, a power of two.
+/// L (m): the body's largest vertex distance; for a point, the length that the solver assumes, a power of two.
 fn length(scene: &WrittenScene) -> f64 {
     let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let from = |a: &'_ [f64; 2]| {
@@ -241,7 +243,7 @@ mod tests {
     use crate::source::Source;
     use stiction_core::Fixed;
 
-    /// A rod of 1 m and an obstacle of these corners.
+    /// A rod of 1 m and an obstacle with these corners.
     fn scene(corners: &str) -> WrittenScene {
         let text = format!(
             "[body]\nvertices = [[-0.5, 0.0], [0.5, 0.0]]\nstart = [0.0, 1.0, 0.0]\n[spring]\ntranslation = 1.0\nrotation = 1.0\n\
@@ -271,7 +273,7 @@ mod tests {
     fn a_table_that_goes_on_ends_at_the_range_and_keeps_its_names() {
         let scene = scene("[[-30.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-30.0, 0.0]]");
         let (cut, indices) = clipped::<Fixed>(&scene);
-        // Nothing reaches the pin.
+        // The pin is out of range.
         assert_eq!(cut.len(), 1);
         let corners = [[-15.5, -1.0], [0.0, -1.0], [0.0, 0.0], [-16.0, 0.0]];
         assert_near(&cut[0].vertices, &corners);

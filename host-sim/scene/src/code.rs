@@ -1,5 +1,5 @@
-//! A scene as the Rust code that is compiled into an image: the number type, room for its vertices and surfaces, and the
-//! parts of the solver.
+//! A scene as the Rust code that is compiled into an image: the number type, the capacity for its vertices and surfaces,
+//! and the parts of the solver.
 
 use stiction_core::frame::NumberType;
 use stiction_core::{Description, Evolution, Fixed, ObstacleDescription, SurfaceDescription};
@@ -15,7 +15,7 @@ const fn path(number: NumberType) -> &'static str {
     }
 }
 
-/// The code of a scene in a model that has all that it needs, and of how a frame is evolved, as in
+/// The code of a scene in a model that has everything it needs, and of the evolution of a frame, as in
 /// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE`, `OBSTACLES` and `EVOLUTION`.
 pub fn rust_source(
     scene: &WrittenScene,
@@ -82,7 +82,7 @@ fn obstacles(all: &[ObstacleDescription<'_, f32>]) -> String {
     all.iter().map(code).collect()
 }
 
-/// What reads back to the same bits.
+/// The description, with decimals that read back to the same bits.
 fn description(d: &Description<'_, f32>) -> String {
     let surfaces: Vec<String> = d.surfaces.iter().map(surface).collect();
     format!(

@@ -1,4 +1,4 @@
-//! For the build script of a board: from a scene file to the code of the scene in the folder of the build.
+//! For the build script of a board: from a scene file to the code of the scene in the build folder.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -12,22 +12,22 @@ use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
 use crate::written::WrittenScene;
 
-/// The environment variable with the scene file that takes the place of a board's own.
+/// The environment variable with the scene file that replaces a board's own.
 const SCENE: &str = "STICTION_SCENE";
 
-/// What is compiled into a board where nothing else is said.
+/// The scene that is compiled into a board by default.
 pub(crate) struct OwnScene {
     /// The scene file.
     pub(crate) file: PathBuf,
-    /// What comes over the wire has room in this model.
+    /// The model has capacity for what arrives over the wire.
     pub(crate) room: SceneModel,
 }
 
-/// Writes `scene.rs` into a folder: the board's own scene, or in its smallest model that of the file which the environment
-/// variable `STICTION_SCENE` names. Tells cargo on what it depends.
+/// Writes `scene.rs` into a folder: the board's own scene, or, in its smallest model, the scene of the file named by the
+/// environment variable `STICTION_SCENE`. Reports the dependencies to cargo.
 ///
 /// # Errors
-/// The scene cannot be used, or the code not be written.
+/// The scene is unusable, or the code cannot be written.
 pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Result<(), InputError> {
     println!("cargo::rerun-if-env-changed={SCENE}");
     let named = env::var_os(SCENE).filter(|name| !name.is_empty());
@@ -42,10 +42,10 @@ pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Resu
         .map_err(|error| InputError::of_file(&target, format!("cannot be written: {error}")))
 }
 
-/// The code of a scene file for a board: in its smallest model, or in one with room for others too.
+/// The code of a scene file for a board: in its smallest model, or in one with capacity for other scenes too.
 ///
 /// # Errors
-/// The messages of a scene that is run on a computer.
+/// The same messages as for a scene that is run on a computer.
 pub fn code(
     file: &Path,
     number: NumberType,
@@ -64,7 +64,8 @@ pub fn code(
     Ok(scene_code(&scene, model, number))
 }
 
-/// The numbers make a scene. The room that its obstacles need, as many as are within the range of the number type.
+/// Checks that the numbers make a scene. Returns the capacity that its obstacles need, as far as they are within the
+/// range of the number type.
 fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<ObstacleRoom, InputError> {
     if scene.obstacles.is_empty() {
         Full::scene::<R>(scene)?;

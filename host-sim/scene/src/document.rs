@@ -1,12 +1,11 @@
-//! The scene file as TOML has it: sections, keys and types, each value with its place in the text; nothing is checked
-//! beyond that.
+//! The scene file as TOML: sections, keys and types, each value with its position in the text; nothing else is checked.
 
 use serde::Deserialize;
 use toml::Spanned;
 
-/// A number with its place.
+/// A number with its position.
 pub(crate) type Number = Spanned<f64>;
-/// An array of numbers with its place.
+/// An array of numbers with its position.
 pub(crate) type Numbers = Spanned<Vec<f64>>;
 
 /// The whole file.
@@ -97,7 +96,7 @@ pub(crate) struct Obstacle {
 pub(crate) struct Hand {
     /// Frames per second (Hz).
     pub(crate) rate: Option<Number>,
-    /// t (s), x, y (m), phi (rad) and whether it holds, of each.
+    /// t (s), x, y (m), phi (rad) and whether the hand holds, for each keyframe.
     pub(crate) keyframes: Option<Spanned<Vec<Numbers>>>,
     /// A file with a recorded path.
     pub(crate) path: Option<Spanned<String>>,

@@ -1,4 +1,4 @@
-//! Friction as a file gives it: `[friction]` for all, and the flat keys of a surface or an obstacle, which go before it.
+//! Friction in a file: `[friction]` for all, and the flat keys of a surface or an obstacle, which take precedence.
 
 use std::ops::Range;
 
@@ -6,10 +6,10 @@ use crate::check::Check;
 use crate::document::{Document, Number};
 use crate::source::InputError;
 
-/// What static friction may be.
+/// The allowed range of static friction.
 const STATIC_FRICTION: &str = "not less than the dynamic friction";
 
-/// mu_s, mu_d and the memory length of `[friction]`, as far as they are given.
+/// mu_s, mu_d and the memory length of `[friction]`, as far as given.
 #[derive(Clone, Copy)]
 pub(crate) struct Fallback {
     stick: Option<f64>,
@@ -23,11 +23,11 @@ pub(crate) struct Friction {
     pub(crate) stick: f64,
     /// mu_d
     pub(crate) slip: f64,
-    /// Memory length (m); `None` where the file gives none.
+    /// Memory length (m); `None` if the file gives none.
     pub(crate) memory: Option<f64>,
 }
 
-/// What has friction of its own: `surface` or `obstacle` and its number, where it stands, and its keys.
+/// The owner of friction keys: `surface` or `obstacle` with its number, its position in the text, and its keys.
 pub(crate) struct Owner<'a> {
     pub(crate) kind: &'a str,
     pub(crate) index: usize,
@@ -38,7 +38,7 @@ pub(crate) struct Owner<'a> {
 }
 
 impl Fallback {
-    /// Of a file.
+    /// The friction common to a file.
     pub(crate) fn new(check: Check<'_>, document: &Document) -> Result<Self, InputError> {
         let default = &document.friction;
         let fallback = Self {
@@ -54,7 +54,7 @@ impl Fallback {
         }
     }
 
-    /// Of one that may have its own.
+    /// The friction of an owner that may have its own.
     pub(crate) fn of(self, check: Check<'_>, owner: &Owner<'_>) -> Result<Friction, InputError> {
         let (kind, index) = (owner.kind, owner.index);
         let own = |name: &str, given| coefficient(check, &format!("{kind}[{index}].{name}"), given);

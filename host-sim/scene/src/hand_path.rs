@@ -1,4 +1,4 @@
-//! The hand's motion over time: samples from keyframes or from a recorded file, as they are or resampled.
+//! The hand's motion over time: samples from keyframes or from a recorded file, unchanged or resampled.
 
 mod placement;
 mod recorded;
@@ -20,26 +20,26 @@ use crate::source::{InputError, Source};
 pub struct Sample {
     /// Time (s).
     pub t: f64,
-    /// The hand, world frame of the scene; a pose that was not finite in the input is not finite here.
+    /// The hand, world frame of the scene; a pose that was not finite in the input is not finite here either.
     pub hand: Hand<f64>,
 }
 
-/// Samples in the order of time.
+/// Samples ordered by time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandPath {
     samples: Vec<Sample>,
 }
 
 impl HandPath {
-    /// The largest size of a hand's angle (rad): beyond it an f64 carries less than 1e-7 rad.
+    /// The largest magnitude of a hand's angle (rad): beyond it, the resolution of an f64 is coarser than 1e-7 rad.
     pub(crate) const LARGEST_ANGLE: f64 = 1e9;
-    /// A recorded path may be so long (bytes): an hour at 1000 Hz, 3.6 million records, of 74 bytes each. A record takes 56 bytes of
-    /// memory.
+    /// The largest size of a recorded path (bytes): an hour at 1000 Hz, 3.6 million records of 74 bytes each. A record takes 56
+    /// bytes of memory.
     pub const LONGEST: u64 = 1 << 28;
     /// The most frames that a path can be resampled to.
     pub const LARGEST_COUNT: usize = 1_000_000_000;
 
-    /// From samples whose times increase.
+    /// A path of samples whose times increase.
     pub fn new(samples: Vec<Sample>) -> Self {
         Self { samples }
     }
@@ -47,14 +47,14 @@ impl HandPath {
     /// Reads a recorded path line by line: `.csv`, or `.tum` and `.txt` in the TUM format.
     ///
     /// # Errors
-    /// The file cannot be read, is longer than [`Self::LONGEST`], its format is unknown, or a record cannot be used.
+    /// The file cannot be read, is longer than [`Self::LONGEST`], its format is unknown, or a record is unusable.
     pub fn read(file: &Path, placement: &Placement) -> Result<Self, InputError> {
-        // What has no extension of a path is not opened.
+        // A file without the extension of a path is not opened.
         recorded::Format::of(file)?;
         Self::of_reader(file, open(file)?, placement)
     }
 
-    /// A recorded path from text; the extension of its name says the format.
+    /// A recorded path from text; the extension of its name determines the format.
     ///
     /// # Errors
     /// As [`Self::read`].
@@ -85,17 +85,17 @@ impl HandPath {
         }
     }
 
-    /// The same, of a path that is there already.
+    /// The same for a path whose text is already loaded.
     pub fn error_at_end_of(source: &Source, problem: &str) -> InputError {
         at_end(source.file(), source.text().as_bytes(), problem)
     }
 
-    /// How many samples there are.
+    /// The number of samples.
     pub fn count(&self) -> usize {
         self.samples.len()
     }
 
-    /// From the first sample to the last (s).
+    /// The time from the first sample to the last (s).
     pub fn seconds(&self) -> f64 {
         match self.samples.as_slice() {
             [first, .., last] => last.t - first.t,
@@ -103,11 +103,11 @@ impl HandPath {
         }
     }
 
-    /// How many frames [`Self::frames`] gives; more than [`Self::LARGEST_COUNT`] for a rate that is too high.
+    /// The number of frames that [`Self::frames`] returns; more than [`Self::LARGEST_COUNT`] if the rate is too high.
     pub fn frame_count(&self, rate: Option<f64>) -> usize {
         match (rate, self.samples.as_slice()) {
             (Some(rate), [first, .., last]) => {
-                // A part of a millionth of a frame is rounding; both ends are frames.
+                // A millionth of a frame counts as rounding; both ends are frames.
                 let steps = ((last.t - first.t) * rate - 1e-6).ceil().max(1.0);
                 (steps as usize).saturating_add(1)
             }
@@ -115,9 +115,9 @@ impl HandPath {
         }
     }
 
-    /// The frames: every sample is one, or, with a `rate` (Hz), one every 1/rate from the first sample to the last.
-    /// Poses in between are interpolated in straight lines (the angle unwrapped); a pose beside one that is not finite
-    /// is not finite either. The switch is that of the last sample reached.
+    /// The frames: every sample, or, with a `rate` (Hz), one every 1/rate from the first sample to the last. Poses in
+    /// between are interpolated in straight lines (the angle unwrapped); a pose next to one that is not finite is not
+    /// finite either. The switch is that of the last sample reached.
     pub fn frames(&self, rate: Option<f64>) -> impl ExactSizeIterator<Item = Sample> + '_ {
         let mut reached = 0;
         (0..self.frame_count(rate)).map(move |k| match rate {
@@ -126,7 +126,7 @@ impl HandPath {
         })
     }
 
-    /// Frame `k` of [`Self::frames`] at a rate (Hz), found without those before it.
+    /// Frame `k` of [`Self::frames`] at a rate (Hz), computed without the frames before it.
     pub fn sample(&self, k: usize, rate: f64) -> Option<Sample> {
         if k >= self.frame_count(Some(rate)) {
             return None;
@@ -174,7 +174,7 @@ fn at_end(file: &Path, reader: impl BufRead, problem: &str) -> InputError {
     InputError::in_line(file, (number, &line), problem)
 }
 
-/// The hand at `part` of the way.
+/// The hand at a fraction `part` of the path.
 fn between(from: &Hand<f64>, to: &Hand<f64>, part: f64) -> Hand<f64> {
     let lerp = |a: f64, b: f64| a + (b - a) * part;
     let ([x, y], [to_x, to_y]) = (from.position, to.position);
@@ -188,7 +188,7 @@ fn between(from: &Hand<f64>, to: &Hand<f64>, part: f64) -> Hand<f64> {
     }
 }
 
-/// `angle` turned on by `by`; exact where that is 0.
+/// `angle` turned by `by`; exact if that is 0.
 fn turned(angle: Angle<f64>, by: f64) -> Angle<f64> {
     if by == 0.0 { angle } else { angle.plus(by) }
 }

@@ -1,4 +1,4 @@
-//! `[hand]`: keyframes or a recorded path, its rate and its place in the scene.
+//! `[hand]`: keyframes or a recorded path, its rate and its placement in the scene.
 
 use std::path::{Path, PathBuf};
 
@@ -7,12 +7,12 @@ use crate::document::{Hand, Numbers};
 use crate::hand_path::{HandPath, Placed, Placement, Row, RowPose, parse_plane};
 use crate::source::InputError;
 
-/// Where the hand's motion comes from.
+/// The source of the hand's motion.
 #[derive(Clone, Debug)]
 pub enum Motion {
     /// Straight lines between poses in the scene file.
     Keyframes(HandPath),
-    /// A recorded path in a file of its own.
+    /// A recorded path in a separate file.
     Recorded(PathBuf),
 }
 
@@ -21,14 +21,14 @@ pub enum Motion {
 pub struct HandSection {
     /// Frames per second (Hz) > 0.
     pub rate: Option<f64>,
-    /// The motion; `None` where it has to come from elsewhere.
+    /// The motion; `None` if it has to be provided separately.
     pub motion: Option<Motion>,
-    /// How a motion lies in the scene.
+    /// How a motion is placed in the scene.
     pub placement: Placement,
 }
 
 impl HandSection {
-    /// Checks the section; a path is taken relative to the scene file.
+    /// Checks the section; a path is relative to the scene file.
     pub(super) fn new(check: Check<'_>, hand: &Hand) -> Result<Self, InputError> {
         let rate = hand
             .rate
@@ -51,7 +51,7 @@ fn motion(
     match (&hand.keyframes, &hand.path) {
         (Some(_), Some(path)) => Err(check.source().error_at(
             path.span().start,
-            "`hand.path` is given besides `hand.keyframes`, allowed: one of the two",
+            "`hand.path` is given in addition to `hand.keyframes`, allowed: one of the two",
         )),
         (None, None) => Ok(None),
         (None, Some(path)) if path.get_ref().is_empty() => {
@@ -86,7 +86,11 @@ fn keyframes(check: Check<'_>, list: &[Numbers]) -> Result<Vec<Row>, InputError>
         offset = start;
         let row = keyframe(check, &key, given, line)?;
         if rows.last().is_some_and(|last| row.t <= last.t) {
-            return Err(check.error(&key, given, "a time later than that of the keyframe before"));
+            return Err(check.error(
+                &key,
+                given,
+                "a time later than that of the previous keyframe",
+            ));
         }
         rows.push(row);
     }

@@ -1,5 +1,5 @@
-//! The models of the solver on a computer: half-planes alone, or obstacles with corners, too. From a written scene to a scene of
-//! either, and from a state to what touches what in it.
+//! The models of the solver on a computer: half-planes alone, or obstacles with corners, too. From a written scene to a scene in
+//! either model, and from a state to the touching features.
 
 use stiction_core::{
     Description, Full, Model, Parts, Real, Scene, SceneError, SiFloat, State, Touches,
@@ -14,18 +14,18 @@ use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
 /// A model with obstacles, with the capacities of the host.
 pub type Among<M = Full> = WithObstacles<OBSTACLES, CORNERS, M>;
 
-/// A scene for a solver, and what its indices of obstacles mean, where they are not those of the file.
+/// A scene for a solver, and the meaning of its obstacle indices if they differ from those of the file.
 type Built<R, M> = (HostScene<R, M>, Option<Indices>);
 
 /// What differs between scenes with obstacles and scenes without.
 pub trait HostModel: Model {
-    /// The scene for a solver, and what its indices of obstacles mean, where they are not those of the file.
+    /// The scene for a solver, and the meaning of its obstacle indices if they differ from those of the file.
     ///
     /// # Errors
-    /// The numbers do not make a scene, or the model lacks what it needs.
+    /// The numbers do not make a scene, or the model lacks a part that it needs.
     fn scene<R: Real<Si: SiFloat>>(written: &WrittenScene) -> Result<Built<R, Self>, InputError>;
 
-    /// The scene of a description, which may differ from the written one in all but obstacles, and what its indices mean.
+    /// The scene of a description, which may differ from the written one in all but obstacles, and the meaning of its indices.
     ///
     /// # Errors
     /// The numbers do not make a scene.
@@ -34,7 +34,7 @@ pub trait HostModel: Model {
         description: &Description<'_, R::Si>,
     ) -> Result<Built<R, Self>, SceneError<R::Si>>;
 
-    /// What touches what, and where it faces; `None` without obstacles, where the contacts say all.
+    /// The touching features and their directions; `None` without obstacles, since the contacts then contain everything.
     fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>>;
 }
 

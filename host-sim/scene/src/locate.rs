@@ -1,4 +1,4 @@
-//! From a parameter that the solver refuses to the key of the scene file that gave it.
+//! From a parameter that the solver refuses to the key of the scene file that set it.
 
 use stiction_core::{Parameter, SceneError, SiFloat};
 
@@ -6,7 +6,7 @@ use crate::document::{Document, Number};
 use crate::source::{InputError, Source};
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
 
-/// A key, where its value starts in the text, and the value as it was written.
+/// A key, the position of its value in the text, and the value as it was written.
 type Place = (String, usize, String);
 
 fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -> Place {
@@ -14,7 +14,7 @@ fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -
     (key.into(), given.span().start, value)
 }
 
-/// How many of something are allowed, for a solver with room for so many vertices and surfaces.
+/// The allowed number of items, for a solver with capacity for this many vertices and surfaces.
 fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Option<String> {
     match parameter {
         Parameter::VertexCount => Some(format!("1 to {vertices}")),
@@ -26,10 +26,10 @@ fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Opti
 }
 
 impl Document {
-    /// There is no more of anything than room for it, wherever the scene runs: said before anything is done with each of them.
+    /// Checks that nothing exceeds the capacity of the solver, wherever the scene runs: before the items themselves are processed.
     ///
     /// # Errors
-    /// There is.
+    /// A number exceeds it.
     pub(crate) fn check_counts(&self, source: &Source) -> Result<(), InputError> {
         let vertices = self.body.vertices.as_ref();
         for (parameter, count, most) in [
@@ -57,7 +57,7 @@ impl Document {
         lists.map(|list| list.get_ref().len()).sum()
     }
 
-    /// The key that gives a number of things; of several sections the last one.
+    /// The key that sets a number of items; of several sections, the last one.
     fn place_of_count(&self, parameter: Parameter) -> Option<Place> {
         let section = |key: &str, start: usize, count| (key.to_owned(), start, count);
         match parameter {
@@ -83,7 +83,7 @@ impl Document {
 }
 
 impl WrittenScene {
-    /// A solver without obstacles takes none.
+    /// Checks that there are no obstacles, for a solver without them.
     ///
     /// # Errors
     /// There are some.
@@ -95,7 +95,7 @@ impl WrittenScene {
         Err(self.source.error_at(first.span().start, problem))
     }
 
-    /// The error of a solver with room for so many vertices and surfaces, in the words of the file.
+    /// The error of a solver with capacity for this many vertices and surfaces, in the terms of the file.
     pub(crate) fn explain<F: SiFloat>(
         &self,
         error: &SceneError<F>,
@@ -136,7 +136,7 @@ impl WrittenScene {
         }
     }
 
-    /// The key that gave a parameter; `None` where the file holds none.
+    /// The key that set a parameter; `None` if the file does not contain it.
     fn place(&self, parameter: Parameter) -> Option<Place> {
         let document = &self.document;
         let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
@@ -166,7 +166,7 @@ impl WrittenScene {
         }
     }
 
-    /// A key of surface `i`; friction may stand in the surface itself or in `[friction]`.
+    /// A key of surface `i`; friction may be in the surface itself or in `[friction]`.
     fn surface_place(&self, i: usize, name: &str) -> Option<Place> {
         let surface = self.document.surface.get(i)?.get_ref();
         let key = format!("surface[{i}].{name}");
@@ -180,7 +180,7 @@ impl WrittenScene {
         self.friction_place(key, own.as_ref(), name)
     }
 
-    /// The key that gave a parameter of an obstacle.
+    /// The key that set a parameter of an obstacle.
     fn place_of_obstacle(&self, parameter: Parameter) -> Option<Place> {
         let all = &self.document.obstacle;
         let corner = |i: usize, k: usize| {
@@ -215,7 +215,7 @@ impl WrittenScene {
         }
     }
 
-    /// A key of friction, which is its own or stands in `[friction]`.
+    /// A key of friction, either the item's own or in `[friction]`.
     fn friction_place(&self, key: String, own: Option<&Number>, name: &str) -> Option<Place> {
         let default = &self.document.friction;
         let default = match name {

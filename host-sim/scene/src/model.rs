@@ -1,5 +1,5 @@
-//! The model of the solver that a scene needs: from a scene file to the room for vertices, surfaces and obstacles, whether there is
-//! friction and weight, and why. What the model lacks is not in the binary.
+//! The model of the solver that a scene needs: from a scene file to the capacity for vertices, surfaces and obstacles, whether
+//! there is friction and weight, and the reasons. Parts that the model lacks are not in the binary.
 
 use std::fmt;
 
@@ -9,20 +9,20 @@ use crate::written::WrittenScene;
 /// The V, S and M of a `Solver<R, V, S, M>`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SceneModel {
-    /// V: room for so many vertices.
+    /// V: capacity for vertices.
     pub vertices: usize,
-    /// S: room for so many surfaces.
+    /// S: capacity for surfaces.
     pub surfaces: usize,
     /// Sticking and slipping.
     pub friction: bool,
     /// The body's weight.
     pub weight: bool,
-    /// Obstacles with corners; none: nothing of them is in the model.
+    /// Obstacles with corners; if there are none, the model contains no code for them.
     pub obstacles: ObstacleRoom,
 }
 
 impl SceneModel {
-    /// Room for most scenes that come over the wire; for obstacles with the feature `obstacles` of a board alone.
+    /// Capacity for most scenes that arrive over the wire; for obstacles only with the feature `obstacles` of a board.
     pub const BOARD: Self = Self {
         vertices: 8,
         surfaces: 4,
@@ -35,17 +35,17 @@ impl SceneModel {
     };
 }
 
-/// Room for obstacles.
+/// Capacity for obstacles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ObstacleRoom {
-    /// O: room for so many.
+    /// O: the number of obstacles.
     pub count: usize,
-    /// C: room for so many corners of all together.
+    /// C: the number of corners of all obstacles together.
     pub corners: usize,
 }
 
 impl ObstacleRoom {
-    /// For these.
+    /// The capacity for these obstacles.
     pub fn of(obstacles: &[ObstacleInfo]) -> Self {
         Self {
             count: obstacles.len(),
@@ -53,7 +53,7 @@ impl ObstacleRoom {
         }
     }
 
-    /// What either of two has.
+    /// The larger capacity of the two.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {
@@ -62,7 +62,7 @@ impl ObstacleRoom {
         }
     }
 
-    /// No room.
+    /// Whether there is no capacity.
     pub const fn is_empty(self) -> bool {
         self.count == 0
     }
@@ -80,7 +80,7 @@ impl SceneModel {
         }
     }
 
-    /// Every part of the solver: friction, weight, room for at least 4 vertices and 2 surfaces; obstacles as they are.
+    /// Every part of the solver: friction, weight, capacity for at least 4 vertices and 2 surfaces; obstacles unchanged.
     #[must_use]
     pub fn full(self) -> Self {
         self.with(Self {
@@ -92,7 +92,7 @@ impl SceneModel {
         })
     }
 
-    /// What either of two models has.
+    /// The parts and capacities that either of two models has.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl SceneModel {
         }
     }
 
-    /// The name of M in `stiction-core`; with obstacles that of the M in it.
+    /// The name of M in `stiction-core`; with obstacles, that of the M inside it.
     pub const fn name(self) -> &'static str {
         match (self.friction, self.weight) {
             (true, true) => "Full",
@@ -114,7 +114,7 @@ impl SceneModel {
         }
     }
 
-    /// Why the smallest model of a scene has what it has, part by part: V, S, friction, weight, and O and C where there are obstacles.
+    /// The reasons for each part of a scene's smallest model: V, S, friction, weight, and O and C if there are obstacles.
     pub fn reasons(scene: &WrittenScene) -> Vec<String> {
         let model = Self::smallest(scene);
         let ObstacleRoom { count, corners } = model.obstacles;
@@ -164,7 +164,7 @@ fn vertices(count: usize) -> &'static str {
 
 fn surfaces(model: SceneModel) -> &'static str {
     match (model.vertices, model.surfaces) {
-        (_, 0 | 1) if !model.obstacles.is_empty() => "the body can touch obstacles besides",
+        (_, 0 | 1) if !model.obstacles.is_empty() => "the body can also touch obstacles",
         (_, 0) => "there is nothing to touch",
         (_, 1) => "there is no second surface, so no two-vertex, corner and locked state",
         (1, _) => "the point can touch two surfaces, in a corner",
@@ -194,7 +194,7 @@ mod tests {
         WrittenScene::read(&file, f64::MAX).expect("a bundled scene")
     }
 
-    /// A scene of these vertices, weight and mu_s of each surface.
+    /// A scene with these vertices, weight and mu_s of each surface.
     fn scene(vertices: &str, weight: f64, friction: &[f64]) -> WrittenScene {
         let surface = |(i, mu): (usize, &f64)| {
             format!(

@@ -1,4 +1,4 @@
-//! The names of surfaces and obstacles: each has its own.
+//! The names of surfaces and obstacles: each is unique.
 
 use std::ops::Range;
 
@@ -7,15 +7,15 @@ use toml::Spanned;
 use crate::check::Check;
 use crate::source::{InputError, excerpt};
 
-/// What is called how so far.
+/// The names so far.
 #[derive(Debug, Default)]
 pub(crate) struct Names(Vec<(&'static str, usize, String)>);
 
 impl Names {
-    /// Takes the name of number `index` of a kind, which stands there or is that number.
+    /// Registers the name of item `index` of a kind: the given name, or else its number.
     ///
     /// # Errors
-    /// It is taken already.
+    /// The name is taken already.
     pub(crate) fn take(
         &mut self,
         check: Check<'_>,

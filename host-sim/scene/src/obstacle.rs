@@ -1,5 +1,5 @@
-//! `[[obstacle]]`, checked: convex polygons, thin walls and pins with a name, both coefficients and the memory length. Whether the
-//! corners make a convex polygon is for the solver to say.
+//! `[[obstacle]]`, checked: convex polygons, thin walls and pins with a name, both coefficients and the memory length. The solver
+//! checks whether the corners make a convex polygon.
 
 use toml::Spanned;
 
@@ -20,7 +20,7 @@ pub struct ObstacleInfo {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
-    /// Memory length (m); `None` where the file gives none.
+    /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,
 }
 

@@ -13,14 +13,14 @@ use crate::written::{SURFACES, VERTICES, WrittenScene};
 /// A scene with the capacities of the host.
 pub type HostScene<R, M = Full> = Scene<R, VERTICES, SURFACES, M>;
 
-/// A solver of any scene file without obstacles; with [`Among`](crate::Among) as M of one with obstacles, too.
+/// A solver for any scene file without obstacles; with [`Among`](crate::Among) as M, also for one with obstacles.
 pub type HostSolver<R, M = Full> = Solver<R, VERTICES, SURFACES, M>;
 
-/// A scene file whose numbers, those of its hand too, are finite, in range and complete. Whether they make a scene is for
-/// [`SceneFile::scene`] to say.
+/// A scene file whose numbers, including those of its hand, are finite, in range and complete. [`SceneFile::scene`]
+/// checks whether they make a scene.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
-    /// All but the hand's motion.
+    /// Everything except the hand's motion.
     pub written: WrittenScene,
     /// The hand's motion.
     pub hand: HandSection,
@@ -38,7 +38,7 @@ impl SceneFile {
     /// Reads a scene from text.
     ///
     /// # Errors
-    /// As [`SceneFile::read`].
+    /// The same as for [`SceneFile::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
         let written = WrittenScene::parse(source, limit)?;
         let check = Check::new(written.source(), limit);
@@ -46,7 +46,7 @@ impl SceneFile {
         Ok(Self { written, hand })
     }
 
-    /// A problem with `hand.rate`, in its line where it is given.
+    /// A problem with `hand.rate`, reported in its line if it is given.
     pub fn error_at_rate(&self, problem: &str) -> InputError {
         match &self.written.document.hand.rate {
             Some(rate) => self.source().error_at(rate.span().start, problem),
@@ -58,7 +58,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// The numbers do not make a scene: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) is about. There are obstacles.
+    /// [`SceneError`](stiction_core::SceneError) refers to. Or there are obstacles.
     pub fn scene<R: Real<Si: SiFloat>>(&self) -> Result<HostScene<R>, InputError> {
         self.scene_in::<R, Full>()
     }
@@ -66,7 +66,7 @@ impl SceneFile {
     /// The scene for a solver that lacks parts.
     ///
     /// # Errors
-    /// As [`SceneFile::scene`]; also where the scene needs a part that is not there.
+    /// The same as for [`SceneFile::scene`]; also if the scene needs a missing part.
     pub fn scene_in<R, M>(&self) -> Result<HostScene<R, M>, InputError>
     where
         R: Real<Si: SiFloat>,

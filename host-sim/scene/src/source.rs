@@ -1,4 +1,4 @@
-//! An input file held as text, and the message that says what is wrong in it and where.
+//! An input file as text, and the message that states the problem in it and its position.
 
 use std::fmt;
 use std::ops::Range;
@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Input that cannot be used: the file, the line, what is wrong there and what is allowed.
+/// Unusable input: the file, the line, the problem there and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     file: PathBuf,
@@ -38,7 +38,7 @@ impl InputError {
         }
     }
 
-    /// What is wrong and what is allowed, without the file and the line.
+    /// The problem and what is allowed, without the file and the line.
     pub fn problem(&self) -> &str {
         &self.problem
     }
@@ -58,12 +58,12 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// What is said of bytes in a line that no text has.
+/// The message about a line that is not text.
 pub(crate) fn not_text(line: usize) -> String {
     format!("line {line} is not UTF-8 text")
 }
 
-/// What a message shows of a text: its first 100 characters.
+/// The part of a text that a message shows: its first 100 characters.
 pub(crate) fn excerpt(text: &str) -> String {
     match text.char_indices().nth(100) {
         Some((end, _)) => format!("{}...", &text[..end]),
@@ -71,13 +71,14 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
-/// The key below a table whose value stands at a place in the text, as `.spring.rotation` or `.surface[0].normal[1]`.
+/// The key below a table whose value is at a position in the text, such as `.spring.rotation` or
+/// `.surface[0].normal[1]`.
 fn key_of_table(table: &DeTable<'_>, span: &Range<usize>) -> Option<String> {
     let mut entries = table.iter();
     entries.find_map(|(name, value)| Some(format!(".{}{}", name.get_ref(), key_of(value, span)?)))
 }
 
-/// The rest of the key from a value on: nothing where that is the one.
+/// The rest of the key from a value on: empty if this is the value.
 fn key_of(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<String> {
     let below = match value.get_ref() {
         DeValue::Table(table) => key_of_table(table, span),
@@ -98,7 +99,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Text that is there already.
+    /// Text that is already loaded.
     pub fn new(file: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         let (file, text) = (file.into(), text.into());
         Self { file, text }
@@ -114,7 +115,7 @@ impl Source {
         Self::of_bytes(file, bytes)
     }
 
-    /// What a file holds; a byte order mark at its beginning is left out.
+    /// The content of a file, without a byte order mark at its beginning.
     ///
     /// # Errors
     /// It is not UTF-8.
@@ -137,16 +138,16 @@ impl Source {
         &self.text
     }
 
-    /// What a reader is to see in the scene, in one line: the comment in the first line. None where the file begins with something else.
+    /// A one-line description of what to observe in the scene: the comment in the first line. `None` if the file begins with something else.
     pub fn story(&self) -> Option<&str> {
         let story = self.text.lines().next()?.strip_prefix('#')?.trim();
         (!story.is_empty()).then_some(story)
     }
 
-    /// The file as TOML has it.
+    /// The file parsed as TOML.
     ///
     /// # Errors
-    /// It is not TOML, or not what T takes.
+    /// The file is not TOML, or does not fit T.
     pub fn toml<T: DeserializeOwned>(&self) -> Result<T, InputError> {
         toml::from_str(&self.text).map_err(|error| match error.span() {
             Some(span) if span.start > 0 || span.len() < self.text.len() => {
@@ -158,7 +159,8 @@ impl Source {
         })
     }
 
-    /// A value of a wrong type, from where it stands and the reader's message: its key, what it is, what is allowed.
+    /// A message about a value of a wrong type, from its position and the reader's message: its key, what it is, what
+    /// is allowed.
     fn mistyped(&self, span: &Range<usize>, message: &str) -> Option<String> {
         let is_of = |kind| message.strip_prefix(kind);
         let rest = is_of("invalid type: ").or(is_of("invalid value: "))?;
@@ -182,7 +184,7 @@ impl Source {
         InputError::of_file(&self.file, problem)
     }
 
-    /// A problem in the line that holds the byte at `offset`.
+    /// A problem in the line that contains the byte at `offset`.
     pub fn error_at(&self, offset: usize, problem: impl fmt::Display) -> InputError {
         let before = self.text.get(..offset).unwrap_or(&self.text);
         self.error_in_line(1 + before.matches('\n').count(), problem)

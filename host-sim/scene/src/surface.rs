@@ -21,7 +21,7 @@ pub struct SurfaceInfo {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
-    /// Memory length (m); `None` where the file gives none.
+    /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,
 }
 
@@ -82,7 +82,7 @@ fn surface(
     })
 }
 
-/// The vector with length 1; scaled first, so that squares neither overflow nor vanish.
+/// The vector scaled to length 1; it is first scaled so that squares neither overflow nor vanish.
 fn unit_vector([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let size = x.abs().max(y.abs());
     if size == 0.0 {

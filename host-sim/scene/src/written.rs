@@ -1,5 +1,5 @@
-//! A scene as a file has it: from TOML to checked numbers, and on to a [`Scene`] of the solver. Every message names the key,
-//! the line, the value and what is allowed.
+//! A scene as written in a file: from TOML to checked numbers, and on to a [`Scene`] of the solver. Every message names the
+//! key, the line, the value and what is allowed.
 
 use std::path::Path;
 
@@ -25,8 +25,8 @@ pub const OBSTACLES: usize = 32;
 /// At most this many corners of all obstacles together.
 pub const CORNERS: usize = 128;
 
-/// A scene file whose numbers are finite, in range and complete; its hand is not looked at. Whether they make a scene is for
-/// [`WrittenScene::scene_in`] to say. SI units; see [`Description`] for the meaning of each.
+/// A scene file whose numbers are finite, in range and complete; its hand is ignored. [`WrittenScene::scene_in`] checks
+/// whether they make a scene. SI units; see [`Description`] for the meaning of each.
 #[derive(Clone, Debug)]
 pub struct WrittenScene {
     /// The file name without its extension.
@@ -39,7 +39,7 @@ pub struct WrittenScene {
     pub weight: f64,
     /// The initial holding point (m), body frame.
     pub holding_point: Option<[f64; 2]>,
-    /// How far outside the polygon a hand may be and still take hold (m).
+    /// How far outside the polygon a hand may be and still grasp (m).
     pub reach: f64,
     /// k_h (N/m)
     pub stiffness_translation: f64,
@@ -65,7 +65,7 @@ impl WrittenScene {
     /// Reads a scene from text.
     ///
     /// # Errors
-    /// As [`WrittenScene::read`].
+    /// The same as for [`WrittenScene::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
         let document: Document = source.toml()?;
         document.check_counts(&source)?;
@@ -94,7 +94,7 @@ impl WrittenScene {
     ///
     /// # Errors
     /// The numbers do not make a scene, or it does not fit: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) is about. There are obstacles.
+    /// [`SceneError`](stiction_core::SceneError) refers to. Or there are obstacles.
     pub fn scene_in<R, const V: usize, const S: usize, M>(
         &self,
     ) -> Result<Scene<R, V, S, M>, InputError>
@@ -107,7 +107,7 @@ impl WrittenScene {
             .map_err(|error| self.explain(&error, [V, S]))
     }
 
-    /// The scene in the float of a solver, as it is given to it or sent to a board.
+    /// The scene in the float of a solver, as it is passed to a solver or sent to a board.
     pub fn described<F: SiFloat, T>(&self, take: impl FnOnce(&Description<'_, F>) -> T) -> T {
         let narrow = F::narrow;
         let vertices: Vec<_> = self.vertices.iter().map(|v| v.map(narrow)).collect();
@@ -131,8 +131,8 @@ impl WrittenScene {
         })
     }
 
-    /// The scene and its obstacles, as they are given to a solver or sent to a board. And what the solver's indices of obstacles mean where
-    /// they are not those of the file.
+    /// The scene and its obstacles, as they are passed to a solver or sent to a board; and the meaning of the solver's obstacle indices if
+    /// they differ from those of the file.
     pub fn described_among<R: Real<Si: SiFloat>, T>(
         &self,
         take: impl FnOnce(&Description<'_, R::Si>, &[ObstacleDescription<'_, R::Si>]) -> T,
@@ -142,7 +142,7 @@ impl WrittenScene {
         })
     }
 
-    /// The obstacles, cut to what a number type can represent, in its float; and what their indices mean.
+    /// The obstacles, clipped to what a number type can represent, in its float; and the meaning of their indices.
     pub(crate) fn obstacles_in<R: Real<Si: SiFloat>, T>(
         &self,
         take: impl FnOnce(&[ObstacleDescription<'_, R::Si>]) -> T,
@@ -197,7 +197,7 @@ fn vertices(check: Check<'_>, body: &Body) -> Result<Vec<[f64; 2]>, InputError> 
         }
         (Some(_), Some(rectangle)) => Err(check.source().error_at(
             rectangle.span().start,
-            "`body.rectangle` is given besides `body.vertices`, allowed: one of the two",
+            "`body.rectangle` is given in addition to `body.vertices`, allowed: one of the two",
         )),
         (None, None) => Err(check
             .source()

@@ -1,5 +1,5 @@
-//! A scene file as the code of a board: its numbers keep their bits, its solver has what the scene needs, and what cannot be
-//! used is told with file, line and key.
+//! A scene file as the code of a board: its numbers keep their bits, its solver has what the scene needs, and unusable input
+//! is reported with file, line and key.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -80,7 +80,7 @@ fn a_solver_for_other_scenes_too_has_at_least_what_it_is_given() {
 
 #[test]
 fn numbers_are_those_that_the_solver_of_a_computer_gets() {
-    // Of f64 halfway between two f32, so that it goes to the even one, 1; its decimals are beyond the middle.
+    // An f64 halfway between two f32, so that it is rounded to the even one, 1; its decimals are slightly above the middle.
     let halfway = 1.000_000_059_604_644_8_f64;
     assert_eq!(
         (halfway as f32, "1.0000000596046448".parse()),

@@ -1,4 +1,4 @@
-//! The table of keys in the README: those that the reader of scene files knows, and the room that it has.
+//! The table of keys in the README lists the keys that the reader of scene files knows, and its capacities.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -23,7 +23,7 @@ fn written() -> BTreeSet<String> {
     keys
 }
 
-/// What the reader says that it expects where a key is not known.
+/// The keys that the reader reports as expected if a key is unknown.
 fn expected(text: &str) -> Vec<String> {
     let error = SceneFile::parse(Source::new("scene.toml", text), f64::MAX).expect_err("no scene");
     let (_, names) = error
@@ -40,7 +40,7 @@ fn expected(text: &str) -> Vec<String> {
     names
 }
 
-/// The keys that the reader knows, in every section that it knows.
+/// The keys that the reader knows, in every section.
 fn known() -> BTreeSet<String> {
     let keys = expected("none = 1").into_iter().flat_map(|section| {
         let header = match section.as_str() {

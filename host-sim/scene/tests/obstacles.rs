@@ -1,4 +1,4 @@
-//! Obstacles of a scene file: what is read, which scenes they make, and what is refused where there are none.
+//! Obstacles of a scene file: what is read, which scenes they make, and what a solver without obstacles refuses.
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Touch};
 use stiction_scene::{Among, HostModel, HostSolver, SceneFile, SceneModel, Source};
@@ -64,7 +64,7 @@ fn touched<R: Real<Si: SiFloat>>(text: &str) -> Vec<Touch> {
     touches.iter().map(|t| original(t.touch)).collect()
 }
 
-/// Side 2 of the table, however far it goes.
+/// Side 2 of the table, however far away its end is.
 #[test]
 fn a_table_that_is_cut_is_touched_by_its_own_side() {
     let both = [0, 1].map(|vertex| Touch::Side {
@@ -91,6 +91,6 @@ fn what_takes_no_obstacles_says_so_at_the_first_one() {
         .expect_err("half-planes alone");
     let expected = "made.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone";
     assert!(error.to_string().starts_with(expected), "{error}");
-    // What a board would need is asked of scenes without obstacles.
+    // The model of a board is determined for scenes without obstacles.
     assert_eq!(SceneModel::smallest(&scene).surfaces, 1);
 }

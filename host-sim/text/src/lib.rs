@@ -1,5 +1,5 @@
-//! Text files of users, read with limits: from a name to the bytes of the file ([`read`]) or to its lines ([`Lines`]), or to what is
-//! wrong and what is allowed. Nothing grows with what a stranger puts into a file: neither memory nor time.
+//! Text files of users, read with limits: from a file name to the bytes of the file ([`read`]) or to its lines ([`Lines`]), or to an
+//! error that states the problem and what is allowed. Neither memory nor time depends on what an untrusted file contains.
 //!
 //! Only files on a disk are read. A device may have no end, and a pipe no writer.
 
@@ -7,15 +7,15 @@ use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
-/// A file that is read as a whole may be so long (bytes). The numbers of the largest scene, 64 vertices, 16 surfaces and 128 corners,
-/// take less than 32 KiB; the rest has room for 8000 keyframes of five numbers with all their digits. A longer motion is a recorded
-/// path, which is read line by line.
+/// The largest size of a file that is read as a whole (bytes). The numbers of the largest scene, 64 vertices, 16 surfaces and 128
+/// corners, take less than 32 KiB; the rest has space for 8000 keyframes of five numbers with all their digits. A longer motion is a
+/// recorded path, which is read line by line.
 pub const LONGEST_WHOLE: u64 = 1 << 20;
 
 /// Opens a file of at most `limit` bytes.
 ///
 /// # Errors
-/// It is not there, no file on a disk, or longer; the message is without its name.
+/// The file does not exist, is not a file on a disk, or is longer; the message does not contain its name.
 pub fn open(file: &Path, limit: u64) -> Result<File, String> {
     let about = fs::metadata(file).map_err(|error| unread(&error))?;
     if about.is_dir() {
@@ -36,14 +36,14 @@ pub fn open(file: &Path, limit: u64) -> Result<File, String> {
 /// The bytes of a file, at most [`LONGEST_WHOLE`].
 ///
 /// # Errors
-/// As [`open`]; it cannot be read.
+/// As for [`open`]; or the file cannot be read.
 pub fn read(file: &Path) -> Result<Vec<u8>, String> {
     read_up_to(file, LONGEST_WHOLE)
 }
 
 fn read_up_to(file: &Path, limit: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
-    // What the system makes up while it is read has no length beforehand.
+    // Files that the system generates while they are read have no length in advance.
     let mut given = open(file, limit)?.take(limit + 1);
     let count = given.read_to_end(&mut bytes);
     match count.map_err(|error| unread(&error))? as u64 > limit {
@@ -60,7 +60,7 @@ fn too_long(count: &str, limit: u64) -> String {
     format!("is {count} bytes long, allowed: at most {limit}")
 }
 
-/// The lines of a text one after the other, as bytes, none longer than a limit.
+/// The lines of a text in order, as bytes, none longer than a limit.
 #[derive(Debug)]
 pub struct Lines<R> {
     reader: R,
@@ -71,7 +71,7 @@ pub struct Lines<R> {
 }
 
 impl<R: BufRead> Lines<R> {
-    /// Those of a reader, of at most `limit` bytes each, without the line break.
+    /// The lines from a reader, of at most `limit` bytes each, without the line break.
     pub const fn new(reader: R, limit: usize) -> Self {
         Self {
             reader,
@@ -82,13 +82,13 @@ impl<R: BufRead> Lines<R> {
         }
     }
 
-    /// The next line, without its break and without a byte order mark; nothing at the end.
+    /// The next line, without its break and without a byte order mark; `None` at the end.
     ///
     /// # Errors
-    /// It is longer than allowed, and then [`Self::text`] is what it begins with; or it cannot be read.
+    /// The line is too long, in which case [`Self::text`] is its beginning; or it cannot be read.
     pub fn advance(&mut self) -> Result<Option<&[u8]>, String> {
         self.text.clear();
-        // Both characters of a break besides.
+        // Space for both characters of a line break.
         let room = self.limit as u64 + 2;
         let mut given = self.reader.by_ref().take(room);
         let count = given.read_until(b'\n', &mut self.text);
@@ -116,17 +116,17 @@ impl<R: BufRead> Lines<R> {
         Ok(Some(&self.text[skipped..]))
     }
 
-    /// The number of the line that was read last, counted from 1; at the end that of the one that would follow.
+    /// The number of the last line read, counted from 1; at the end, that of the line that would follow.
     pub const fn number(&self) -> usize {
         self.number
     }
 
-    /// Whether the line that was read last has a break; the last one of a text may have none.
+    /// Whether the last line read has a break; the last line of a text may have none.
     pub const fn is_whole(&self) -> bool {
         self.is_whole
     }
 
-    /// The line that was read last, or what a line that is too long begins with.
+    /// The last line read, or the beginning of a line that is too long.
     pub fn text(&self) -> &[u8] {
         &self.text
     }
@@ -153,7 +153,7 @@ mod tests {
     fn what_has_no_end_is_not_read() {
         let device = read(Path::new("/dev/zero")).expect_err("a device");
         assert!(device.starts_with("is a device"), "{device}");
-        // It is of no length until it is read.
+        // It has no length until it is read.
         let made = read_up_to(Path::new("/proc/self/status"), 4).expect_err("more than four bytes");
         assert_eq!(made, "is more than 4 bytes long, allowed: at most 4");
     }
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn lines_end_with_either_break_or_the_text() {
         let mut lines = Lines::new("\u{feff}ab\r\n\ncd\nabcd".as_bytes(), 3);
-        // The mark is three bytes that the limit counts.
+        // The mark is three bytes, which count towards the limit.
         lines.limit = 5;
         assert_eq!(lines.advance(), Ok(Some(&b"ab"[..])));
         assert_eq!(lines.advance(), Ok(Some(&b""[..])));

@@ -1,5 +1,5 @@
-//! The boards of `firmware/boards`, emulated: the image is built, the emulator started with the serial line on a socket of its own, and
-//! ended with the value [`Emulator`]. The Pico runs in this process, the others in QEMU. The Pico 2 has no emulator: in QEMU another board
+//! The boards of `firmware/boards`, emulated: the image is built, and the emulator runs, with the serial line on its own socket, until the
+//! value [`Emulator`] is dropped. The Pico runs in this process, the others in QEMU. The Pico 2 has no emulator: another board in QEMU
 //! stands in for it.
 
 #[cfg(unix)]
@@ -20,27 +20,27 @@ use crate::{BOARDS, workspace};
 /// QEMU for the boards that it knows.
 const QEMU: &str = "qemu-system-arm";
 
-/// The line of an emulator, in its folder.
+/// The socket of an emulator's line, in its folder.
 const LINE: &str = "line";
 
-/// The feature of a board's package that gives it room for obstacles.
+/// The feature of a board's package that adds capacity for obstacles.
 pub const OBSTACLES: &str = "obstacles";
 
 /// A board with an emulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Board {
-    /// Of its folder in `firmware/boards`, and of its machine in QEMU.
+    /// The name of its folder in `firmware/boards`, and of its machine in QEMU.
     pub name: &'static str,
-    /// Where its RAM begins; with flip-link the stack grows down to here.
+    /// The start of its RAM; with flip-link the stack grows down to here.
     pub ram: u64,
-    /// Of its chip, where that is flashed by a drive.
+    /// The family of its chip, if the chip is flashed through a drive.
     pub family: Option<Family>,
-    /// Features of its package that give it a device at its pins.
+    /// Features of its package that add a device at its pins.
     pub devices: &'static [&'static str],
     runs_in: RunsIn,
 }
 
-/// What emulates a board.
+/// The emulator of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum RunsIn {
     /// QEMU.
@@ -96,11 +96,11 @@ impl Board {
         runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
 
-    /// All that there are to own.
+    /// All boards that one can own.
     pub const ALL: [Self; 4] = [Self::OLIMEX, Self::MICROBIT, Self::PICO, Self::PICO2];
 
-    /// It has the memory for obstacles over the wire, with the feature [`OBSTACLES`]; otherwise for those of a scene that is compiled in
-    /// alone, in an image for little flash.
+    /// Whether it has enough memory for obstacles over the wire, with the feature [`OBSTACLES`]; otherwise it has memory only for those
+    /// of a compiled-in scene, in an image for small flash.
     pub fn takes_obstacles(self) -> bool {
         self != Self::MICROBIT
     }
@@ -110,24 +110,24 @@ impl Board {
         workspace().join(BOARDS).join(self.name)
     }
 
-    /// Builds its image without a log, with features of its package (as cargo takes them, or ""), with a scene file compiled in or
-    /// its own scene. The settings of the build are those of the folder. The next image takes its place.
+    /// Builds its image without a log, with features of its package (in cargo's syntax, or ""), with a scene file compiled in or
+    /// its own scene. The build settings are those of the folder. The next image replaces this one.
     ///
     /// # Errors
-    /// Something that builds it is missing, or it cannot be built.
+    /// A build tool is missing, or the image cannot be built.
     pub fn image(self, features: &str, scene: Option<&Path>) -> Result<PathBuf, EmulatorError> {
         self.image_by("device", features, scene)
     }
 
-    /// The same for little flash: of a chip that a scene with obstacles would overflow.
+    /// The same for small flash: for a chip that a scene with obstacles would overflow.
     ///
     /// # Errors
-    /// As [`Board::image`].
+    /// The same as for [`Board::image`].
     pub fn small_image(self, scene: &Path) -> Result<PathBuf, EmulatorError> {
         self.image_by("device-small", "", Some(scene))
     }
 
-    /// By a profile of the workspace.
+    /// Builds the image with a profile of the workspace.
     fn image_by(
         self,
         profile: &str,
@@ -142,7 +142,7 @@ impl Board {
         built(cargo)
     }
 
-    /// What it is emulated by.
+    /// The name of its emulator.
     pub const fn emulator(self) -> &'static str {
         match self.runs_in {
             RunsIn::Qemu { .. } => "QEMU",
@@ -151,7 +151,7 @@ impl Board {
         }
     }
 
-    /// Its emulator is there, if it has one.
+    /// Checks that its emulator is installed, if it has one.
     ///
     /// # Errors
     /// It is not.
@@ -162,7 +162,7 @@ impl Board {
         }
     }
 
-    /// QEMU with an image.
+    /// The command that runs QEMU with an image.
     fn qemu(self, unused_lines: usize, image: &Path, clock: &str) -> Command {
         let mut qemu = Command::new(QEMU);
         qemu.args(["-M", self.name, "-display", "none", "-icount", clock]);
@@ -186,7 +186,7 @@ pub struct Emulator {
     folder: TempDir,
 }
 
-/// What emulates a board.
+/// The process or thread that emulates a board.
 #[derive(Debug)]
 enum Runs {
     Qemu(Child),
@@ -195,9 +195,9 @@ enum Runs {
 }
 
 impl Emulator {
-    /// Starts the emulator of a board with an image, which runs as soon as its line is opened. `clock` is how fast the clock of QEMU
-    /// goes, as its -icount says it; with none at all, ticks are lost. What is emulated in this process goes with the real clock.
-    /// `is_apart`: Ctrl-C is for this program alone.
+    /// Starts the emulator of a board with an image, which runs as soon as its line is opened. `clock` sets the pace of QEMU's
+    /// clock, in the syntax of -icount; without it, ticks are lost. An emulator in this process follows the real clock. `is_apart`:
+    /// Ctrl-C reaches only this program.
     ///
     /// # Errors
     /// It cannot be started.
@@ -232,10 +232,10 @@ impl Emulator {
         self.folder.path().join(LINE)
     }
 
-    /// It runs.
+    /// Checks that it is running.
     ///
     /// # Errors
-    /// It has ended, and says why.
+    /// It has ended; the error contains the reason.
     pub fn runs(&mut self) -> Result<(), EmulatorError> {
         let process = match &mut self.runs {
             Runs::Qemu(process) => process,
@@ -256,10 +256,10 @@ impl Emulator {
         })
     }
 
-    /// A piece of its memory, `from` an address on; `meanwhile` is called while it does not come.
+    /// A range of its memory that starts at the address `from`; `meanwhile` is called while waiting for it.
     ///
     /// # Errors
-    /// QEMU does not give it.
+    /// QEMU does not return it.
     #[cfg(unix)]
     pub fn memory(
         &self,
@@ -300,7 +300,7 @@ fn pico(image: &Path, line: &Path) -> Result<Runs, EmulatorError> {
     )?))
 }
 
-/// The Pico with an image: it is not compiled in, or there are no unix sockets for its line.
+/// An error in place of the Pico with an image: the Pico is not compiled in, or there are no unix sockets for its line.
 #[cfg(not(all(unix, feature = "pico")))]
 fn pico(_: &Path, _: &Path) -> Result<Runs, EmulatorError> {
     Err(no_pico())
@@ -319,11 +319,11 @@ impl Drop for Emulator {
     fn drop(&mut self) {
         match &mut self.runs {
             Runs::Qemu(process) => {
-                // It may have ended by itself.
+                // It may have ended on its own.
                 let _ = process.kill();
                 let _ = process.wait();
             }
-            // It ends with its value.
+            // It ends when its value is dropped.
             #[cfg(all(unix, feature = "pico"))]
             Runs::Pico(_) => {}
         }

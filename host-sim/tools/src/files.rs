@@ -1,4 +1,4 @@
-//! Files that are there as a whole or not at all.
+//! Files that exist completely or not at all.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
@@ -7,20 +7,20 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
-/// How the names of files begin and end that are not whole.
+/// Prefix and suffix of the names of incomplete files.
 const PART: [&str; 2] = [".stiction-", ".part"];
 
-/// Those that this program has begun. The ones that are whole have other names since.
+/// The incomplete files that this program has created. Completed ones have other names by now.
 static BEGUN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 fn begun() -> MutexGuard<'static, Vec<PathBuf>> {
     BEGUN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A file beside a place, to be moved there when it is whole. What programs left there that were killed is removed.
+/// A file next to a path, to be moved there when it is complete. Files left there by programs that were killed are removed.
 ///
 /// # Errors
-/// The place is a folder, or the folder around it cannot be written to.
+/// The path is a folder, or its parent folder cannot be written to.
 pub fn part(place: &Path) -> io::Result<NamedTempFile> {
     let folder = match place.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -31,7 +31,7 @@ pub fn part(place: &Path) -> io::Result<NamedTempFile> {
     }
     remove_abandoned(folder);
     let [begin, end] = PART;
-    // Not tempfile's own way of creating, which lets nobody else read the file.
+    // tempfile's default permissions would let nobody else read the file.
     let file = tempfile::Builder::new()
         .prefix(begin)
         .suffix(end)
@@ -40,27 +40,27 @@ pub fn part(place: &Path) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
-/// Removes what is begun and not whole: for a program that ends at once.
+/// Removes incomplete files: for a program that exits immediately.
 pub fn discard() {
     for file in begun().drain(..) {
-        // What is whole is not there under this name.
+        // Completed files no longer exist under this name.
         let _ = fs::remove_file(file);
     }
 }
 
-/// A file that is locked as long as it is written, which tells it from one whose program is gone.
+/// A file that is locked while it is written, which distinguishes it from a file whose program has ended.
 fn create(path: &Path) -> io::Result<File> {
     let file = File::create_new(path)?;
-    // Without locks on this file system nobody removes it.
+    // If this file system has no locks, nobody removes the file.
     let _ = fs4::FileExt::lock(&file);
-    // Somebody may have removed it before it was locked; then another name is tried.
+    // Another program may have removed it before it was locked; then another name is tried.
     match path.exists() {
         true => Ok(file),
         false => Err(ErrorKind::AlreadyExists.into()),
     }
 }
 
-/// Removes files that are not whole and that nobody writes.
+/// Removes incomplete files that nobody writes any more.
 fn remove_abandoned(folder: &Path) {
     let entries = folder.read_dir().into_iter().flatten().flatten();
     for entry in entries.filter(is_part) {
@@ -80,10 +80,10 @@ fn is_part(entry: &fs::DirEntry) -> bool {
         && entry.file_type().is_ok_and(|kind| kind.is_file())
 }
 
-/// Writes a file: what was in its place before is there until all is written.
+/// Writes a file: the previous file at its path exists until everything is written.
 ///
 /// # Errors
-/// Those of [`part`], or the disk is full.
+/// The errors of [`part`], or the disk is full.
 pub fn write(place: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = part(place)?;
     file.write_all(bytes)?;
@@ -107,7 +107,7 @@ mod tests {
         let mut reader = File::open(&place).expect("the file");
         write(&place, b"after").expect("written");
         assert_eq!(fs::read_to_string(&place).expect("the file"), "after");
-        // Whoever reads the old one reads it to its end.
+        // A reader of the old file can read it to its end.
         assert_eq!(
             io::read_to_string(&mut reader).expect("the old one"),
             "before"

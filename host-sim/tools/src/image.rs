@@ -1,4 +1,4 @@
-//! Images of the firmware: built by cargo, and what is in them: flash and RAM, where the stack begins, symbols.
+//! Images of the firmware: how cargo builds them, and their contents: flash and RAM, the start of the stack, symbols.
 
 use std::env;
 use std::fs;
@@ -11,10 +11,10 @@ use serde_json::Value;
 
 use crate::process::{EmulatorError, output_of};
 
-/// The RAM of the chips begins here, or above.
+/// The lowest RAM address of the chips.
 pub const RAM: u64 = 0x2000_0000;
 
-/// Cargo, building in a folder with a profile; its messages tell [`built`] which file it has built.
+/// A cargo command that builds in a folder with a profile; [`built`] finds the built file in its messages.
 pub fn cargo_build(folder: &Path, profile: &str) -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(folder);
@@ -23,7 +23,7 @@ pub fn cargo_build(folder: &Path, profile: &str) -> Command {
     cargo
 }
 
-/// The file of the last program that cargo speaks of.
+/// The file of the last program in cargo's messages.
 ///
 /// # Errors
 /// Cargo, the target or the linker is missing, or the program cannot be built.
@@ -42,7 +42,7 @@ pub fn built(cargo: Command) -> Result<PathBuf, EmulatorError> {
     file.ok_or_else(|| EmulatorError::Output("cargo names no image".to_owned()))
 }
 
-/// The file in a message of cargo, if the message is of a finished program.
+/// The file in a message of cargo, if the message reports a finished program.
 fn artifact(message: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
     if message["reason"] != "compiler-artifact" {
@@ -57,19 +57,19 @@ fn artifact(message: &str) -> Option<PathBuf> {
         .map(PathBuf::from)
 }
 
-/// A piece of the flash and what an image writes there.
+/// A part of the flash and the bytes that an image writes there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Where it begins.
+    /// Its start address.
     pub at: u32,
-    /// What is written.
+    /// Its contents.
     pub bytes: Vec<u8>,
 }
 
-/// What is written into the flash with an image.
+/// The parts of the flash that an image writes.
 ///
 /// # Errors
-/// The file cannot be read, or is no image of 32 bits.
+/// The file cannot be read, or is not an image of 32 bits.
 pub fn parts(image: &Path) -> Result<Vec<Part>, EmulatorError> {
     let bytes = fs::read(image)?;
     let unread = |error: object::Error| EmulatorError::Output(error.to_string());
@@ -78,7 +78,7 @@ pub fn parts(image: &Path) -> Result<Vec<Part>, EmulatorError> {
     let mut parts = Vec::new();
     for part in file.program_headers(endian, &*bytes).map_err(unread)? {
         let at = part.p_paddr(endian);
-        let cut = || EmulatorError::Output(format!("the image lacks what belongs to {at:#x}"));
+        let cut = || EmulatorError::Output(format!("the image lacks the data for {at:#x}"));
         let data = part.data(endian, &*bytes).map_err(|()| cut())?;
         if part.p_type(endian) == elf::PT_LOAD && !data.is_empty() {
             let bytes = data.to_owned();
@@ -88,10 +88,10 @@ pub fn parts(image: &Path) -> Result<Vec<Part>, EmulatorError> {
     Ok(parts)
 }
 
-/// The contents of a flash that begins at an address and has been written with an image; what the image leaves is 0.
+/// The contents of a flash that starts at an address after an image is written; the rest is 0.
 ///
 /// # Errors
-/// Those of [`parts`], or something belongs before the flash.
+/// The errors of [`parts`], or a part lies before the flash.
 pub fn flashed(image: &Path, begin: u32) -> Result<Vec<u8>, EmulatorError> {
     let mut flash = Vec::new();
     for Part { at, bytes } in parts(image)? {
@@ -103,24 +103,24 @@ pub fn flashed(image: &Path, begin: u32) -> Result<Vec<u8>, EmulatorError> {
     Ok(flash)
 }
 
-/// What is in the image of a board.
+/// The contents of a board's image.
 #[derive(Clone, Debug)]
 pub struct Contents {
     /// Instructions, constants, the first values of variables (bytes).
     pub flash: u64,
     /// Static variables (bytes).
     pub variables: u64,
-    /// The address from which the stack grows down, where the linker names it.
+    /// The address from which the stack grows down, if the linker defines it.
     pub stack_top: Option<u64>,
-    /// Names of functions, mangled, and where they are.
+    /// Names of functions, mangled, and their addresses.
     pub symbols: Vec<(String, u64)>,
 }
 
 impl Contents {
-    /// Those of a file.
+    /// The contents of a file.
     ///
     /// # Errors
-    /// It cannot be read, or is no image.
+    /// It cannot be read, or is not an image.
     pub fn of(image: &Path) -> Result<Self, EmulatorError> {
         let bytes = fs::read(image)?;
         let file = object::File::parse(&*bytes)

@@ -1,7 +1,7 @@
-//! What programs and tests that measure have in common: the boards in QEMU ([`board`]), what is in their images ([`image`]), which
-//! programs do the work and what is missing ([`process`]), sections of a README ([`readme`]), files that are whole ([`files`]),
-//! text in columns ([`table`]), the name of the machine ([`machine`]), scripts without their comments ([`script`]), images as files for
-//! the drive of a board ([`uf2`]).
+//! Common parts of programs and tests that measure: the boards in QEMU ([`board`]), the contents of their images ([`image`]), external
+//! programs and missing ones ([`process`]), sections of a README ([`readme`]), files that are written completely ([`files`]), text in
+//! columns ([`table`]), the name of the machine ([`machine`]), scripts without their comments ([`script`]), images as files for the
+//! drive of a board ([`uf2`]).
 
 pub mod board;
 pub mod files;
@@ -17,9 +17,9 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// The folder of the workspace: there lies what images are built from. It is looked for when the program runs, so that a program that
-/// is given away holds no path of whoever built it: around the package that cargo runs, around the program, around the current
-/// folder. Where it is nowhere, that is the current folder, and what is built from it says what is missing.
+/// The folder of the workspace, which contains the sources of images. It is searched for at run time, so that a distributed program
+/// contains no path of the machine that built it: around the package that cargo runs, around the program, and around the current
+/// folder. If it is not found, this is the current folder, and a later build reports what is missing.
 pub fn workspace() -> &'static Path {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
@@ -31,5 +31,5 @@ pub fn workspace() -> &'static Path {
     })
 }
 
-/// The folder with the packages of boards, by which the workspace is known.
+/// The folder with the packages of boards, which identifies the workspace.
 const BOARDS: &str = "firmware/boards";

@@ -1,6 +1,6 @@
-//! What a figure was measured on.
+//! The machine on which a figure was measured.
 
-/// The name of the processor, or of its architecture where the system does not tell.
+/// The name of the processor, or of its architecture if the system does not report it.
 pub fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info

@@ -1,4 +1,4 @@
-//! Programs that are started to do the work: what they print, why they did not do it, and what installs those that are missing.
+//! External programs: what they print, why they failed, and the command that installs missing ones.
 
 use std::env;
 use std::io::{self, Read, Write};
@@ -6,16 +6,16 @@ use std::process::{Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A program that runs longer hangs.
+/// A program that runs longer than this is considered hung.
 const LONGEST: Duration = Duration::from_secs(1800);
 
-/// Why an emulated run gave nothing.
+/// Why an emulated run gave no result.
 #[derive(Debug, thiserror::Error)]
 pub enum EmulatorError {
     /// Something is not installed.
     #[error("missing: {what}; to install it: {install}")]
     Missing {
-        /// What.
+        /// Its name.
         what: String,
         /// The command that installs it.
         install: String,
@@ -23,25 +23,25 @@ pub enum EmulatorError {
     /// A program failed.
     #[error("{program} failed ({status}){message}")]
     Failed {
-        /// Which one.
+        /// Its name.
         program: String,
-        /// How it ended.
+        /// Its exit status.
         status: ExitStatus,
-        /// What it said, after a line break.
+        /// Its message, after a line break.
         message: String,
     },
-    /// A program did not come to an end.
+    /// A program did not end.
     #[error("{0} was ended after {limit} s", limit = LONGEST.as_secs())]
     Hung(String),
-    /// An image or an answer is not what it should be.
+    /// An image or an answer is not as expected.
     #[error("not understood: {0}")]
     Output(String),
-    /// A file cannot be read or written, or a program not be started.
+    /// A file cannot be read or written, or a program cannot be started.
     #[error(transparent)]
     File(#[from] io::Error),
 }
 
-/// Runs a program to its end. What it prints.
+/// Runs a program to its end and returns its output.
 ///
 /// # Errors
 /// It is missing, fails or hangs.
@@ -82,7 +82,7 @@ pub fn output_of(mut command: Command) -> Result<String, EmulatorError> {
     Err(failure(program, status, &err))
 }
 
-/// Reads all that a program prints while it runs.
+/// Reads everything that a program prints while it runs.
 fn text(pipe: Option<impl Read + Send + 'static>) -> thread::JoinHandle<io::Result<String>> {
     thread::spawn(move || {
         let mut bytes = Vec::new();
@@ -97,10 +97,10 @@ fn joined(text: thread::JoinHandle<io::Result<String>>) -> io::Result<String> {
     text.join().unwrap_or_else(|_| Ok(String::new()))
 }
 
-/// The first QEMU whose boards are whole: serial lines, timers and clocks.
+/// The first QEMU whose boards are complete: serial lines, timers and clocks.
 const OLDEST_QEMU: u32 = 10;
 
-/// QEMU for boards with an ARM processor is there, and new enough.
+/// Checks that QEMU for boards with an ARM processor is installed, and new enough.
 ///
 /// # Errors
 /// It is not.
@@ -118,7 +118,7 @@ pub fn require_qemu_arm() -> Result<(), EmulatorError> {
     }
 }
 
-/// The name of the system's release, as the sources of its packages have it.
+/// The name of the system's release, as used in its package sources.
 fn codename() -> Option<String> {
     let about = std::fs::read_to_string("/etc/os-release").ok()?;
     let mut lines = about.lines();
@@ -126,8 +126,8 @@ fn codename() -> Option<String> {
     Some(name.trim_matches('"').to_owned())
 }
 
-/// The commands that install a package with QEMU. That of Debian 12 is too old; a newer one is among its backports, which lie where its
-/// other packages come from.
+/// The commands that install a package with QEMU. The version in Debian 12 is too old; a newer one is in its backports, on the same
+/// server as its other packages.
 fn install_qemu(package: &str, codename: Option<&str>) -> String {
     let install =
         |suite: &str| format!("apt-get install -y --no-install-recommends {suite}{package}");
@@ -144,13 +144,13 @@ fn install_qemu(package: &str, codename: Option<&str>) -> String {
     )
 }
 
-/// The first number in what QEMU says of its version.
+/// The first number in QEMU's version message.
 fn major_version(said: &str) -> Option<u32> {
     let (_, version) = said.split_once("version ")?;
     version.split('.').next()?.parse().ok()
 }
 
-/// Some failures are something missing.
+/// Recognises failures due to a missing tool.
 fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError {
     let target = message
         .split_once("target may not be installed")
@@ -194,10 +194,10 @@ fn install(program: &str) -> String {
     }
 }
 
-/// For tests: nothing where something is not installed, which standard error is told.
+/// For tests: `None` if something is not installed, which is then reported on standard error.
 ///
 /// # Panics
-/// On any other error; and with CI=true, where everything must be there, on this one too.
+/// On any other error; with CI=true, when everything must be installed, on this one too.
 pub fn if_installed<T>(result: Result<T, EmulatorError>) -> Option<T> {
     match result {
         Ok(value) => Some(value),
@@ -206,12 +206,12 @@ pub fn if_installed<T>(result: Result<T, EmulatorError>) -> Option<T> {
     }
 }
 
-/// For tests: whether a message says that something is missing, and this is no reason to fail: without CI=true. Standard error
-/// is told.
+/// For tests: whether a message reports a missing tool and the test may be skipped because of it, which is the case without
+/// CI=true. A skip is reported on standard error.
 pub fn may_skip(message: &str) -> bool {
     let skipped = message.contains("missing: ") && env::var("CI").as_deref() != Ok("true");
     if skipped {
-        // Not `println!`, which is silent in a test that passes.
+        // `println!` would show nothing in a test that passes.
         let _ = writeln!(io::stderr(), "skipped: {message}");
     }
     skipped

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files;
 
-/// A file with a section to be written.
+/// A file with a section that is to be written.
 #[derive(Clone, Debug)]
 pub struct Section {
     file: PathBuf,
@@ -15,7 +15,7 @@ pub struct Section {
 }
 
 impl Section {
-    /// The section of a name in a file.
+    /// The section with this name in a file.
     ///
     /// # Errors
     /// The file cannot be read, or has no such section.
@@ -28,7 +28,7 @@ impl Section {
         section.parts().map(|_| section)
     }
 
-    /// The text before the section and after it, with its marks.
+    /// The text before and after the section, with its markers.
     fn parts(&self) -> io::Result<(String, String)> {
         let text = fs::read_to_string(&self.file)?;
         let begin = text.find(&self.begin).map(|at| at + self.begin.len());
@@ -42,10 +42,10 @@ impl Section {
         }
     }
 
-    /// Puts `text` in the place of the section; the file is replaced at once.
+    /// Replaces the section by `text`; the file is replaced atomically.
     ///
     /// # Errors
-    /// The file cannot be read or replaced, or has no such section any more.
+    /// The file cannot be read or replaced, or no longer has such a section.
     pub fn write(&self, text: &str) -> io::Result<()> {
         let (head, tail) = self.parts()?;
         let whole = format!("{head}\n{}\n{tail}", text.trim_end());

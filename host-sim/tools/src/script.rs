@@ -1,13 +1,13 @@
-//! Scripts of the page as a browser gets them: comments are a third of them.
+//! Scripts of the page as they are sent to a browser: without comments, which are a third of them.
 
-/// A script without the lines that are comments, from one in the style of the page: a comment begins a line, or is a cast before code.
+/// A script without its comment lines. It relies on the style of the page: a comment begins a line, or is a cast before code.
 pub fn without_comments(script: &str) -> String {
     let (mut code, mut inside) = (String::new(), false);
     for line in script.lines() {
         let text = line.trim();
         let is_comment = inside || text.starts_with("//") || text.starts_with("/**");
         inside = (inside || text.starts_with("/**")) && !text.contains("*/");
-        // A comment that ends before code, as a cast does, is a part of a line.
+        // A comment that ends before code, such as a cast, is part of a line.
         if !is_comment || !(text.ends_with("*/") || inside || text.starts_with("//")) {
             code.push_str(line);
             code.push('\n');

@@ -1,7 +1,7 @@
 //! Text in columns.
 
-/// Lines whose cells are padded with spaces to the width of their column. The first `words` columns begin together, the
-/// others, which are figures, end together.
+/// Lines whose cells are padded with spaces to the width of their column. The first `words` columns are left-aligned,
+/// the others, which are numbers, right-aligned.
 ///
 /// # Panics
 /// A line has more cells than the first one.
@@ -23,7 +23,7 @@ pub fn aligned(lines: &[Vec<String>], words: usize) -> Vec<Vec<String>> {
     lines.iter().map(line).collect()
 }
 
-/// Digits in threes.
+/// The number with its digits in groups of three.
 pub fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let parts: Vec<&str> = digits

@@ -1,16 +1,16 @@
 //! UF2, the format of a file that is flashed by copying it to the drive of a board: from the parts of an image to blocks of 512 bytes,
-//! each with a page of the flash, as <https://github.com/microsoft/uf2> says.
+//! each with a page of the flash, as specified in <https://github.com/microsoft/uf2>.
 //!
-//! | bytes of a block | what |
+//! | bytes of a block | content |
 //! |---|---|
-//! | 0, 4 | two numbers by which a block is known |
-//! | 8 | flags: the family of the chip is stated |
+//! | 0, 4 | two magic numbers that identify a block |
+//! | 8 | flags: the chip family is given |
 //! | 12 | the address of the page |
 //! | 16 | bytes of the page |
 //! | 20, 24 | number of the block from 0 on, number of blocks |
 //! | 28 | the family of the chip |
-//! | 32 | the page; zeros after it |
-//! | 508 | a third number by which a block is known |
+//! | 32 | the page, followed by zeros |
+//! | 508 | a third magic number |
 //!
 //! All numbers have 32 bits, little-endian.
 
@@ -19,24 +19,25 @@ use std::collections::BTreeMap;
 use crate::image::Part;
 use crate::process::EmulatorError;
 
-/// Of a block (bytes).
+/// Size of a block (bytes).
 const BLOCK: usize = 512;
-/// Of a page: what the flash writes at once (bytes).
+/// Size of a page: the unit in which the flash is written (bytes).
 const PAGE: usize = 256;
-/// Of a sector: what the flash erases at once (bytes).
+/// Size of a sector: the unit in which the flash is erased (bytes).
 const SECTOR: usize = 4096;
-/// Before the page (bytes).
+/// Size of the header before the page (bytes).
 const HEAD: usize = 32;
-/// At the begin of a block.
+/// Magic numbers at the start of a block.
 const BEGIN: [u32; 2] = [0x0A32_4655, 0x9E5D_5157];
-/// At its end.
+/// Magic number at its end.
 const END: u32 = 0x0AB1_6F30;
-/// The flag of a block that states the family.
+/// The flag of a block that gives the family.
 const HAS_FAMILY: u32 = 0x2000;
-/// Where chips of these families have their flash: a window of 16 MiB (RP2040 datasheet 2.2, RP2350 datasheet 2.2).
+/// The address range of the flash in chips of these families: a window of 16 MiB (RP2040 datasheet 2.2, RP2350
+/// datasheet 2.2).
 const WINDOW: std::ops::Range<u64> = 0x1000_0000..0x1100_0000;
 
-/// The chips that take a file: another one ignores it.
+/// The chips that accept a file: others ignore it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Family(u32);
 
@@ -47,10 +48,10 @@ impl Family {
     pub const RP2350_ARM_S: Self = Self(0xE48B_FF59);
 }
 
-/// A file that writes these parts into the flash of a chip of a family, and zeros where a page is touched and nothing is said of it.
+/// A file that writes these parts into the flash of a chip of a family, with zeros in the rest of each touched page.
 ///
-/// Sectors are filled up with pages of zeros, but for the end of the last one: the boot program of the RP2040 takes sixteen blocks
-/// in a row for one sector, which it erases (RP2040 datasheet, erratum E14).
+/// Sectors are filled up with pages of zeros, except at the end of the last one: the boot program of the RP2040 assumes that sixteen
+/// consecutive blocks belong to one sector, which it erases (RP2040 datasheet, erratum E14).
 ///
 /// # Errors
 /// There are no parts, or one is not in the flash: `Output`.
@@ -69,12 +70,12 @@ pub fn uf2(parts: &[Part], family: Family) -> Result<Vec<u8>, EmulatorError> {
     Ok(file)
 }
 
-/// Blocks of a file.
+/// The number of blocks in a file.
 pub const fn blocks(file: &[u8]) -> usize {
     file.len() / BLOCK
 }
 
-/// Pages by their addresses: whole sectors up to the last page that holds something.
+/// Pages by address: whole sectors up to the last page with contents.
 fn pages(parts: &[Part]) -> Result<BTreeMap<u32, [u8; PAGE]>, EmulatorError> {
     let mut pages = BTreeMap::new();
     for part in parts {
@@ -91,7 +92,9 @@ fn pages(parts: &[Part]) -> Result<BTreeMap<u32, [u8; PAGE]>, EmulatorError> {
         }
     }
     let Some((&last, _)) = pages.last_key_value() else {
-        return Err(EmulatorError::Output("nothing is to be flashed".to_owned()));
+        return Err(EmulatorError::Output(
+            "there is nothing to flash".to_owned(),
+        ));
     };
     let touched: Vec<u32> = pages.keys().map(|at| at - at % SECTOR as u32).collect();
     for sector in touched {
@@ -114,7 +117,7 @@ mod tests {
         }
     }
 
-    /// The number at a place of a block.
+    /// The number at an offset in a block.
     fn word(block: &[u8], at: usize) -> u32 {
         let bytes = block[at..at + 4].try_into();
         u32::from_le_bytes(bytes.expect("four bytes"))

@@ -1,4 +1,4 @@
-// For browsers, their workers and bundlers, which know `new URL(..., import.meta.url)`, by which the wasm is found.
+// For browsers, their workers and bundlers that support `new URL(..., import.meta.url)`, which locates the wasm.
 
 import init from "./stiction.js";
 

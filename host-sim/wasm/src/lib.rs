@@ -1,5 +1,5 @@
-//! `stiction-live` as WebAssembly, for JavaScript: [`Solver`] runs a scene sample by sample, [`Page`] is what `stiction view` is to
-//! its page. Both are made with `wasm-bindgen`; `stiction-page` builds it.
+//! `stiction-live` as WebAssembly, for JavaScript: [`Solver`] runs a scene sample by sample, [`Page`] does for a page what
+//! `stiction view` does. Both are bound with `wasm-bindgen`; `stiction-page` builds them.
 
 mod page;
 #[cfg(feature = "package")]

@@ -1,4 +1,4 @@
-//! What `stiction view` is to its page, for a page that no server serves: the solver in real time, and the messages of
+//! The counterpart of `stiction view` for a page without a server: the solver in real time, and the messages of
 //! `host-sim/VIEW.md` in and out. It runs in a worker, which calls [`Page::turn`] when a tick is due.
 
 use std::path::Path;
@@ -18,15 +18,16 @@ use stiction_scene::SceneFile;
 use wasm_bindgen::prelude::*;
 use web_time::{Duration, Instant};
 
-/// The scene of the beginning.
+/// The initial scene.
 const SCENE: &str = "box-flat";
 /// The number of the only client.
 const CLIENT: u32 = 1;
-/// Frames a second, unless the page asks for others.
+/// Frames per second, unless the page requests another rate.
 const RATE: f64 = 60.0;
-/// A tick may be so late: messages of the page stand between two of them, and a browser tells the time to 0.1 ms.
+/// The allowed delay of a tick: messages of the page are handled between two ticks, and the browser's clock has a
+/// resolution of 0.1 ms.
 const ALLOWED: Duration = Duration::from_millis(2);
-/// Ticks are made for so long, before the page is heard again.
+/// The longest time for ticks before messages of the page are handled again.
 const LONGEST_TURN: Duration = Duration::from_millis(8);
 
 /// The solver behind a page.
@@ -35,18 +36,18 @@ pub struct Page {
     live: Live,
     shown: Shown,
     told: Told,
-    /// Answers that wait until what they are about is shown.
+    /// Answers that wait until their result is shown.
     answers: Vec<String>,
-    /// The next tick, and the next frame message.
+    /// The times of the next tick and of the next frame message.
     due: Instant,
     frame_due: Instant,
-    /// Between two frame messages.
+    /// The time between two frame messages.
     period: Duration,
 }
 
 #[wasm_bindgen]
 impl Page {
-    /// With its first scene, whose first tick is due now.
+    /// A page with its first scene, whose first tick is due now.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Result<Self, JsError> {
         let source = scenes::find(Path::new(SCENE)).ok_or_else(|| JsError::new(SCENE))?;
@@ -72,7 +73,7 @@ impl Page {
         })
     }
 
-    /// The message that comes first.
+    /// The first message.
     pub fn hello(&self) -> String {
         let scenes: Vec<String> = scenes::ALL
             .iter()
@@ -81,8 +82,8 @@ impl Page {
         say::hello(CLIENT, &scenes, &Source::Core)
     }
 
-    /// A message that only the whole solver can do: a scene with obstacles, where this is built without them. Another page is to do
-    /// it, after [`Page::handed_over`].
+    /// Whether only the whole solver can handle a message: a scene with obstacles, if this build has none. Another page should
+    /// handle it, after [`Page::handed_over`].
     #[wasm_bindgen(js_name = isBeyond)]
     pub fn is_beyond(&self, text: &str) -> bool {
         let Ok(Message::Scene { name }) = hear::read(text).message else {
@@ -92,7 +93,7 @@ impl Page {
         scene.is_some_and(scenes::has_obstacles) && !simulate::OBSTACLES
     }
 
-    /// The messages that bring another page to where this one is, but for the scene.
+    /// The messages that bring another page to the state of this one, except for the scene.
     #[wasm_bindgen(js_name = handedOver)]
     pub fn handed_over(&self) -> Vec<String> {
         let setting = &self.live.pair.setting;
@@ -106,7 +107,7 @@ impl Page {
         messages.iter().map(ToString::to_string).collect()
     }
 
-    /// Does what the page says.
+    /// Handles a message of the page.
     pub fn take(&mut self, text: &str) {
         let Said { id, message } = hear::read(text);
         let now = Instant::now();
@@ -122,7 +123,7 @@ impl Page {
         self.answers.extend(say::answer(id, result));
     }
 
-    /// Makes the ticks that are due, and gives the messages for the page.
+    /// Executes the ticks that are due, and returns the messages for the page.
     pub fn turn(&mut self) -> Vec<String> {
         let begun = Instant::now();
         let mut now = begun;
@@ -148,7 +149,7 @@ impl Page {
         messages
     }
 
-    /// Until the next tick is due (ms).
+    /// The time until the next tick is due (ms).
     #[wasm_bindgen(js_name = untilDue)]
     pub fn until_due(&self) -> f64 {
         let wait = self.due.saturating_duration_since(Instant::now());

@@ -9,11 +9,11 @@ use stiction_live::scenes;
 use stiction_scene::{SceneFile, Source};
 use wasm_bindgen::prelude::*;
 
-/// A scene by the name of a bundled one, or by its text.
+/// A scene, given by the name of a bundled one or by its text.
 pub(crate) fn read(scene: &str, number: Number) -> Result<SceneFile, JsError> {
     let source = match scenes::find(Path::new(scene)) {
         Some(source) => source,
-        // A name has no line breaks, a scene has some.
+        // A name has no line breaks; a scene has some.
         None if !scene.contains('\n') => {
             let problem = format!(
                 "no scene {scene:?}, allowed: the text of a scene file, or one of {}",
@@ -33,9 +33,9 @@ pub fn scene_names() -> Vec<String> {
     all.map(|(name, _)| (*name).to_owned()).collect()
 }
 
-/// The text of a bundled scene, as a scene file has it (TOML, SI units).
+/// The text of a bundled scene, as in a scene file (TOML, SI units).
 ///
-/// Throws where there is no scene of that name.
+/// Throws if there is no scene with that name.
 #[wasm_bindgen(js_name = sceneText)]
 pub fn scene_text(name: &str) -> Result<String, JsError> {
     let source = scenes::find(Path::new(name));
@@ -46,17 +46,16 @@ pub fn scene_text(name: &str) -> Result<String, JsError> {
     Ok(source.text().to_owned())
 }
 
-/// The path of the hand that a scene has, as rows for `Solver.run`: t (s), x, y (m), phi (rad, unwrapped), held (0 or 1).
+/// The path of a scene's hand, as rows for `Solver.run`: t (s), x, y (m), phi (rad, unwrapped), held (0 or 1).
 ///
-/// `scene`: the name of a bundled scene, or the text of a scene file. `rate`: rows a second (Hz); that of the scene where it is
-/// absent.
+/// `scene`: the name of a bundled scene, or the text of a scene file. `rate`: rows per second (Hz); by default that of the scene.
 ///
-/// Throws where the scene is refused, or has no path.
+/// Throws if the scene is refused, or has no path.
 #[wasm_bindgen(js_name = scenePath)]
 pub fn scene_path(scene: &str, rate: Option<f64>) -> Result<Float64Array, JsError> {
     if rate.is_some_and(|rate| !(rate.is_finite() && rate > 0.0)) {
         return Err(JsError::new(
-            "`rate` is none, allowed: a finite number above 0",
+            "`rate` is not given, allowed: a finite number above 0",
         ));
     }
     let scene = read(scene, Number::F64)?;

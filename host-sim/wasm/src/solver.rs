@@ -1,4 +1,4 @@
-//! A solver that is run sample by sample: from rows of the hand's motion to a record of the trace, or to typed arrays.
+//! A solver that runs sample by sample: from rows of the hand's motion to records of the trace, or to typed arrays.
 
 use js_sys::{Array, Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use stiction_core::{StateKind, Status};
@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::scenes;
 
-/// Numbers of a row of the hand's motion.
+/// Numbers per row of the hand's motion.
 const ROW: usize = 5;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -20,7 +20,7 @@ const TYPES: &str = include_str!("types.d.ts");
 
 #[wasm_bindgen]
 extern "C" {
-    /// What may be chosen besides the scene.
+    /// Options in addition to the scene.
     #[wasm_bindgen(typescript_type = "SolverOptions")]
     pub type SolverOptions;
     /// A record of the trace.
@@ -31,7 +31,7 @@ extern "C" {
     pub type Answers;
 }
 
-/// A solver with its scene and its run. The first sample starts the scene, every other one moves the hand on.
+/// A solver with its scene and its run. The first sample starts the scene; every further one moves the hand.
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Solver {
@@ -42,11 +42,11 @@ pub struct Solver {
 
 #[wasm_bindgen]
 impl Solver {
-    /// Of a scene, before its first sample.
+    /// Creates a solver for a scene, before its first sample.
     ///
     /// `scene`: the name of a bundled scene, or the text of a scene file (TOML, SI units).
     ///
-    /// Throws where the scene or an option is refused: the message names the key and the line, and what is allowed.
+    /// Throws if the scene or an option is refused: the message names the key and the line, and what is allowed.
     #[wasm_bindgen(constructor)]
     pub fn new(scene: &str, options: Option<SolverOptions>) -> Result<Self, JsError> {
         let options = options.map_or(JsValue::UNDEFINED, JsValue::from);
@@ -65,10 +65,9 @@ impl Solver {
         })
     }
 
-    /// Moves the hand to `x`, `y` (m) and `phi` (rad, unwrapped) in the world, and gives the equilibrium there.
+    /// Moves the hand to `x`, `y` (m) and `phi` (rad, unwrapped) in the world, and returns the equilibrium there.
     ///
-    /// `held`: the hand holds the body, true unless said otherwise. `t`: the time of the sample (s), which the answer has, too; 0
-    /// unless said otherwise.
+    /// `held`: whether the hand holds the body, by default true. `t`: the time of the sample (s), which the answer repeats; by default 0.
     pub fn step(
         &mut self,
         x: f64,
@@ -85,11 +84,11 @@ impl Solver {
         Ok(object.unchecked_into())
     }
 
-    /// Moves the hand along `samples` and gives all answers.
+    /// Moves the hand along `samples` and returns all answers.
     ///
     /// `samples`: rows of five numbers, t (s), x, y (m), phi (rad, unwrapped), held (0 or 1), in the world.
     ///
-    /// Throws where `samples` is not made of whole rows.
+    /// Throws if `samples` does not consist of whole rows.
     pub fn run(&mut self, samples: &[f64]) -> Result<Answers, JsError> {
         let (rows, rest) = samples.as_chunks::<ROW>();
         if !rest.is_empty() {
@@ -106,7 +105,7 @@ impl Solver {
         table.object()
     }
 
-    /// A copy, whose run goes on by itself from here.
+    /// A copy, whose run continues independently from here.
     pub fn copy(&self) -> Self {
         self.clone()
     }
@@ -124,7 +123,7 @@ pub fn state_names() -> Vec<String> {
     StateKind::ALL.map(|state| state.name().to_owned()).to_vec()
 }
 
-/// The names of what can limit an answer, in the order of the numbers in `Answers.status`.
+/// The names of the statuses, which state what limited an answer, in the order of the numbers in `Answers.status`.
 #[wasm_bindgen(js_name = statusNames)]
 pub fn status_names() -> Vec<String> {
     Status::ALL.map(|status| status.name().to_owned()).to_vec()
@@ -142,7 +141,7 @@ fn sample(t: f64, pose: [f64; 3], held: bool) -> Sample {
     }
 }
 
-/// A field of the options, where it is there.
+/// A field of the options, if given.
 fn field(options: &JsValue, name: &str) -> Option<JsValue> {
     let value = Reflect::get(options, &name.into()).ok()?;
     (!value.is_undefined()).then_some(value)
@@ -223,7 +222,8 @@ impl Table {
             .into_iter()
             .map(|(name, column)| Array::of2(&name.into(), &column))
             .collect();
-        let object = Object::from_entries(&pairs).map_err(|_| JsError::new("no object"))?;
+        let object = Object::from_entries(&pairs)
+            .map_err(|_| JsError::new("the answer cannot be made an object"))?;
         Ok(object.unchecked_into())
     }
 }

@@ -1,13 +1,13 @@
-/** What may be chosen besides the scene. */
+/** Options in addition to the scene. */
 export interface SolverOptions {
-  /** The number type: `"f32"` unless said otherwise; `"f64"` is the reference, `"fixed"` for chips without floating point. */
+  /** The number type: by default `"f32"`; `"f64"` is the reference, `"fixed"` for chips without floating point. */
   number?: "f32" | "f64" | "fixed";
   /**
-   * `"path"`, unless said otherwise: events are found along the hand's straight line between two samples. `"frame"`: from the
-   * first event on the hand jumps to the sample.
+   * `"path"`, the default: events are found along the hand's straight line between two samples. `"frame"`: from the first
+   * event on, the hand jumps to the sample.
    */
   evolution?: "path" | "frame";
-  /** Units of work that a sample may take, 1 to 4294967295; as many as it needs, unless said. */
+  /** Units of work that a sample may take, 1 to 4294967295; unlimited by default. */
   budget?: number;
 }
 
@@ -15,23 +15,23 @@ export interface SolverOptions {
 export interface Contact {
   /** The vertex of the body that touches, by its number in the scene. */
   vertex?: number;
-  /** The surface that is touched. */
+  /** The touched surface. */
   surface?: string;
-  /** The obstacle that is touched, or that touches with a corner. */
+  /** The touched obstacle, or the one whose corner touches. */
   obstacle?: string;
-  /** The side of the obstacle that is touched. */
+  /** The touched side of the obstacle. */
   side?: number;
   /** The corner of the obstacle that touches. */
   corner?: number;
   /** The side of the body that it touches. */
   body_side?: number;
-  /** Where they touch: x, y (m), world. */
+  /** The position of the contact: x, y (m), world. */
   point: [number, number];
   /** Reaction N on the body along the normal, 0 or more (N). */
   normal: number;
   /** Friction T on the body along the tangent t = (n_y, -n_x) (N). */
   friction: number;
-  /** 0 where it sticks, 1 or -1 where it slides along t or against it. */
+  /** 0 while it sticks, 1 or -1 while it slides along t or against it. */
   sliding: -1 | 0 | 1;
   /** The unit normal n towards the body, world; only in scenes with obstacles. */
   direction?: [number, number];
@@ -41,7 +41,7 @@ export interface Contact {
 export interface Frame {
   /** Time of the sample (s). */
   t: number;
-  /** Hand: x, y (m), phi (rad); the last good one where a bad one was held. */
+  /** Hand: x, y (m), phi (rad); the last valid one if the sample was invalid. */
   hand: [number, number, number];
   /** The hand holds the body. */
   held: boolean;
@@ -53,7 +53,7 @@ export interface Frame {
   state: "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
   /** The contacts. */
   contacts: Contact[];
-  /** Of the hand on the body: force x, y (N), moment about the holding point (N·m). */
+  /** The wrench of the hand on the body: force x, y (N), moment about the holding point (N·m). */
   wrench: [number, number, number];
   /** Slips that ended with this sample. */
   slips: number;
@@ -61,7 +61,7 @@ export interface Frame {
   events: string[];
   /** What limited the answer; `"ok"`: nothing. */
   status: string;
-  /** The part of the hand's way that is not yet followed, 0 to 1; only with a budget. */
+  /** The fraction of the hand's displacement not yet followed, 0 to 1; only with a budget. */
   behind?: number;
   /** The load on a peg while it is in its hole: depth (m), forces (N) and moment (N·m) in the peg's frame. */
   insertion?: {
@@ -75,7 +75,7 @@ export interface Answers {
   t: Float64Array;
   /** n rows of the body: x, y (m), theta (rad). */
   pose: Float64Array;
-  /** n rows of the hand on the body: force x, y (N), moment about the holding point (N·m). */
+  /** n rows of the hand's wrench on the body: force x, y (N), moment about the holding point (N·m). */
   wrench: Float64Array;
   /** n contact states, as numbers of `stateNames()`. */
   state: Uint8Array;

@@ -1,4 +1,4 @@
-//! The slow reference beside the solver on random scenes: which share of the frames has the same contacts.
+//! Compares the slow reference with the solver on random scenes: the share of frames with the same contacts.
 
 use std::time::Duration;
 use stiction_core::Evolution;
@@ -6,7 +6,7 @@ use stiction_tests::Number;
 use stiction_tests::obstacles::compare::{Comparison, compare};
 use stiction_tests::obstacles::guard::{Outcome, within};
 
-/// More than any scene takes.
+/// More time than any scene takes.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Scenes `from` .. `to`.

@@ -1,4 +1,4 @@
-//! Looks at the solver among obstacles with corners.
+//! Examines the solver among obstacles with corners.
 //!
 //! ```sh
 //! cargo run --release -p stiction-tests --example obstacles -- cases [PART-OF-A-NAME]   # every case, number type and evolution
@@ -31,7 +31,7 @@ const USAGE: &str = "usage: obstacles cases [PART-OF-A-NAME]
        obstacles rooms ROOMS [f64|f32|fixed] [path|frame]
        obstacles room ROOM [f64|f32|fixed] [path|frame] FRAME...";
 
-/// Runs a generic function in the number type of a name.
+/// Runs a generic function in the number type with this name.
 macro_rules! in_number {
     ($name:expr, $module:ident $(:: $more:ident)*, $($argument:expr),*) => {
         match $name {
@@ -82,7 +82,7 @@ fn main() -> ExitCode {
         (["compare", ..], [from, to]) => {
             in_number!(number, beside::beside, (*from, *to), evolution);
         }
-        // What a survey starts.
+        // Commands that a survey starts.
         (["part", ..], [from, step, count]) => {
             in_number!(
                 number,
@@ -103,9 +103,9 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Every case whose name has this part.
+/// Runs every case whose name contains `part`.
 fn cases(part: &str) {
-    // What a case says of its panic is said in its line.
+    // The line of the case contains the message of its panic.
     std::panic::set_hook(Box::new(|_| {}));
     for case in all().into_iter().filter(|case| case.name.contains(part)) {
         println!("{}", case.name);

@@ -1,10 +1,10 @@
-//! Insertions of a peg from random starts: how many end alike in f32 and in fixed point as in f64.
+//! Insertions of a peg from random starts: how many end in f32 and in fixed point as they do in f64.
 
 use std::collections::BTreeMap;
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::pegs::Insertion;
 
-/// Insertions 0 .. `count`.
+/// Runs insertions 0 .. `count`.
 pub(crate) fn pegs(count: u64, evolution: Evolution) {
     let mut ends: BTreeMap<_, u64> = BTreeMap::new();
     let mut same = [0_u64; 2];

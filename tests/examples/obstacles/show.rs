@@ -7,7 +7,7 @@ use stiction_tests::obstacles::shape::{placed, separation};
 use stiction_tests::obstacles::survey::{Kind, kind};
 use stiction_tests::obstacles::{Among, Frame, Run};
 
-/// Prints a scene, a line for each frame in which something changes where no frames are asked for, and those that are.
+/// Prints a scene and the requested frames; if none are requested, a line for each frame in which something changes.
 pub(crate) fn show<R: Number>((scenes, number): (Kind, u64), evolution: Evolution, frames: &[u64]) {
     let world = scenes.scene::<R>(number);
     println!("# scene {number}\n{}", world.toml());

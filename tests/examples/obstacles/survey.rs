@@ -1,4 +1,4 @@
-//! Starts the parts of a survey, restarts them after a step that never ends, and adds up what they tell.
+//! Starts the processes of a survey, restarts them after a step that never ends, and adds up their reports.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -6,12 +6,12 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::{Sender, channel};
 use std::thread;
 
-/// Parts at the same time.
+/// Processes that run simultaneously.
 const PARTS: u64 = 2;
 /// Unlawful frames of a scene that are printed.
 const PRINTED: usize = 3;
 
-/// What all parts told.
+/// The reports of all processes.
 #[derive(Default)]
 struct Total {
     scenes: u64,
@@ -23,7 +23,7 @@ struct Total {
     states: BTreeMap<String, u64>,
     others: BTreeMap<String, u64>,
     work: u64,
-    /// Scene, last unlawful frame and how many were printed, by part.
+    /// Scene, last unlawful frame and how many were printed, by process.
     last: BTreeMap<u64, (u64, u64, usize)>,
 }
 
@@ -34,7 +34,7 @@ struct Law {
     place: String,
 }
 
-/// Looks at `count` scenes; `part` is the command of a part.
+/// Examines `count` scenes; `part` is the command of a process.
 pub(crate) fn survey(command: &str, count: u64, number: &str, evolution: &str) {
     let (send, receive) = channel();
     for part in 0..PARTS {
@@ -90,7 +90,7 @@ fn run_part(
         }
         let status = child.wait();
         match begun {
-            // It ended in the midst of a scene.
+            // The process ended in the middle of a scene.
             Some(scene) if begun != ended => {
                 let code = status.ok().and_then(|status| status.code());
                 if code != Some(stiction_tests::obstacles::survey::NEVER_ENDS) {
@@ -101,7 +101,7 @@ fn run_part(
             }
             Some(_) => return,
             None => {
-                eprintln!("a part that does not begin: {status:?}");
+                eprintln!("a process that does not start: {status:?}");
                 return;
             }
         }

@@ -1,5 +1,5 @@
-//! An input of the fuzzed solver as files: `FOLDER/scene.toml` and `FOLDER/hand.csv`, for `stiction run`, whose `--record`
-//! keeps it.
+//! Converts an input of the `solver` fuzz target to files: `FOLDER/scene.toml` and `FOLDER/hand.csv`, for `stiction run`,
+//! whose option `--record` records the run.
 //!
 //! ```sh
 //! cargo run -p stiction-fuzz --example as_scene -- INPUT FOLDER

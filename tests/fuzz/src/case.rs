@@ -1,26 +1,26 @@
-//! A scene with its parameters and a hand's path, out of bytes.
+//! A scene with its parameters and a hand's path, decoded from bytes.
 
 use crate::draw::Draw;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use stiction_core::Evolution;
 use stiction_tests::Setup;
 
-/// At most so many frames.
+/// The largest number of frames.
 const FRAMES: usize = 400;
 
-/// What is run.
+/// The case that is run.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub(crate) setup: Setup,
     pub(crate) evolution: Evolution,
-    /// Its steps are repeated within budgets, too.
+    /// Whether its steps are also repeated within budgets.
     pub(crate) is_cut: bool,
-    /// x, y (m), phi (rad) of the hand at the start, and whether it holds.
+    /// x, y (m), phi (rad) of the hand at the start, and whether it holds the body.
     pub(crate) home: ([f64; 3], bool),
     moves: Vec<Move>,
 }
 
-/// The hand goes straight, in equal frames.
+/// A straight leg of the hand, in equal frames.
 #[derive(Clone, Copy, Debug)]
 struct Move {
     to: [f64; 3],
@@ -29,7 +29,7 @@ struct Move {
 }
 
 impl Case {
-    /// `None` where there are too few bytes for a case.
+    /// `None` if there are too few bytes for a case.
     pub(crate) fn read(mut draw: Draw<'_>) -> Option<Self> {
         let evolution = draw.one_of([Evolution::Path, Evolution::Frame]);
         let (memory, is_cut) = dials(&mut draw);
@@ -42,7 +42,7 @@ impl Case {
             surface.memory = memory.map(|length| length * l);
         }
         let home = [x, y, theta];
-        // What is not quite on a surface is set onto it, and taken hold of only then.
+        // A body that is not quite on a surface is first set onto it, and grasped only then.
         let home = match draw.one_of([0, 0, 1, 2]) {
             _ if setup.holding_point.is_none() => (home, false),
             0 => (home, true),
@@ -66,7 +66,7 @@ impl Case {
         })
     }
 
-    /// The hand of every frame after the first, and whether it holds.
+    /// The hand of every frame after the first, and whether it holds the body.
     pub(crate) fn hands(&self) -> impl Iterator<Item = ([f64; 3], bool)> + '_ {
         let mut from = self.home.0;
         let legs = self.moves.iter().flat_map(move |leg| {
@@ -81,7 +81,7 @@ impl Case {
 }
 
 impl Case {
-    /// As a scene file, a recorded path and options.
+    /// The case as a scene file, a recorded path and options.
     pub(crate) fn as_files(&self) -> (String, String, String) {
         let setup = &self.setup;
         let mut scene = format!(
@@ -146,12 +146,12 @@ fn moved(draw: &mut Draw<'_>, [x, y, phi]: [f64; 3], l: f64) -> [f64; 3] {
     [x + far * dx, y + far * dy, phi + turn]
 }
 
-/// Memory length of all surfaces, in body sizes: mostly that of a solver as it is; and whether steps are cut by budgets, too.
+/// Memory length of all surfaces, in body sizes, mostly the solver's default; and whether steps are also cut by budgets.
 fn dials(draw: &mut Draw<'_>) -> (Option<f64>, bool) {
     match draw.byte() {
         0..200 => (None, false),
         200..225 => (Some(draw.power(-6.0, -2.0)), true),
-        // A byte that older inputs have here.
+        // Inputs from before this option existed have another byte here.
         _ => (None, draw.byte() < u8::MAX),
     }
 }

@@ -1,9 +1,10 @@
-//! Numbers out of bytes: coarse ones, so that places, angles and coefficients coincide often, and fine ones beside them.
+//! Numbers decoded from bytes: coarse ones, so that positions, angles and coefficients often coincide, and fine ones
+//! next to them.
 
 use arbitrary::Unstructured;
 use std::f64::consts::PI;
 
-/// What is left of the bytes; zeros after their end.
+/// The remaining bytes; zeros after their end.
 pub(crate) struct Draw<'a>(Unstructured<'a>);
 
 impl<'a> Draw<'a> {
@@ -23,12 +24,12 @@ impl<'a> Draw<'a> {
         self.byte() & 1 != 0
     }
 
-    /// One of a few.
+    /// One of the given values.
     pub(crate) fn one_of<T: Copy, const N: usize>(&mut self, all: [T; N]) -> T {
         all[usize::from(self.byte()) % N]
     }
 
-    /// -1 to 1: in steps of 1/64 where the byte is even, with a fine part of up to one step more where it is odd.
+    /// -1 to 1: in steps of 1/64 if the byte is even, plus a fine part of up to one step if it is odd.
     pub(crate) fn place(&mut self) -> f64 {
         let byte = self.byte() as i8;
         let fine = if byte & 1 != 0 { self.fine() } else { 0.0 };
@@ -40,7 +41,7 @@ impl<'a> Draw<'a> {
         self.place().abs()
     }
 
-    /// -pi to pi, a multiple of pi/24 or anything else.
+    /// -pi to pi: a multiple of pi/24 or any other angle.
     pub(crate) fn angle(&mut self) -> f64 {
         let byte = self.byte();
         let steps = i32::from(byte >> 1) % 49 - 24;
@@ -53,7 +54,7 @@ impl<'a> Draw<'a> {
         10f64.powf(from + (to - from) * self.part())
     }
 
-    /// -1 to 1; next to 0 as often as not.
+    /// -1 to 1, half of the time close to 0.
     fn fine(&mut self) -> f64 {
         let bits: i16 = self.0.arbitrary().unwrap_or_default();
         let value = f64::from(bits) / 32768.0;

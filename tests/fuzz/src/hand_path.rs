@@ -1,5 +1,5 @@
-//! Text as a recorded hand path: it is refused with a message that names the file, or its samples begin at a finite pose,
-//! their times increase, and resampling keeps both ends.
+//! Text as a recorded hand path: either it is refused with a message that names the file, or its samples start at a
+//! finite pose, their times increase, and resampling keeps both ends.
 
 use crate::scene_file::is_clear;
 use stiction_scene::{HandPath, Placement, Source};
@@ -7,7 +7,7 @@ use stiction_scene::{HandPath, Placement, Source};
 /// The first byte chooses the format and a rate; the others are the file.
 ///
 /// # Panics
-/// Where something does not hold.
+/// If a property is violated.
 pub fn hand_path(bytes: &[u8]) {
     let Some((&kind, rest)) = bytes.split_first() else {
         return;
@@ -23,7 +23,7 @@ pub fn hand_path(bytes: &[u8]) {
     let samples: Vec<_> = path.frames(None).collect();
     assert!(samples.is_sorted_by(|a, b| a.t < b.t), "times increase");
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
-        panic!("a path has samples");
+        panic!("a path has no samples");
     };
     assert!(first.hand.is_finite() && samples.iter().all(|s| s.t.is_finite()));
     let rate = f64::from(1 << (kind >> 4));

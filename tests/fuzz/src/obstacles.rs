@@ -1,5 +1,5 @@
-//! Bytes as obstacles, a body among them and a hand's path, and what must hold of every frame of it in every number type: geometry and
-//! statics by themselves, and the same bits again.
+//! Bytes as obstacles, a body among them and a hand's path, and the properties of every frame in every number type: geometry and
+//! statics of the frame alone, and the same bits when it is repeated.
 
 use crate::case::{Case, friction};
 use crate::clamp;
@@ -13,7 +13,7 @@ use stiction_tests::obstacles::{Among, Contact, Frame, Obstacle, Run};
 use stiction_tests::run::planar;
 
 /// # Panics
-/// Where something does not hold.
+/// If a property is violated.
 pub fn obstacles(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let pieces: Vec<_> = (0..1 + draw.byte() % 4)
@@ -24,7 +24,7 @@ pub fn obstacles(bytes: &[u8]) {
     };
     let obstacles = pieces.iter().map(|piece| piece.beside(&case)).collect();
     let mut setup = case.setup.clone();
-    // The laws of single frames know nothing of where a hand has taken hold.
+    // The laws of single frames do not know where a hand has grasped the body.
     setup.holding_point.get_or_insert_default();
     let among = Among { setup, obstacles };
     follow::<f32>(&among, &case);
@@ -32,12 +32,13 @@ pub fn obstacles(bytes: &[u8]) {
     follow::<f64>(&among, &case);
 }
 
-/// What is nearer than this in the beginning counts as touched (L).
+/// Closer obstacles count as touched at the start (L).
 const STARTS_AT: f64 = 1e-5;
-/// A body is put onto what it starts at along other things, at angles of 6 degrees or more: it goes so many times as far.
+/// A body that starts close to several obstacles is placed onto one while it moves along another, at an angle of 6
+/// degrees or more: it moves up to this many times as far.
 const PUT: f64 = 10.0;
 
-/// All frames of a case; none where its scene is refused.
+/// All frames of a case; none if its scene is refused.
 fn follow<R: Number>(among: &Among, case: &Case) {
     let Ok(scene) = among.scene::<R>() else {
         return;
@@ -68,19 +69,19 @@ fn follow<R: Number>(among: &Among, case: &Case) {
     }
 }
 
-/// Reactions of a frame are beyond what the number type computes exactly.
+/// Whether reactions of a frame exceed what the number type computes exactly.
 fn clamps<R: Number>(among: &Among, frame: &Frame) -> bool {
     let reaction = |c: &Contact| (c.normal, c.friction, among.friction(c.touch)[0]);
     clamp::clamps::<R>(&among.setup, frame.contacts.iter().map(reaction))
 }
 
-/// An obstacle, in body sizes, before it has its place.
+/// An obstacle, in body sizes, before it is placed.
 struct Piece {
     corners: Vec<Point>,
-    /// Where it is seen from the body, and how far apart they are at least.
+    /// Its direction as seen from the body, and the minimum distance between the two.
     direction: Point,
     clearance: f64,
-    /// Its place across that direction.
+    /// Its position across that direction.
     across: f64,
     friction: [f64; 2],
 }
@@ -108,7 +109,7 @@ impl Piece {
         }
     }
 
-    /// The obstacle where it is beside the body at its start.
+    /// The obstacle, placed next to the body at its start.
     fn beside(&self, case: &Case) -> Obstacle {
         let setup = &case.setup;
         let (l, toward) = (setup.size(), self.direction);

@@ -1,11 +1,11 @@
-//! Text as a scene file: it is refused with a message that names the file, or it makes a scene that every number type
-//! starts, or refuses with such a message, and code that goes into a board.
+//! Text as a scene file: either it is refused with a message that names the file, or it yields a scene that every
+//! number type starts or refuses with such a message, and code for a board.
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
 use stiction_scene::{InputError, Motion, SceneFile, Source};
 
 /// # Panics
-/// Where something does not hold.
+/// If a property is violated.
 pub fn scene_file(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else {
         return;
@@ -15,7 +15,7 @@ pub fn scene_file(bytes: &[u8]) {
     starts::<Fixed>(text, f32::MAX.into());
 }
 
-/// A scene that is taken starts with a body where the file has it.
+/// An accepted scene starts with the body where the file places it.
 fn starts<R: Real<Si: SiFloat>>(text: &str, limit: f64) {
     let file = match SceneFile::parse(Source::new("scene.toml", text), limit) {
         Err(error) => return is_clear(&error),
@@ -37,11 +37,15 @@ fn starts<R: Real<Si: SiFloat>>(text: &str, limit: f64) {
         [x, y, theta].iter().all(|number| number.is_finite()),
         "{output:?}"
     );
-    assert_eq!(output.status, Status::Ok, "nobody holds it");
+    assert_eq!(
+        output.status,
+        Status::Ok,
+        "status of a body that is not held"
+    );
     let [x0, y0, _] = file.start;
     let off = (x - x0).hypot(y - y0);
     let allowed = 1e-4 * (length + x0.abs() + y0.abs());
-    assert!(off <= allowed, "the body starts {off} from its place");
+    assert!(off <= allowed, "the body starts {off} from its start pose");
 }
 
 /// The largest distance of a vertex from the body's origin.
@@ -50,7 +54,7 @@ fn size(file: &SceneFile) -> f64 {
     far.fold(0.0, f64::max)
 }
 
-/// A message names the file and is no longer than a screen.
+/// A message names the file and fits on a screen.
 pub(crate) fn is_clear(error: &InputError) {
     let message = error.to_string();
     assert!(

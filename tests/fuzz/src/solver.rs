@@ -1,4 +1,4 @@
-//! Bytes as a scene, its parameters and a hand's path, and the laws on every frame of it in every number type.
+//! Bytes as a scene, its parameters and a hand's path, with the laws checked on every frame in every number type.
 
 use crate::case::Case;
 use crate::clamp;
@@ -9,7 +9,7 @@ use stiction_tests::run::planar;
 use stiction_tests::{Frame, Number};
 
 /// # Panics
-/// Where a law does not hold.
+/// If a law is violated.
 pub fn solver(bytes: &[u8]) {
     if let Some(case) = Case::read(Draw::new(bytes)) {
         follow::<f32>(&case);
@@ -18,12 +18,12 @@ pub fn solver(bytes: &[u8]) {
     }
 }
 
-/// The case of these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` for too few bytes.
+/// The case in these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` if there are too few bytes.
 pub fn as_files(bytes: &[u8]) -> Option<(String, String, String)> {
     Case::read(Draw::new(bytes)).map(|case| case.as_files())
 }
 
-/// All frames of a case; none where its scene is refused.
+/// All frames of a case; none if its scene is refused.
 fn follow<R: Number>(case: &Case) {
     let Ok(scene) = case.setup.scene::<R>() else {
         return;
@@ -46,7 +46,7 @@ fn follow<R: Number>(case: &Case) {
         let output = solver.step(&mut state, hand::<R>(to));
         let next = frame(&state, output);
         let output = solver.step(&mut twin, hand::<R>(to));
-        assert_eq!(next, frame(&twin, output), "the same bits again");
+        assert_eq!(next, frame(&twin, output), "the same bits when repeated");
         if case.is_cut {
             let zero = Default::default();
             while cut.step(&mut pieces, hand::<R>(to)).behind > zero {}
@@ -63,14 +63,14 @@ fn follow<R: Number>(case: &Case) {
     }
 }
 
-/// A hand at x, y (m), phi (rad) that holds or does not.
+/// A hand at x, y (m), phi (rad) that holds the body or does not.
 fn hand<R: Number>((pose, held): ([f64; 3], bool)) -> Hand<R::Si> {
     let hand = planar::<R>(pose);
     if held { hand } else { hand.released() }
 }
 
-/// Coarser than those of `stiction check`, which are for scenes of use: these are degenerate. A body may start up to 1e-5 of its size in a
-/// surface. What reactions leave of a load counts as none up to four of its roundings (STATICS 10.1).
+/// Coarser bounds than those of `stiction check`, which are for practical scenes: these scenes are degenerate. A body may start up to 1e-5
+/// of its size inside a surface. The unbalanced rest of a load counts as zero up to four of its roundings (STATICS 10.1).
 fn bounds<R: Number>() -> Bounds {
     match R::NAME {
         "f64" => Bounds {
@@ -79,7 +79,7 @@ fn bounds<R: Number>() -> Bounds {
             far: false,
             slip: 1e-9,
             exact: 2e-6,
-            // What two contacts leave of their load counts as none up to 1e-10 k_h L.
+            // The part of a load that two contacts leave unbalanced counts as zero up to 1e-10 k_h L.
             rounding: 64.0 * Bounds::DOUBLE.rounding,
         },
         _ => Bounds {
@@ -93,7 +93,7 @@ fn bounds<R: Number>() -> Bounds {
     }
 }
 
-/// Where slips begin and end, and which events lead from frame to frame, is judged on scenes that are not as degenerate as these.
+/// Laws about where slips begin and end, and about the events that lead from frame to frame: they are judged on less degenerate scenes.
 const SLIPS: [&str; 4] = [
     law::SLIP_BEGINS,
     law::SLIP_ENDS,
@@ -101,7 +101,7 @@ const SLIPS: [&str; 4] = [
     law::SLIP_FIRST,
 ];
 
-/// Every law that the frame has to obey holds.
+/// Whether every law holds that the frame has to obey.
 fn holds<R: Number>(
     case: &Case,
     findings: Vec<Finding>,
@@ -119,7 +119,7 @@ fn holds<R: Number>(
     }
 }
 
-/// How many contacts two frames share.
+/// The number of contacts that two frames share.
 fn shared(a: &Frame, b: &Frame) -> usize {
     let [a, b] = [a, b].map(|frame| {
         let contacts = frame.contacts.iter();
@@ -128,7 +128,7 @@ fn shared(a: &Frame, b: &Frame) -> usize {
     a.iter().filter(|contact| b.contains(contact)).count()
 }
 
-/// Reactions of a frame are beyond what the number type computes exactly.
+/// Whether reactions of a frame exceed what the number type computes exactly.
 fn clamps<R: Number>(case: &Case, frame: &Frame) -> bool {
     let setup = &case.setup;
     let reaction = |c: &Contact<f64>| {

@@ -1,5 +1,5 @@
-//! A board that hears bytes: whatever they are, its force stays finite and within its limits, becomes zero in silence, and
-//! what it says is taken by a client.
+//! A board that receives arbitrary bytes: its force stays finite and within its limits and becomes zero after silence, and
+//! a client accepts everything that it sends.
 
 use std::collections::VecDeque;
 
@@ -15,10 +15,10 @@ use stiction_firmware::station::{Link, Setup, Station};
 const V: usize = 8;
 const S: usize = 2;
 const ROOM: usize = frame_bytes(scene_bytes(V, S));
-/// Of a board with room for obstacles.
+/// For a board with capacity for obstacles.
 const ROOM_AMONG: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(3, 9));
 type Among = WithObstacles<3, 9, Full>;
-/// More bytes than that are not heard.
+/// Further bytes are ignored.
 const LONGEST_TRAFFIC: usize = 8192;
 
 const fn board(number: NumberType) -> Setup {
@@ -27,7 +27,7 @@ const fn board(number: NumberType) -> Setup {
         number,
         line_rate: 1_000_000,
         fastest_tick: 1_000,
-        // Not enough for all that a step may need: bodies come behind their hands.
+        // Too little for the most expensive steps: bodies lag behind their hands.
         work_rate: 400_000,
         limits: Limits::DEFAULT,
         passivity: None,
@@ -59,7 +59,7 @@ pub(crate) fn single(traffic: &[u8]) {
     hears::<f32, Full, ROOM>(&SINGLE, traffic);
 }
 
-/// The same with room for obstacles.
+/// The same with capacity for obstacles.
 pub(crate) fn single_among(traffic: &[u8]) {
     hears::<f32, Among, ROOM_AMONG>(&SINGLE, traffic);
 }
@@ -69,7 +69,7 @@ pub(crate) fn fixed(traffic: &[u8]) {
     hears::<Fixed, Full, ROOM>(&FIXED, traffic);
 }
 
-/// The same with room for obstacles.
+/// The same with capacity for obstacles.
 pub(crate) fn fixed_among(traffic: &[u8]) {
     hears::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic);
 }
@@ -80,14 +80,14 @@ fn hears<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup
     let mut line = Line::new(traffic);
     let (mut now_us, limits) = (0u32, &setup.limits);
     let (mut tick, mut servo) = (0u32, Servo::new((FromLine, NoActuators)));
-    // Until all is heard, and then for as long as the longest silence that still has a force.
+    // Until everything is received, and then for as long as the longest silence in which a force may remain.
     let mut left = 1 + limits.silence_us / limits.period_us;
     while left > 0 {
         now_us = now_us.wrapping_add(limits.period_us);
         tick += 1;
         let wrench = station.tick(now_us, &mut line, &mut servo);
         let [x, y] = wrench.force;
-        // A rounding is none of its business.
+        // Rounding errors are allowed.
         let within = |size: f32, limit: f32| size <= limit * (1.0 + 1e-6);
         assert!(within(x.hypot(y), limits.force), "{wrench:?} at {tick}");
         assert!(
@@ -105,7 +105,7 @@ fn hears<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup
     }
 }
 
-/// The line of a board: what is still to come, and the client at its other end.
+/// The line of a board: the bytes still to come, and the client at its other end.
 struct Line {
     came: VecDeque<u8>,
     said: Vec<u8>,
@@ -124,13 +124,13 @@ impl Line {
         }
     }
 
-    /// The client hears what the board has said: whole frames, none lost.
+    /// The client receives what the board has sent: whole frames, none lost.
     fn hear(&mut self) {
         for byte in self.said.drain(..) {
             let Some(received) = self.client.push::<ReportAmong>(byte) else {
                 continue;
             };
-            let frame = received.expect("a board says what can be taken");
+            let frame = received.expect("a client accepts what a board sends");
             assert_eq!(self.sequence.lost_before(frame.sequence), 0);
         }
     }

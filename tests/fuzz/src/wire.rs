@@ -1,5 +1,5 @@
-//! Bytes as traffic on the wire: whatever comes, the decoders of both sides stay sound, a frame that is taken can be
-//! said again and is taken for the same, and a board ([`crate::station`]) keeps its force within limits.
+//! Bytes as traffic on the wire: for any bytes, the decoders of both sides stay sound, an accepted frame can be sent
+//! again and decodes to the same message, and a board ([`crate::station`]) keeps its force within limits.
 
 use crate::station;
 use stiction_core::frame::{
@@ -8,20 +8,20 @@ use stiction_core::frame::{
 };
 use stiction_core::{Axis, Projection};
 
-/// The longest payload that there can be: 255 vertices, surfaces, obstacles and corners of these.
+/// The longest possible payload: 255 vertices, surfaces, obstacles and corners.
 const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
-/// Room for every frame.
+/// Capacity for every frame.
 const LONGEST: usize = frame_bytes(PAYLOAD);
 const WIRE: usize = wire_bytes(PAYLOAD);
-/// Room for some frames only.
+/// Capacity for some frames only.
 const SHORT: usize = 40;
 
-/// The first byte says how the others are meant. Bit 0: pieces, each with its length before it, that get a checksum and a
-/// delimiter and so pass for frames; otherwise they are the traffic as they are. Bit 1: the board computes in fixed point. Bit 2: it has
-/// room for obstacles.
+/// The first byte selects the meaning of the others. Bit 0: they are pieces, each preceded by its length, that get a checksum and a
+/// delimiter and so are valid frames; otherwise they are the raw traffic. Bit 1: the board computes in fixed point. Bit 2: it has
+/// capacity for obstacles.
 ///
 /// # Panics
-/// Where something does not hold.
+/// If a property is violated.
 pub fn wire(bytes: &[u8]) {
     let Some((&kind, rest)) = bytes.split_first() else {
         return;
@@ -42,7 +42,7 @@ pub fn wire(bytes: &[u8]) {
     }
 }
 
-/// Boards and clients hear the same traffic, those without room for obstacles and those with it.
+/// Boards and clients receive the same traffic, both those without capacity for obstacles and those with it.
 fn hear<const ROOM: usize>(traffic: &[u8]) {
     let (mut board, mut client) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
     let (mut board_among, mut client_among) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
@@ -76,7 +76,8 @@ fn hear<const ROOM: usize>(traffic: &[u8]) {
     }
 }
 
-/// A frame is said again, and what is said is taken for the same. A peer that knows no obstacles took it for the same or not at all.
+/// A frame is encoded again and decodes to the same message. A peer that knows no obstacles decoded it to the same message or
+/// rejected it.
 fn same_again<'a, M: Message<'a>>(
     frame: &Frame<M>,
     without: Option<Vec<u8>>,
@@ -84,7 +85,7 @@ fn same_again<'a, M: Message<'a>>(
 ) {
     let said = encoded(frame);
     assert!(without.is_none_or(|without| without == said));
-    assert_eq!(taken(&said).as_ref(), Ok(&said), "what is said is taken");
+    assert_eq!(taken(&said).as_ref(), Ok(&said), "what is sent is accepted");
 }
 
 fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
@@ -93,7 +94,7 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
     said.expect("there is room for every frame").to_vec()
 }
 
-/// What a board that hears these bytes of one frame would say again.
+/// The frame that a board, having received these bytes, would send again.
 fn taken_by_board(wire: &[u8]) -> Result<Vec<u8>, Fault> {
     let mut decoder = Decoder::<LONGEST>::new();
     let (&end, before) = wire.split_last().expect("a frame has bytes");
@@ -115,7 +116,7 @@ fn taken_by_client(wire: &[u8]) -> Result<Vec<u8>, Fault> {
     frame.map(|frame| encoded(&frame))
 }
 
-/// A tracker's records: every one is a place within 27 m and a unit quaternion, and has a planar pose.
+/// A tracker's records: each has a position within 27 m and a unit quaternion, and yields a planar pose.
 fn track(traffic: &[u8]) {
     let mut decoder = LogitechDecoder::new();
     let axis = |index| Axis {
@@ -133,7 +134,7 @@ fn track(traffic: &[u8]) {
     }
 }
 
-/// Pieces, each with its length before it, as frames with a right checksum.
+/// Pieces, each preceded by its length, as frames with a valid checksum.
 pub(crate) fn sealed(mut pieces: &[u8]) -> Vec<u8> {
     let mut traffic = Vec::new();
     while let Some((&length, rest)) = pieces.split_first() {

@@ -1,14 +1,14 @@
-//! The kept inputs of fuzzing: what reaches far into the code, and what was once a fault.
+//! The kept inputs of fuzzing: those that reach deep into the code, and those that once revealed a fault.
 
 use std::fs;
 use std::path::Path;
 
-/// Checks every input of a target that a search begins with.
+/// Checks every seed input of a target.
 fn kept(target: &str, check: fn(&[u8])) {
     all_of("corpus", target, (10, check));
 }
 
-/// Of a folder all inputs of a target, which are more than some, in the order of their names.
+/// Checks all inputs of a target in a folder, in the order of their names; there must be more than `some`.
 fn all_of(folder: &str, target: &str, (some, check): (usize, fn(&[u8]))) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join(folder)

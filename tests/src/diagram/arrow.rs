@@ -1,4 +1,4 @@
-//! Arrows between the cards: one curve for each direction, and a place on it for what it says.
+//! Arrows between the cards: one curve for each direction, and a position on it for its label.
 
 use super::Area;
 use super::words::Words;
@@ -16,13 +16,14 @@ pub(super) enum Side {
     Bottom,
 }
 
-/// A side, and the part of it, from the left or from the top, where both ways of a pair of states leave it.
+/// A side, and the position along it (a fraction, from the left or from the top) at which both arrows of a pair of
+/// states leave it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Port(pub(super) Side, pub(super) f64);
 
-/// Length and half the width of a head.
+/// Length and half-width of an arrowhead.
 const HEAD: [f64; 2] = [11.0, 5.0];
-/// Of the words.
+/// Font size of the labels.
 const LETTERS: f64 = 15.0;
 const WIDTH: f64 = 170.0;
 
@@ -35,12 +36,12 @@ pub(super) struct Arrow {
     words: Words,
     title: String,
     colour: &'static str,
-    /// The middle of its words.
+    /// The centre of its label.
     label: Point,
 }
 
-/// Both cards with their ports, the lane (-1: from the first to the second card, 1: back), the swing and half the distance of
-/// the lanes.
+/// Both cards with their ports, the lane (-1: from the first to the second card, 1: back), the bulge, and half the distance
+/// between the lanes.
 type Way = ([(Area, Port); 2], f64, [f64; 2]);
 
 impl Arrow {
@@ -52,7 +53,7 @@ impl Arrow {
     ) -> Self {
         let [(first, out), (second, back)] = ends;
         let beside = lane * apart;
-        // Ways that come back to the same side lie within each other; the others side by side, on steep parts too.
+        // Arrows that return to the same side are nested; the others run side by side, on steep sections too.
         let (other, [near, far]) = match (out.0, back.0) {
             (Side::Top, Side::Top) => (-beside, [swing * (1.0 - 0.04 * lane); 2]),
             (Side::Right, Side::Right) => (-beside, [swing * (1.0 - 0.2 * lane); 2]),
@@ -84,7 +85,7 @@ impl Arrow {
         }
     }
 
-    /// The point of the curve at a part of it.
+    /// The point of the curve at parameter `t` (0 to 1).
     fn at(&self, t: f64) -> Point {
         let s = 1.0 - t;
         let parts = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
@@ -98,7 +99,7 @@ impl Arrow {
         [sum(0), sum(1)]
     }
 
-    /// The rectangle of its words.
+    /// The rectangle of its label.
     pub(super) fn label_area(&self) -> Area {
         self.label_at(self.label)
     }
@@ -144,7 +145,7 @@ impl Arrow {
     }
 }
 
-/// Where a way leaves a card, and the point that it goes towards first.
+/// Where an arrow leaves a card, and the point that it heads for first.
 fn leave(area: Area, port: Port, beside: f64, swing: f64) -> [Point; 2] {
     let Area([x, y, width, height]) = area;
     let (across, along) = (x + width * port.1 + beside, y + height * port.1 + beside);
@@ -156,11 +157,11 @@ fn leave(area: Area, port: Port, beside: f64, swing: f64) -> [Point; 2] {
     }
 }
 
-/// Between two words.
+/// Clearance between two labels.
 const ROOM: f64 = 5.0;
 
-/// Puts the words of every arrow on it, where they meet no card, no other words and as few other arrows as possible; the
-/// longest words first.
+/// Places the label of every arrow on its curve, where it overlaps no card, no other label and as few other arrows as
+/// possible; the longest labels first.
 pub(super) fn place_labels(arrows: &mut [Arrow], cards: &[Area]) {
     let mut taken = cards.to_vec();
     let parts = || (12..=88).map(|i| f64::from(i) / 100.0);

@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 use stiction_core::StateKind::{self, Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
 use stiction_core::Transition;
 
-/// What is drawn for a state: where its card is, and the surfaces, the body and the contacts in a box of 36 by 24.
+/// What is drawn for a state: the position of its card, and the surfaces, the body and the contacts in a box of 36 by 24.
 struct Place {
     state: StateKind,
     at: [f64; 2],
@@ -63,7 +63,7 @@ const PLACES: [Place; 6] = [
 const BEYOND: [StateKind; 2] = [Corner, Locked];
 const WIDTH: f64 = 300.0;
 const LEAST_HEIGHT: f64 = 170.0;
-/// Of a card above its words.
+/// Height of a card above its text.
 const HEAD: f64 = 74.0;
 
 const fn place(
@@ -90,7 +90,7 @@ pub(super) struct Card {
 }
 
 impl Card {
-    /// Of all states.
+    /// The cards of all states.
     pub(super) fn all() -> Vec<Self> {
         PLACES.iter().map(Self::new).collect()
     }
@@ -154,7 +154,7 @@ impl Card {
     }
 }
 
-/// An arrow that comes back to where it begins.
+/// An arrow that returns to its start.
 pub(super) fn draw_loop(out: &mut String, [x, y]: [f64; 2]) -> fmt::Result {
     writeln!(
         out,

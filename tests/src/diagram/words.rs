@@ -1,11 +1,11 @@
-//! Sentences broken into lines of about the same length, and their symbols as SVG.
+//! Sentences broken into lines of similar length, and their symbols as SVG.
 
 use std::fmt::{self, Write};
 
-/// Mean width of a letter, and the height of a line, in parts of the size of the letters.
+/// Mean width of a letter, and the height of a line, as fractions of the font size.
 const LETTER: f64 = 0.52;
 const LINE: f64 = 1.27;
-/// Between two sentences, in parts of a line.
+/// Gap between two sentences, as a fraction of the line height.
 const GAP: f64 = 0.35;
 
 /// Sentences in lines, below each other.
@@ -16,7 +16,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Sentences in letters of a size, in lines no longer than a width.
+    /// Sentences at a font size, in lines no longer than a width.
     pub(super) fn wrapped<'a>(
         sentences: impl Iterator<Item = &'a str>,
         letters: f64,
@@ -42,7 +42,7 @@ impl Words {
         ]
     }
 
-    /// How far below the first line each sentence begins (px).
+    /// The distance of each sentence's first line below the first line of all (px).
     pub(super) fn tops(&self) -> impl Iterator<Item = f64> {
         let line = self.letters * LINE;
         self.sentences.iter().scan(0.0, move |top, sentence| {
@@ -52,7 +52,7 @@ impl Words {
         })
     }
 
-    /// From a place at its top, aligned by an anchor, in a colour.
+    /// Draws the sentences from a position at their top, with an anchor and a colour.
     pub(super) fn draw(
         &self,
         out: &mut String,
@@ -73,14 +73,14 @@ impl Words {
     }
 }
 
-/// In as few lines of at most so many letters as it goes, the longest of them as short as it goes.
+/// Breaks a sentence into as few lines of at most `most` letters as possible; the longest line is as short as possible.
 fn balanced(sentence: &str, most: usize) -> Vec<String> {
     let count = lines(sentence, most).len();
     let shortest = (1..most).find(|&width| lines(sentence, width).len() <= count);
     lines(sentence, shortest.unwrap_or(most))
 }
 
-/// In lines of at most so many letters, or of one word.
+/// Breaks a sentence into lines of at most `most` letters, or of one word.
 fn lines(sentence: &str, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in sentence.split(' ') {
@@ -98,7 +98,7 @@ fn lines(sentence: &str, most: usize) -> Vec<String> {
 /// Symbols and their indices.
 const SYMBOLS: [(&str, &str, &str); 2] = [("mu_d", "μ", "d"), ("N_i", "N", "i")];
 
-/// Letters of a text.
+/// The number of letters of a text.
 fn length(text: &str) -> usize {
     let spared: usize = SYMBOLS
         .iter()

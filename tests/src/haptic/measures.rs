@@ -1,4 +1,4 @@
-//! How far whole runs of one hand are apart, and what they came to: from the frames of runs to samples and counts.
+//! How far whole runs of the same hand differ, and what they contain: from the frames of runs to samples and counts.
 
 use crate::number::Number;
 use crate::random::Scenario;
@@ -6,7 +6,7 @@ use crate::run::{Frame, run};
 use crate::setup::Setup;
 use stiction_core::{Evolution, StateKind, Status};
 
-/// A whole run, every frame of the hand cut into `parts` equal ones.
+/// A whole run, with every frame of the hand cut into `parts` equal ones.
 pub fn led<R: Number>(scenario: &Scenario, evolution: Evolution, parts: usize) -> Vec<Frame> {
     run::<R>(&scenario.setup, evolution, &scenario.hands(parts))
 }
@@ -26,7 +26,7 @@ pub fn against_f64<R: Number>(
     comparison
 }
 
-/// Runs beside reference runs of the same hand.
+/// Runs compared with reference runs of the same hand.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     /// Distance of the poses (L) in every frame in which the body touches in either run.
@@ -40,13 +40,17 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// One run more. Of a run whose frames are cut, only the poses at the samples of the reference are compared.
+    /// Adds a run. If the frames of the run are cut, only the poses at the samples of the reference are compared.
     ///
     /// # Panics
-    /// If the run has not so many frames for every one of the reference.
+    /// If the number of the run's frames does not match that of the reference.
     pub fn add(&mut self, setup: &Setup, run: &[Frame], reference: &[Frame]) {
         let parts = (run.len() - 1) / (reference.len() - 1);
-        assert_eq!((reference.len() - 1) * parts + 1, run.len(), "not one hand");
+        assert_eq!(
+            (reference.len() - 1) * parts + 1,
+            run.len(),
+            "the runs do not have the same hand"
+        );
         let l = setup.size();
         for (a, b) in run.iter().step_by(parts).zip(reference) {
             if touches(a) || touches(b) {
@@ -60,10 +64,10 @@ impl Comparison {
     }
 }
 
-/// What runs came to.
+/// Statistics of runs.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Frames, the starts among them.
+    /// Frames, including the initial ones.
     pub frames: u64,
     /// Frames by state, in the order of [`StateKind::ALL`].
     pub states: [u64; StateKind::ALL.len()],
@@ -74,7 +78,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// One run more.
+    /// Adds a run.
     pub fn add(&mut self, run: &[Frame]) {
         for frame in run {
             self.frames += 1;
@@ -83,17 +87,17 @@ impl Tally {
             self.slips.add(f64::from(frame.slips));
         }
     }
-    /// The part of all frames that have this status.
+    /// The fraction of all frames that have this status.
     pub fn share(&self, status: Status) -> f64 {
         let counts = Status::ALL.iter().zip(self.statuses);
         let found: u64 = counts.filter(|&(&s, _)| s == status).map(|(_, n)| n).sum();
         found as f64 / self.frames as f64
     }
-    /// The part of all frames in which the body touches.
+    /// The fraction of all frames in which the body touches.
     pub fn share_in_contact(&self) -> f64 {
         self.contact() as f64 / self.frames as f64
     }
-    /// The part of the frames in contact that are in this state.
+    /// The fraction of the frames in contact that are in this state.
     pub fn share_of_contact(&self, state: StateKind) -> f64 {
         self.count(|s| s == state) as f64 / self.contact() as f64
     }
@@ -112,16 +116,16 @@ fn count<T: PartialEq>(counts: &mut [u64], all: &[T], one: T) {
     }
 }
 
-/// Numbers, of which the quantiles are asked. One that is NaN is above all others.
+/// Numbers whose quantiles are of interest. NaN counts as larger than all others.
 #[derive(Clone, Debug, Default)]
 pub struct Samples(Vec<f64>);
 
 impl Samples {
-    /// One number more.
+    /// Adds a number.
     pub fn add(&mut self, value: f64) {
         self.0.push(value);
     }
-    /// The least number that this part of them does not exceed, 1 for the largest; 0 of none.
+    /// The smallest number that is at least as large as this fraction of them: 1 gives the largest. Without numbers, 0.
     pub fn quantile(&mut self, part: f64) -> f64 {
         let Some(last) = self.0.len().checked_sub(1) else {
             return 0.0;
@@ -134,24 +138,24 @@ impl Samples {
     pub fn sum(&self) -> f64 {
         self.0.iter().sum()
     }
-    /// The mean; 0 of none.
+    /// The mean; 0 without numbers.
     pub fn mean(&self) -> f64 {
         self.sum() / self.0.len().max(1) as f64
     }
 }
 
-/// The slips of a whole run.
+/// The number of slips of a whole run.
 pub fn slips(run: &[Frame]) -> u64 {
     run.iter().map(|frame| u64::from(frame.slips)).sum()
 }
 
-/// How far apart two poses of the body are: the way of the vertex that is farthest from itself (m).
+/// How far apart two poses of the body are: the displacement of the vertex that moves farthest (m).
 pub fn distance(setup: &Setup, a: [f64; 3], b: [f64; 3]) -> f64 {
     let way = |&v: &[f64; 2]| {
         let ([ax, ay], [bx, by]) = (setup.world(a, v), setup.world(b, v));
         (ax - bx).hypot(ay - by)
     };
-    // Of numbers that are not finite no maximum may make finite ones.
+    // A maximum must not hide values that are not finite.
     let worse = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
     setup.vertices.iter().map(way).fold(0.0, worse)
 }

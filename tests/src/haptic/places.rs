@@ -1,4 +1,4 @@
-//! Ordinary surroundings: a floor, a floor and a wall or a slope, a tray, a tray with a slope or a lid.
+//! Ordinary surroundings: a floor, a floor with a wall or a slope, a tray, a tray with a slope or a lid.
 
 use crate::draw::Draw;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -19,7 +19,7 @@ pub(super) fn place(draw: &mut Draw, l: f64) -> Vec<Place> {
     let mut places = vec![line(floor(0.0), tilt)];
     let count = 1 + draw.below(4);
     if count == 2 {
-        // From a sharp wedge over a wall to two slopes.
+        // From a sharp wedge through a wall to two slopes.
         places.push(line(floor(right), tilt + rise((60.0, 140.0), draw)));
     }
     if count > 2 {

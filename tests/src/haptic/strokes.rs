@@ -1,4 +1,4 @@
-//! The hand's path: minimum-jerk strokes that touch obliquely, press, drag, turn, lift and come back. Where a stroke ends is told
+//! The hand's path: minimum-jerk strokes that touch obliquely, press, drag, turn, lift and return. The end of a stroke is chosen
 //! by how deep the body would be in a surface if it followed the hand.
 
 use crate::draw::Draw;
@@ -6,11 +6,11 @@ use crate::run::between;
 use crate::setup::Setup;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Turned no further than this from the start (rad).
+/// The hand turns no further than this from the start (rad).
 const TURN: f64 = 1.2;
-/// Surfaces whose normals' cross product is smaller are not pressed at once.
+/// Two surfaces whose normals' cross product is smaller are not pressed simultaneously.
 const PARALLEL: f64 = 0.2;
-/// As deep as the hand presses at most (L).
+/// The greatest depth to which the hand presses (L).
 const DEEPEST: f64 = 0.15;
 
 /// The hand of a scene.
@@ -21,14 +21,14 @@ pub(super) struct Hand<'a> {
     l: f64,
     /// phi at the start (rad).
     base: f64,
-    /// x, y (m), phi (rad): where the hand would be, had the body no weight.
+    /// x, y (m), phi (rad): where the hand would be if the body had no weight.
     at: [f64; 3],
-    /// The surface that the hand works on, and how deep (m); outside it is less than 0.
+    /// The surface that the hand works on, and how deep (m); negative outside it.
     work: (usize, f64),
 }
 
 impl<'a> Hand<'a> {
-    /// Above the floor at any angle, the body in the air.
+    /// Above the floor at any angle, with the body in the air.
     pub(super) fn above(mut draw: Draw, setup: &'a Setup) -> Self {
         let (l, base) = (setup.size(), draw.between(-FRAC_PI_2, FRAC_PI_2));
         let work = (0, -l * draw.between(0.1, 0.3));
@@ -50,7 +50,7 @@ impl<'a> Hand<'a> {
         let [dx, dy] = self.setup.world([0.0, 0.0, phi], point);
         [x - dx, y - dy, phi]
     }
-    /// The samples of 3 to 4 s at 1 kHz, as f32 has them.
+    /// The samples of 3 to 4 s at 1 kHz, rounded to f32.
     pub(super) fn samples(mut self) -> Vec<[f64; 3]> {
         let frames = 3000 + self.draw.below(1001);
         let raised = self.setup.weight / self.setup.stiffness_translation;
@@ -67,7 +67,7 @@ impl<'a> Hand<'a> {
         samples.into_iter().map(carried).collect()
     }
 
-    /// Where the next stroke ends. `rest` is how deep it may go into surfaces that it is not about.
+    /// The end of the next stroke. `rest` is how deep it may go into other surfaces.
     fn stroke(&mut self) -> [f64; 3] {
         let phi = self.at[2];
         let along = self.draw.between(0.05, 0.8) * self.draw.one(&[-1.0, 1.0]) * self.l;
@@ -77,9 +77,9 @@ impl<'a> Hand<'a> {
         }
         let (surface, depth) = self.work;
         match self.draw.below(20) {
-            // Drags on.
+            // Continues to drag.
             0..5 => self.beside(phi, along, rest),
-            // Presses more or less, where it is or on the way.
+            // Presses more or less, in place or while it moves.
             5..8 => {
                 self.work = (surface, self.depth());
                 let along = along * self.draw.one(&[0.0, 1.0]);
@@ -90,7 +90,7 @@ impl<'a> Hand<'a> {
                 let phi = self.turned(surface);
                 self.beside(phi, 0.3 * along, rest)
             }
-            // Goes into a second surface.
+            // Moves into a second surface.
             10..13 => {
                 let flush = self.flush(surface);
                 let phi = self.draw.one(&[phi, flush]);
@@ -106,7 +106,7 @@ impl<'a> Hand<'a> {
             }
         }
     }
-    /// From the air to one surface or two.
+    /// From the air onto one surface or two.
     fn touch(&mut self, along: f64, rest: f64) -> [f64; 3] {
         let surface = self.draw.below(self.setup.surfaces.len());
         self.work = (surface, self.depth());
@@ -130,13 +130,14 @@ impl<'a> Hand<'a> {
             }
         }
     }
-    /// The angle nearest to that of the start at which a side of the body lies flush on a surface; nearly, as hands do it.
+    /// The angle nearest to that of the start at which a side of the body lies flush on a surface, with the small error of
+    /// a human hand.
     fn flush(&mut self, surface: usize) -> f64 {
         let [nx, ny] = self.setup.surfaces[surface].normal;
         let vertices = &self.setup.vertices;
         let turn = |(i, a): (usize, &[f64; 2])| {
             let b = vertices[(i + 1) % vertices.len()];
-            // The side's outer normal, turned against that of the surface.
+            // The side's outer normal, relative to the surface's normal.
             let outer = (b[1] - a[1]).atan2(b[0] - a[0]) - FRAC_PI_2;
             let turn = ny.atan2(nx) + PI - outer - self.base;
             turn - TAU * (turn / TAU).round()
@@ -146,7 +147,7 @@ impl<'a> Hand<'a> {
         self.base + nearest.clamp(-TURN, TURN) + self.draw.one(&[0.0, 0.0, 0.004, -0.01])
     }
 
-    /// So far along the surface of work, as deep as the work is; no deeper in other surfaces than `rest`.
+    /// A displacement `along` the surface of work, at the depth of the work; no deeper than `rest` in other surfaces.
     fn beside(&self, phi: f64, along: f64, rest: f64) -> [f64; 3] {
         let (surface, depth) = self.work;
         let [nx, ny] = self.setup.surfaces[surface].normal;
@@ -161,7 +162,7 @@ impl<'a> Hand<'a> {
         }
         self.relieved(phi, there)
     }
-    /// Into the surface of work and into another one, `rest` deep.
+    /// Into the surface of work, and into another one by `rest`.
     fn two_surfaces(&mut self, phi: f64, rest: f64) -> [f64; 3] {
         let [x, y, _] = self.beside(phi, 0.0, rest);
         let other = self.draw.below(self.setup.surfaces.len());
@@ -169,7 +170,7 @@ impl<'a> Hand<'a> {
         let there = self.shifted([x, y], other, missing).unwrap_or([x, y]);
         self.relieved(phi, there)
     }
-    /// Out of the surfaces that nobody would press so deep.
+    /// Moves out of surfaces into which nobody would press so deep.
     fn relieved(&self, phi: f64, [mut x, mut y]: [f64; 2]) -> [f64; 3] {
         for (i, surface) in self.setup.surfaces.iter().enumerate() {
             let beyond = (self.missing(i, phi, [x, y]) - DEEPEST * self.l).max(0.0);
@@ -178,7 +179,7 @@ impl<'a> Hand<'a> {
         }
         [x, y, phi]
     }
-    /// How far out of a surface the hand would have to go for the body to touch it (m).
+    /// The distance by which the hand would have to move out of a surface for the body to just touch it (m).
     fn missing(&self, surface: usize, phi: f64, [x, y]: [f64; 2]) -> f64 {
         let surface = &self.setup.surfaces[surface];
         let [nx, ny] = surface.normal;
@@ -190,7 +191,7 @@ impl<'a> Hand<'a> {
         let lowest = (self.setup.vertices.iter().map(height)).fold(f64::MAX, f64::min);
         surface.offset - lowest
     }
-    /// Moved along the surface of work until it is `way` farther from another one, unless they are parallel.
+    /// Shifted along the surface of work until it is `way` farther from another one; `None` if they are parallel.
     fn shifted(&self, [x, y]: [f64; 2], other: usize, way: f64) -> Option<[f64; 2]> {
         let [nx, ny] = self.setup.surfaces[self.work.0].normal;
         let [ox, oy] = self.setup.surfaces[other].normal;
@@ -200,7 +201,7 @@ impl<'a> Hand<'a> {
     }
 }
 
-/// The part of a straight way that a hand has gone after a part of the time (Flash and Hogan 1985).
+/// The fraction of a straight path that a hand has covered after a fraction of the time (Flash and Hogan 1985).
 fn minimum_jerk(u: f64) -> f64 {
     u * u * u * (10.0 + u * (6.0 * u - 15.0))
 }

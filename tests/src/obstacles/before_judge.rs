@@ -1,4 +1,4 @@
-//! Scenes and runs among obstacles as the judge of traces has them, which knows nothing of the solver.
+//! Scenes and runs among obstacles, converted for the judge of traces, which knows nothing of the solver.
 
 use super::run::{Contact, Frame};
 use super::scene::Among;
@@ -7,7 +7,7 @@ use crate::reference::Touch;
 use stiction_core::SurfaceDescription;
 use stiction_judge::{Event, Obstacle, Scene, State, Status, Surface};
 
-/// The scene as the number type takes it in.
+/// The scene as the number type rounds it.
 pub fn scene<R: Number>(among: &Among) -> Scene {
     let Among { setup, obstacles } = among.rounded::<R>();
     let surface = |(i, s): (usize, &SurfaceDescription<f64>)| {
@@ -40,10 +40,10 @@ pub fn scene<R: Number>(among: &Among) -> Scene {
     }
 }
 
-/// Frame `i`, a second after the one before.
+/// Frame `i`, one second after the frame before it.
 ///
 /// # Panics
-/// Where the judge does not know a name.
+/// If the judge does not know a name.
 pub fn frame(i: usize, frame: &Frame) -> stiction_judge::Frame {
     let contact = |c: &Contact| stiction_judge::Contact {
         touch: touch(c.touch),
@@ -72,7 +72,7 @@ pub fn frame(i: usize, frame: &Frame) -> stiction_judge::Frame {
     }
 }
 
-/// What touches what.
+/// The pair of touching features.
 pub fn touch(of: Touch) -> stiction_judge::Touch {
     match of {
         Touch::Surface { vertex, surface } => stiction_judge::Touch::Surface { vertex, surface },

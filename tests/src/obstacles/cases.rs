@@ -1,4 +1,4 @@
-//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits and more from the balance of their
+//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits or more from the balance of the
 //! contacts. Lengths in m, angles in rad, forces in N.
 
 use super::scene::{Among, Obstacle};
@@ -7,7 +7,7 @@ use crate::setup::Setup;
 use serde_json::Value;
 use stiction_core::SurfaceDescription;
 
-/// Cases whose values follow from formulas, without the root of an equation.
+/// Cases whose values follow from closed formulas, without solving an equation numerically.
 const CLOSED: [&str; 5] = [
     "box pushed over the edge, flat, static = dynamic",
     "plank on two posts",
@@ -16,24 +16,24 @@ const CLOSED: [&str; 5] = [
     "around a plate, near it, not at it",
 ];
 
-/// A scene, a path and what is known of some frames.
+/// A scene, a path and the known values of some frames.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is about.
+    /// What the case is about.
     pub name: String,
     /// The scene.
     pub among: Among,
     /// The hand, frame by frame: x, y, phi.
     pub hands: Vec<[f64; 3]>,
-    /// What is known.
+    /// The known values.
     pub checks: Vec<Check>,
-    /// Its values follow from formulas.
+    /// The values follow from closed formulas.
     pub closed: bool,
-    /// Tolerance in f64, and that of f32 and fixed point, in the scale of a check.
+    /// Tolerance in f64, and that of f32 and fixed point, relative to the scale of a check.
     pub tolerance: [f64; 2],
-    /// The same scene with a half-plane, friction \[mu_s, mu_d\], in the place of its obstacle.
+    /// The same scene with a half-plane, friction \[mu_s, mu_d\], in place of its obstacle.
     pub twin: Option<Among>,
-    /// It has to be refused.
+    /// The scene has to be refused.
     pub refused: bool,
 }
 
@@ -44,14 +44,14 @@ pub struct Check {
     pub frame: usize,
     /// The value.
     pub value: Known,
-    /// What an error is relative to: the body's size or 1 rad, the largest force of the frame.
+    /// What an error is relative to: the body's size, 1 rad, or the largest force of the frame.
     pub scale: f64,
 }
 
-/// What is known.
+/// The quantity that is known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Known {
-    /// x, y or theta, by index.
+    /// x, y or theta, selected by index.
     Pose(usize, f64),
     /// N of a contact.
     Normal(Touch, f64),
@@ -61,7 +61,7 @@ pub enum Known {
     Frictions(f64),
     /// The force of the hand on the body along y.
     Pull(f64),
-    /// The slips up to this frame.
+    /// The number of slips up to this frame.
     Slips(u32),
     /// The name of the state.
     State(String),
@@ -69,7 +69,7 @@ pub enum Known {
     Contacts(Vec<Touch>),
 }
 
-/// What a check is compared with, of whoever answers.
+/// What a check is compared with: the answer of the solver or of the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// x, y, theta.
@@ -78,18 +78,18 @@ pub struct Answer {
     pub contacts: Vec<(Touch, [f64; 2])>,
     /// The force of the hand on the body along y.
     pub pull: f64,
-    /// Slips from the first frame on.
+    /// Slips since the first frame.
     pub slips: u32,
     /// The name of the state.
     pub state: &'static str,
 }
 
 impl Known {
-    /// It is a part of the pose.
+    /// Whether it is a component of the pose.
     pub fn is_pose(&self) -> bool {
         matches!(self, Self::Pose(..))
     }
-    /// It is a force.
+    /// Whether it is a force.
     pub fn is_force(&self) -> bool {
         matches!(
             self,
@@ -99,7 +99,7 @@ impl Known {
 }
 
 impl Check {
-    /// How far an answer is off, in the scale of the check; infinite where names differ or a contact is missing.
+    /// The error of an answer, relative to the scale of the check; infinite if names differ or a contact is missing.
     pub fn error(&self, answer: &Answer) -> f64 {
         let same = |same: bool| if same { 0.0 } else { f64::INFINITY };
         let of = |touch: &Touch, k: usize| {
@@ -202,7 +202,7 @@ fn among(geometry: &Value, scene: &str) -> (Among, [Vec<String>; 2]) {
     (Among { setup, obstacles }, names)
 }
 
-/// Body and obstacle of a scene file; nothing else matters where it is refused.
+/// Body and obstacle of a scene file; a refused scene needs nothing else.
 fn bare(scene: &str) -> Among {
     let points = |value: &Value| -> Vec<[f64; 2]> {
         let point = |p: &Value| [0, 1].map(|k| number(&p[k]));

@@ -1,4 +1,4 @@
-//! The slow reference on a random scene: as frames that the laws can judge, and beside a run of the solver.
+//! The slow reference on a random scene: as frames that the laws can judge, and compared with a run of the solver.
 
 use super::laws::Laws;
 use super::run::{Contact, Frame, Run};
@@ -9,31 +9,31 @@ use crate::number::Number;
 use crate::reference::{ContactForce, Reference, Touch};
 use stiction_core::{Evolution, Status};
 
-/// Parts in which the hand of the reference goes from frame to frame.
+/// The number of substeps per frame for the hand of the reference.
 const SUBSTEPS: usize = 20;
-/// Poses that differ by more are not the same, in body sizes and rad.
+/// Poses that differ by more than this are different, in body sizes and rad.
 const SAME: f64 = 1e-3;
 
-/// How a run of the solver and one of the reference go together.
+/// How well a run of the solver and one of the reference agree.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
-    /// Frames that were compared: up to one at which the reference gives up.
+    /// Frames that were compared: all those before the reference gives up.
     pub frames: usize,
-    /// With the same contacts.
+    /// Frames with the same contacts.
     pub contacts: usize,
-    /// With a contact, and the same contacts.
+    /// Frames with any contact, and those of them with the same contacts.
     pub touching: [usize; 2],
-    /// With the same contacts and the same pose.
+    /// Frames with the same contacts and the same pose.
     pub poses: usize,
-    /// The first frame with other contacts, and both lists.
+    /// The first frame with different contacts, and both lists.
     pub first_other: Option<(usize, [Vec<Touch>; 2])>,
-    /// The first frame in which the reference breaks a law of f64, and which.
+    /// The first frame in which the reference breaks a law of f64, with the law and the amount.
     pub unlawful: Option<(usize, &'static str, f64)>,
-    /// The frame at which the reference says that it does not know.
+    /// The frame at which the reference reports that it has no answer.
     pub gave_up: Option<usize>,
 }
 
-/// What the reference says, as a frame.
+/// The answer of the reference, as a frame.
 pub fn frame_of(among: &Among, body: &Reference, hand: [f64; 3]) -> Frame {
     let setup = &among.setup;
     let pose = body.pose();

@@ -1,29 +1,29 @@
-//! A time limit and a net for panics, so that one scene that loops or panics does not hide the others.
+//! A time limit and a panic guard, so that one scene that loops or panics does not hide the others.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// What became of a piece of work.
+/// The outcome of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome<T> {
-    /// It is done.
+    /// It finished.
     Done(T),
-    /// It panicked, with these words.
+    /// It panicked with this message.
     Panic(String),
     /// It took longer than the limit; its thread goes on until the process ends.
     Late,
 }
 
-/// Runs a piece of work in a thread of its own.
+/// Runs a task in its own thread.
 pub fn within<T: Send + 'static>(
     limit: Duration,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Outcome<T> {
     let (send, receive) = mpsc::channel();
     let spawned = thread::Builder::new().stack_size(16 << 20).spawn(move || {
-        // Nobody listens any more where it was late.
+        // After the deadline, nobody receives the result.
         let _ = send.send(caught(work));
     });
     if let Err(error) = spawned {
@@ -36,14 +36,14 @@ pub fn within<T: Send + 'static>(
     }
 }
 
-/// What a piece of work gives, or the words of its panic.
+/// The result of a task, or the message of its panic.
 ///
 /// # Errors
-/// The words of the panic.
+/// The message of the panic.
 pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|thrown| {
         let words = thrown.downcast_ref::<String>().cloned();
         let words = words.or_else(|| thrown.downcast_ref::<&str>().map(|s| (*s).to_owned()));
-        words.unwrap_or_else(|| "a panic without words".to_owned())
+        words.unwrap_or_else(|| "a panic without a message".to_owned())
     })
 }

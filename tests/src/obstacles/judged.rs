@@ -1,4 +1,4 @@
-//! A run of the solver beside what is known of a case.
+//! A run of the solver, compared with the known values of a case.
 
 use super::cases::{Answer, Case, Check, Known};
 use super::run::{Frame, Run};
@@ -6,19 +6,19 @@ use crate::number::Number;
 use std::fmt;
 use stiction_core::{Evolution, Status};
 
-/// The bound in f64 where a case follows from formulas, in the scale of a check.
+/// The bound in f64 for cases with closed formulas, relative to the scale of a check.
 const CLOSED: f64 = 1e-9;
 
-/// How far a run is from a case.
+/// How far a run deviates from a case.
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
     /// Largest error of a pose, in body sizes and rad.
     pub pose: f64,
-    /// Largest error of a force, in the largest force of its frame.
+    /// Largest error of a force, relative to the largest force of its frame.
     pub force: f64,
-    /// The first check that does not hold: its frame, and in words.
+    /// The first check that fails: its frame, and a description.
     pub first_off: Option<(usize, String)>,
-    /// Statuses but `ok`, with the first frame and the number of frames of each.
+    /// Statuses other than `ok`, with the first frame and the number of frames of each.
     pub statuses: Vec<(Status, usize, usize)>,
 }
 
@@ -84,7 +84,7 @@ pub fn verdict<R: Number>(case: &Case, evolution: Evolution) -> Verdict {
     verdict
 }
 
-/// What a frame answers.
+/// The answer that a frame gives.
 fn answer(frame: &Frame, slips: u32) -> Answer {
     let contact = |c: &super::run::Contact| (c.touch, [c.normal, c.friction]);
     Answer {
@@ -96,7 +96,7 @@ fn answer(frame: &Frame, slips: u32) -> Answer {
     }
 }
 
-/// The bound of a number type, in the scale of a check.
+/// The bound of a number type, relative to the scale of a check.
 fn bound<R: Number>(case: &Case) -> f64 {
     let exact = R::ROUNDING <= f64::ROUNDING;
     match case.tolerance {
@@ -132,7 +132,7 @@ fn compare<R: Number>(case: &Case, (check, answer): (&Check, &Answer), verdict: 
     }
 }
 
-/// A run beside that of the twin: pose and forces of the hand.
+/// Compares a run with that of the twin: pose and forces of the hand.
 fn same<R: Number>(case: &Case, (i, one, other): (usize, &Frame, &Frame), verdict: &mut Verdict) {
     let size = case.among.setup.size();
     let [x, y, theta] = [0, 1, 2].map(|k| (one.pose[k] - other.pose[k]).abs());
@@ -148,7 +148,7 @@ fn same<R: Number>(case: &Case, (i, one, other): (usize, &Frame, &Frame), verdic
         verdict.take(i, || {
             let slips = [one.slips, other.slips];
             format!(
-                "not as on the half-plane: pose by {pose:.1e}, force by {off:.1e}, slips {slips:?}"
+                "differs from the half-plane: pose by {pose:.1e}, force by {off:.1e}, slips {slips:?}"
             )
         });
     }

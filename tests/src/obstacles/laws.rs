@@ -1,7 +1,7 @@
-//! The laws of a single frame among obstacles, by geometry and statics alone: no code of the solver, nothing remembered.
+//! The laws of a single frame among obstacles, from geometry and statics alone: they use no code of the solver and remember nothing.
 //!
-//! Tolerances are those of the laws among half-planes: the number type's bounds for gaps and balance, none of them finer than 64
-//! roundings of the farthest coordinate. Corners add one length, [`SNAP`].
+//! Tolerances are those of the laws among half-planes: the number type's bounds for gaps and balance, each at least 64 roundings
+//! of the farthest coordinate. Corners add one length, [`SNAP`].
 
 use super::rooms::beyond as beyond_cell;
 use super::run::{Contact, Frame};
@@ -21,15 +21,15 @@ pub const OUTSIDE: &str = "the body is outside";
 pub const STAYS: &str = "the body stays in its room";
 /// A contact is on the line of its side.
 pub const ON_LINE: &str = "a contact is on its line";
-/// A contact is between the ends of its side.
+/// A contact lies between the ends of its side.
 pub const ON_SIDE: &str = "a contact is on its side";
-/// Both shapes are on their sides of the line of contact.
+/// Each shape lies on its own side of the line of contact.
 pub const SUPPORTS: &str = "the normal of a contact supports";
-/// `direction` and `point` are those of the pose.
+/// `direction` and `point` are those that follow from the pose.
 pub const PLACE: &str = "a contact is where it says";
-/// There is such a pair: a pin has no sides, nor has a point.
+/// The pair of features exists: a pin has no sides, nor has a point.
 pub const PAIR: &str = "a contact is a pair of features";
-/// No contact is there twice.
+/// No contact is listed twice.
 pub const ONCE: &str = "a contact is there once";
 /// The state is named after the number of contacts.
 pub const NAME: &str = "the state is named after its contacts";
@@ -39,27 +39,27 @@ pub const PUSH: &str = "obstacles do not pull";
 pub const CONE: &str = "friction is in its cone";
 /// F = k_h (p_h - G), M = k_theta (phi - theta)
 pub const WRENCH: &str = "the wrench is that of the springs";
-/// Hand, weight and reactions add up to no force.
+/// The forces of hand, weight and reactions sum to zero.
 pub const FORCES: &str = "forces balance";
-/// Hand, weight and reactions add up to no moment.
+/// The moments of hand, weight and reactions sum to zero.
 pub const MOMENTS: &str = "moments balance";
 
-/// What is shorter counts as nothing, in body sizes: an overlap of two sides below it is one contact, two sides whose ends are
-/// nearer than it are flat on each other. So a contact may be beside its side, and a neighbour behind the line of contact, by so much.
+/// Shorter lengths count as zero, in body sizes: two sides that overlap by less make one contact; two sides whose ends are nearer than
+/// this are flat on each other. So a contact may lie past the end of its side, and a neighbour behind the line of contact, by this much.
 pub const SNAP: f64 = 1.0 / 524_288.0;
-/// Roundings of a coordinate that a length carries, as among half-planes.
+/// Accumulated rounding error of a length, in roundings of a coordinate, as among half-planes.
 const CARRIED: f64 = 64.0;
-/// A judge of frames asks for no more contacts than the solver lists.
+/// The judge expects no more contacts than the solver lists.
 const LISTED: usize = stiction_core::MAX_CONTACTS;
 
 /// A law that a frame breaks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
-    /// Which.
+    /// The law's name.
     pub law: &'static str,
-    /// By how much, in units of what is allowed: more than 1.
+    /// The violation relative to the tolerance: more than 1.
     pub amount: f64,
-    /// The same in body sizes, rad, or parts of the largest force of the frame.
+    /// The violation in body sizes, rad, or fractions of the largest force of the frame.
     pub residual: f64,
 }
 
@@ -69,14 +69,14 @@ pub struct Laws {
     among: Among,
     /// L (m)
     size: f64,
-    /// The farthest coordinate of what is around (m).
+    /// The farthest coordinate of the surroundings (m).
     farthest: f64,
     residual: f64,
     gap: f64,
     rounding: f64,
 }
 
-/// The lengths that are allowed in a frame (m).
+/// The tolerances of lengths in a frame (m).
 #[derive(Clone, Copy, Debug)]
 struct Lengths {
     gap: f64,
@@ -84,7 +84,7 @@ struct Lengths {
 }
 
 impl Laws {
-    /// For the scene as the number type takes it in.
+    /// Laws for the scene as the number type rounds it.
     pub fn new<R: Number>(among: &Among) -> Self {
         let among = among.rounded::<R>();
         let corners = among.obstacles.iter().flat_map(|o| &o.vertices);
@@ -103,8 +103,7 @@ impl Laws {
         }
     }
 
-    /// The laws that a frame breaks. Where the status says that the pose is out of balance, or no hand holds the body, nothing is asked of
-    /// forces.
+    /// The laws that a frame breaks. If the status says that the pose is out of balance, or no hand holds the body, forces are not judged.
     pub fn broken(&self, frame: &Frame) -> Vec<Finding> {
         let mut findings = Findings::default();
         if !is_finite(frame) || frame.unequal {
@@ -120,7 +119,7 @@ impl Laws {
         findings.0
     }
 
-    /// What a frame breaks whose body is in a closed room.
+    /// The laws that a frame breaks if its body is in a closed room.
     pub fn broken_in(&self, room: Option<&[Point]>, frame: &Frame) -> Vec<Finding> {
         let mut findings = Findings(self.broken(frame));
         if let Some(cell) = room {
@@ -139,7 +138,7 @@ impl Laws {
         }
     }
 
-    /// The farthest coordinate, or the way of a vertex as the body turns by its whole angle (m).
+    /// The farthest coordinate, or the arc that a vertex travels as the body turns by its whole angle (m).
     fn reach(&self, frame: &Frame) -> f64 {
         let [x, y, theta] = frame.pose;
         let own = self.size.max(self.size * theta.abs());
@@ -174,22 +173,22 @@ impl Laws {
             let moved = length(sub(contact.point, line.point));
             findings.add(PLACE, moved, allowed.side);
             let turned = length(sub(contact.direction, line.normal));
-            // The direction is known as the body's angle is.
+            // The direction is as accurate as the body's angle.
             let turns = frame.pose[2].abs().max(1.0);
             findings.add(PLACE, turned, self.gap.max(CARRIED * self.rounding) * turns);
         }
     }
 
-    /// How deep the body is in anything at a pose (m); negative where it is clear.
+    /// The depth of the body in any obstacle or half-plane at a pose (m); negative if it is clear of all.
     pub fn depth(&self, pose: [f64; 3]) -> f64 {
         self.deepest(&placed(&self.among.setup.vertices, pose))
     }
 
-    /// The same of a body that is placed.
+    /// The same for vertices in the world frame.
     fn deepest(&self, body: &[Point]) -> f64 {
         let obstacles = self.among.obstacles.iter();
         let obstacles = obstacles.map(|o| match (body, o.vertices.as_slice()) {
-            // They have no inside.
+            // Points have no inside.
             ([_], [_]) => f64::NEG_INFINITY,
             _ => -separation(body, &o.vertices),
         });
@@ -202,13 +201,13 @@ impl Laws {
     }
 }
 
-/// What is wrong, each law once with its largest amount.
+/// The broken laws, each listed once with its largest amount.
 #[derive(Default)]
 struct Findings(Vec<Finding>);
 
 impl Findings {
     fn add(&mut self, law: &'static str, residual: f64, allowed: f64) {
-        // What is not a number is no less than the bound.
+        // NaN fails this comparison and is recorded as well.
         if residual <= allowed {
             return;
         }
@@ -230,7 +229,7 @@ impl Findings {
     }
 }
 
-/// The pose of such a frame may be out of balance.
+/// Whether a frame with this status may be out of balance.
 pub fn excuses_balance(status: Status) -> bool {
     !matches!(status, Status::Ok | Status::EventLimit | Status::Twist)
 }

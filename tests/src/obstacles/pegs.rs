@@ -1,4 +1,4 @@
-//! Pegs that are put into a hole from random starts, and how each insertion ends.
+//! Pegs that are inserted into a hole from random starts, and the outcome of each insertion.
 
 use super::{Among, Frame, Obstacle, Run};
 use crate::draw::Draw;
@@ -9,9 +9,9 @@ use stiction_insertion::{Meter, Reaction, Scene, Solid, Verdict};
 
 /// Frames of an insertion.
 pub const FRAMES: usize = 400;
-/// The clearance, of the hole's width.
+/// The clearance, relative to the hole's width.
 pub const CLEARANCE: f64 = 1e-3;
-/// The peg (m), and how far its bevelled hole goes below the mouth.
+/// The peg's width and height (m), and the depth of the bevelled hole below its mouth.
 const PEG: [f64; 2] = [0.02, 0.07];
 const DEEP: f64 = 0.047;
 /// Height and width of the bevel (m).
@@ -28,19 +28,19 @@ pub struct Insertion {
     pub hands: Vec<[f64; 3]>,
 }
 
-/// How an insertion ends.
+/// The outcome of an insertion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum End {
-    /// At the bottom.
+    /// The peg is at the bottom.
     In,
-    /// In the hole, as the meter has it.
+    /// The peg is in the hole, in a condition that the meter names.
     Stopped(Verdict),
-    /// Not in the hole.
+    /// The peg is not in the hole.
     Outside,
 }
 
 impl End {
-    /// In words.
+    /// A description.
     pub fn name(self) -> &'static str {
         match self {
             Self::In => "in",
@@ -51,8 +51,8 @@ impl End {
 }
 
 impl Insertion {
-    /// The one of a number: a hand up to 2.5 mm beside the hole and 50 mrad askew, mu_s from 0.05 to 0.6, springs of a wide range;
-    /// it goes straight down until the unloaded peg would be 2 mm below the bottom.
+    /// The insertion with this number: the hand starts up to 2.5 mm off the hole's axis and 50 mrad askew, mu_s is 0.05 to 0.6,
+    /// and the springs vary over a wide range; the hand goes straight down until the unloaded peg would be 2 mm below the bottom.
     pub fn of(number: u64) -> Self {
         let draw = &mut Draw::new(0x9E60_0000 + number);
         let [x, phi] = [draw.between(-0.0025, 0.0025), draw.between(-0.05, 0.05)];
@@ -99,7 +99,7 @@ impl Insertion {
         }
     }
 
-    /// How it ends in a number type.
+    /// The outcome in a number type.
     pub fn end<R: Number>(&self, evolution: Evolution) -> End {
         let mut run = Run::<R>::start(&self.among, evolution, self.hands[0]);
         for &hand in &self.hands[1..] {
@@ -108,7 +108,7 @@ impl Insertion {
         self.judged(&run.frame)
     }
 
-    /// How it ends with this frame.
+    /// The outcome according to this frame.
     pub fn judged(&self, frame: &Frame) -> End {
         let contacts: Vec<Reaction> = (frame.contacts.iter())
             .map(|contact| Reaction {
@@ -119,7 +119,7 @@ impl Insertion {
             })
             .collect();
         match self.meter.read(frame.pose, &contacts) {
-            // To a thousandth of the peg: one that leans stands on one end of its tip.
+            // Within a thousandth of the peg's height, because a leaning peg stands on one end of its tip.
             Some(found) if found.depth >= DEEP - 1e-3 * PEG[1] => End::In,
             Some(found) => End::Stopped(found.verdict),
             None => End::Outside,

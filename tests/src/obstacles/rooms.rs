@@ -1,5 +1,5 @@
-//! Closed rooms: convex cells whose sides are thin walls or boxes that share their corners, at times with a wall across. A body that is
-//! in one cannot leave it, wherever the hand jumps; whether it has is told by the room's sides alone.
+//! Closed rooms: convex cells whose sides are thin walls or boxes that share their corners, sometimes with a wall across. A body inside
+//! cannot leave, wherever the hand jumps; whether it has left is decided from the room's sides alone.
 
 use super::scene::{Among, Obstacle, farthest_corner};
 use super::shape::{Point, dot, outward, placed, sides, sub};
@@ -11,10 +11,10 @@ use crate::setup::Setup;
 pub const JUMPS: usize = 100;
 /// The longest jump, in body sizes.
 const FARTHEST: f64 = 1e3;
-/// The body is at least this far from the walls in the beginning, in body sizes.
+/// The body is at least this far from the walls at the start, in body sizes.
 const CLEAR: f64 = 0.02;
 
-/// The room of a number, whole within `farthest` body sizes from the origin, with jumps of the hand that end no farther.
+/// The room with this number: it lies within `farthest` body sizes of the origin, and so do the ends of the hand's jumps.
 pub fn room(number: u64, farthest: f64) -> World {
     let draw = &mut Draw::new(0x4007_0000 + number);
     let body = pieces::body(draw);
@@ -42,7 +42,7 @@ pub fn room(number: u64, farthest: f64) -> World {
     let [x, y] = setup.grip();
     let mut keyframes = vec![(0, [x, y, start[2]])];
     let most = FARTHEST.min(0.8 * farthest);
-    // Mostly far jumps, so that one frame crosses walls many times over.
+    // Mostly far jumps, so that one frame crosses the walls several times.
     let powers = [0.1, 1.0, 0.01 * most, 0.1 * most, most];
     for frame in 1..=JUMPS {
         let far = draw.one(&powers).min(most) * draw.between(0.3, 1.0);
@@ -58,7 +58,7 @@ pub fn room(number: u64, farthest: f64) -> World {
     }
 }
 
-/// How far a body is out of a convex cell (m); negative inside.
+/// How far a body protrudes from a convex cell (m); negative inside.
 pub fn beyond(cell: &[Point], body: &[Point]) -> f64 {
     let past = |side: usize| {
         let normal = outward(cell, side);
@@ -93,7 +93,7 @@ fn cell(draw: &mut Draw) -> (Vec<Point>, Vec<Vec<Point>>) {
     if corners < 5 || draw.below(2) == 0 {
         return (all, walls);
     }
-    // A wall from the first corner to the third or the last but one: the origin is in one of the parts.
+    // A wall from the first corner to the third or to the last but one: the origin is in one of the parts.
     walls.push(vec![all[0], all[2]]);
     let part: Vec<Point> = [0].into_iter().chain(2..corners).map(|i| all[i]).collect();
     (part, walls)

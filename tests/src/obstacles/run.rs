@@ -1,4 +1,4 @@
-//! The driver among obstacles: leads the hand through a scene and gives every answer as a frame in f64.
+//! The driver among obstacles: moves the hand through a scene and returns every answer as a frame in f64.
 
 use super::scene::{Among, Model, SURFACES, Scene, VERTICES};
 use super::shape::Point;
@@ -10,9 +10,9 @@ use stiction_core::{Event, Evolution, Hand, Output, Solver, State, Status};
 /// A contact in f64, SI units, world frame; forces are those on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// What touches what.
+    /// The pair of touching features.
     pub touch: Touch,
-    /// Where (m).
+    /// Its position (m).
     pub point: Point,
     /// The unit normal towards the body.
     pub direction: Point,
@@ -20,7 +20,7 @@ pub struct Contact {
     pub normal: f64,
     /// T (N), along (n_y, -n_x).
     pub friction: f64,
-    /// 0 where it sticks, 1 or -1 where it slides along the tangent or against it.
+    /// 0 while it sticks, 1 or -1 while it slides along the tangent or against it.
     pub sliding: i8,
 }
 
@@ -37,13 +37,13 @@ pub struct Frame {
     pub state: &'static str,
     /// The contacts.
     pub contacts: Vec<Contact>,
-    /// There are more or less touches than contacts: a fault of the solver's lists.
+    /// The numbers of touches and contacts differ: a fault in the solver's lists.
     pub unequal: bool,
     /// Force (N) and moment (N·m, about the holding point) of the hand on the body.
     pub wrench: [f64; 3],
     /// Slips that ended at mu_d N.
     pub slips: u32,
-    /// What happened.
+    /// The events of the frame.
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
@@ -52,7 +52,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// What touches what, in order.
+    /// The pairs of touching features, in order.
     pub fn touches(&self) -> Vec<Touch> {
         let mut touches: Vec<Touch> = self.contacts.iter().map(|c| c.touch).collect();
         touches.sort();
@@ -68,7 +68,7 @@ pub struct Run<R: Number> {
     pub state: State<R>,
     /// The last answer.
     pub frame: Frame,
-    /// The part of the hand's displacement that is left.
+    /// The fraction of the hand's displacement that is left.
     pub behind: f64,
 }
 
@@ -83,7 +83,7 @@ impl<R: Number> Run<R> {
         Self::of(scene, evolution, planar::<R>(hand))
     }
 
-    /// Starts a scene that was taken.
+    /// Starts from an accepted scene.
     pub fn of(scene: Scene<R>, evolution: Evolution, hand: Hand<R::Si>) -> Self {
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(hand);
@@ -144,7 +144,7 @@ fn frame<R: Number>(
     }
 }
 
-/// As the reference calls it.
+/// A touch in the types of the reference.
 pub fn named(touch: stiction_core::Touch) -> Touch {
     match touch {
         stiction_core::Touch::Surface { vertex, surface } => Touch::Surface { vertex, surface },

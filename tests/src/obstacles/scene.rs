@@ -1,4 +1,5 @@
-//! A scene among obstacles in f64, from which that of any number type, that of the reference and a scene file are made.
+//! A scene among obstacles in f64, from which the scenes of any number type and of the reference are built, and the
+//! scene file.
 
 use super::shape::Point;
 use crate::number::Number;
@@ -9,13 +10,13 @@ use stiction_core::{
     Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
 };
 
-/// Room for vertices of the body.
+/// Capacity for vertices of the body.
 pub const VERTICES: usize = 8;
-/// Room for half-planes.
+/// Capacity for half-planes.
 pub const SURFACES: usize = 4;
-/// Room for obstacles.
+/// Capacity for obstacles.
 pub const OBSTACLES: usize = 12;
-/// Room for their corners.
+/// Capacity for their corners.
 pub const CORNERS: usize = 48;
 
 /// The model of these scenes.
@@ -41,8 +42,8 @@ pub struct Among {
     pub obstacles: Vec<Obstacle>,
 }
 
-/// The largest coordinate of a corner (m) where a number type counts so many body sizes of this length: a bound of a length is the larger
-/// coordinate and half the other.
+/// The largest coordinate of a corner (m) in a number type that represents up to `farthest` body sizes, for a body of `size`: the solver
+/// bounds the length of a vector by its larger coordinate plus half the other.
 pub fn farthest_corner(farthest: f64, size: f64) -> f64 {
     farthest * size / 1.5
 }
@@ -64,7 +65,7 @@ impl Among {
     /// The scene of a number type.
     ///
     /// # Errors
-    /// What the solver refuses.
+    /// The scene is refused by the solver.
     pub fn scene<R: Number>(&self) -> Result<Scene<R>, SceneError<R::Si>> {
         let setup = &self.setup;
         let pair = |p: Point| p.map(R::si);
@@ -102,8 +103,8 @@ impl Among {
         Scene::among(&description, &obstacles)
     }
 
-    /// The same scene with obstacles no farther out than the number type represents: each coordinate is cut, by which a box along the axes
-    /// stays one.
+    /// The same scene with no obstacle farther out than the number type can represent: each coordinate is clamped, so that a box along the
+    /// axes remains a box.
     #[must_use]
     pub fn within<R: Number>(&self) -> Self {
         let farthest = farthest_corner(R::FARTHEST, self.setup.size());
@@ -114,7 +115,7 @@ impl Among {
         cut
     }
 
-    /// The same scene with every number rounded as the type `R` takes it in.
+    /// The same scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
         let obstacle = |o: &Obstacle| Obstacle {

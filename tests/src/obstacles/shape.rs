@@ -23,19 +23,19 @@ pub fn length(a: Point) -> f64 {
     a[0].hypot(a[1])
 }
 
-/// The tangent of a normal n: (n_y, -n_x), of a floor +x.
+/// The tangent of a normal n: (n_y, -n_x); for a floor, +x.
 pub fn tangent(normal: Point) -> Point {
     [normal[1], -normal[0]]
 }
 
-/// Points of the body frame in the world, for a pose x, y (m), theta (rad).
+/// Points of the body frame in the world frame, for a pose x, y (m), theta (rad).
 pub fn placed(points: &[Point], [x, y, theta]: [f64; 3]) -> Vec<Point> {
     let (sin, cos) = theta.sin_cos();
     let place = |p: &Point| [x + cos * p[0] - sin * p[1], y + sin * p[0] + cos * p[1]];
     points.iter().map(place).collect()
 }
 
-/// How many sides a shape has: a point none, a segment two.
+/// The number of sides of a shape: none for a point, two for a segment.
 pub fn sides(shape: &[Point]) -> usize {
     if shape.len() < 2 { 0 } else { shape.len() }
 }
@@ -53,7 +53,7 @@ pub fn outward(shape: &[Point], side: usize) -> Point {
     [along[1] / long, -along[0] / long]
 }
 
-/// The vertices before and after a vertex; of a segment twice the other one, of a point none.
+/// The vertices before and after a vertex; for a segment, the other end twice; for a point, none.
 pub fn neighbours(shape: &[Point], vertex: usize) -> Vec<Point> {
     let n = shape.len();
     let at = |i: usize| shape[i % n];
@@ -63,8 +63,8 @@ pub fn neighbours(shape: &[Point], vertex: usize) -> Vec<Point> {
     }
 }
 
-/// How far two convex shapes are apart along the best of their axes (m), which is no more than their distance; negative where their
-/// insides meet. Of two points their distance.
+/// The separation of two convex shapes along the axis that separates them best (m), which is at most their distance; negative if
+/// their interiors overlap. For two points, their distance.
 pub fn separation(a: &[Point], b: &[Point]) -> f64 {
     if let ([a], [b]) = (a, b) {
         return length(sub(*a, *b));
@@ -91,7 +91,7 @@ fn beyond(shape: &[Point], other: &[Point]) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Of the area, of the segment, of the point.
+/// The centroid of the area, of the segment or of the point.
 pub fn centroid(shape: &[Point]) -> Point {
     let first = shape[0];
     let (mut area, mut sum) = (0.0, [0.0; 2]);

@@ -1,5 +1,5 @@
-//! A survey of random scenes: which frames break a law, which statuses there are, what takes long, panics or never ends. A part of the
-//! scenes is looked at in a process of its own, which ends itself where a step never does; who started it goes on with the next scene.
+//! A survey of random scenes: which frames break a law, which statuses occur, and which steps are slow, panic or never end. Each share
+//! of the scenes runs in its own process, which exits if a step never ends; its parent continues with the next scene.
 
 use super::guard::caught;
 use super::laws::{Finding, Laws, STAYS};
@@ -15,14 +15,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use stiction_core::{Evolution, Status};
 
-/// A step that takes longer is told.
+/// A step that takes longer is reported.
 const LONG: Duration = Duration::from_secs(1);
-/// A step that takes longer is said never to end.
+/// A step that takes longer is considered endless.
 const ENDLESS: Duration = Duration::from_secs(10);
-/// The exit code of a part that met such a step.
+/// The exit code of a process in which a step never ended.
 pub const NEVER_ENDS: i32 = 3;
 
-/// Which random scenes.
+/// The kind of random scenes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Ordinary use among obstacles.
@@ -32,7 +32,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The scene of a number, for a number type.
+    /// The scene with this number, for a number type.
     pub fn scene<R: Number>(self, number: u64) -> World {
         match self {
             Self::Worlds => world(number),
@@ -41,18 +41,18 @@ impl Kind {
     }
 }
 
-/// What a scene came to.
+/// The results of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Frames that were looked at.
+    /// Frames that were examined.
     pub frames: usize,
     /// The frames that break laws.
     pub unlawful: Vec<(usize, Vec<Finding>)>,
-    /// Frames by status, but for `ok`.
+    /// Frames by status, except `ok`.
     pub statuses: BTreeMap<&'static str, usize>,
     /// Frames by state and kinds of contact.
     pub states: BTreeMap<String, usize>,
-    /// Frames whose step took long, and the seconds.
+    /// Frames whose step was slow, and the seconds that it took.
     pub long: Vec<(usize, f64)>,
     /// Largest work of a step.
     pub work: u32,
@@ -69,7 +69,7 @@ pub fn kind(frame: &Frame) -> String {
     format!("{} {letters}", frame.state)
 }
 
-/// Runs a scene; `now` holds the index of the frame.
+/// Runs a scene; `now` receives the index of the current frame.
 pub fn look<R: Number>(
     (scenes, number): (Kind, u64),
     evolution: Evolution,
@@ -110,8 +110,8 @@ pub fn look<R: Number>(
     report
 }
 
-/// Looks at scenes `from`, `from + step` .. below `count` and tells of them on standard output, a line for each thing:
-/// `begin SCENE`, then what was found, then `end SCENE FRAMES WORK`.
+/// Examines scenes `from`, `from + step` .. below `count` and reports on standard output, one line per item: `begin
+/// SCENE`, then the findings, then `end SCENE FRAMES WORK`.
 pub fn part<R: Number>(scenes: Kind, (from, step, count): (u64, u64, u64), evolution: Evolution) {
     static NUMBER: AtomicU64 = AtomicU64::new(u64::MAX);
     static NOW: AtomicU64 = AtomicU64::new(0);
@@ -137,7 +137,7 @@ pub fn part<R: Number>(scenes: Kind, (from, step, count): (u64, u64, u64), evolu
     }
 }
 
-/// Ends the process where a step does not end.
+/// Exits the process if a step does not end.
 fn watch(number: &AtomicU64, now: &AtomicU64) {
     let place = || (number.load(Ordering::Relaxed), now.load(Ordering::Relaxed));
     let (mut last, mut since) = (place(), Instant::now());
@@ -154,7 +154,7 @@ fn watch(number: &AtomicU64, now: &AtomicU64) {
 
 fn say(lines: &str) {
     let mut out = io::stdout().lock();
-    // Nobody listens any more: then there is nothing to tell.
+    // If the reader has closed the pipe, there is nobody to report to.
     let _ = out.write_all(lines.as_bytes());
     let _ = out.flush();
 }

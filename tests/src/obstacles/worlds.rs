@@ -1,5 +1,5 @@
-//! Random scenes of a body among obstacles of all shapes, and paths of ordinary use: a hand that comes from outside, presses, drags,
-//! turns, draws back. The same on every machine: nothing but the arithmetic of IEEE 754 is used.
+//! Random scenes of a body among obstacles of all shapes, with hand paths of ordinary use: the hand approaches from outside,
+//! presses, drags, turns and withdraws. They are the same on every machine: only IEEE 754 arithmetic is used.
 
 use super::scene::{Among, Obstacle};
 use super::shape::{Point, placed, separation};
@@ -9,15 +9,15 @@ use crate::setup::Setup;
 
 pub(crate) mod pieces;
 
-/// Frames of a path, with the first.
+/// Frames of a path, including the first.
 pub const FRAMES: usize = 401;
-/// Frames in a second, for scene files.
+/// Frames per second, for scene files.
 pub const RATE: f64 = 1000.0;
-/// The body is at least this far from everything in the beginning, in body sizes.
+/// The body is at least this far from everything at the start, in body sizes.
 const CLEAR: f64 = 0.05;
-/// Obstacles of a scene.
+/// The number of obstacles of a scene.
 const OBSTACLES: usize = 4;
-/// The hand stays so near to the start, in body sizes: fixed point counts to 8.
+/// The hand stays this close to the start, in body sizes: fixed point represents up to 8.
 const FAR: f64 = 3.5;
 
 /// A scene and a hand's path through it.
@@ -25,7 +25,7 @@ const FAR: f64 = 3.5;
 pub struct World {
     /// The scene.
     pub among: Among,
-    /// Frame, and x, y (m), phi (rad) of the hand in it; straight lines between.
+    /// Frame, and x, y (m), phi (rad) of the hand in it; straight lines in between.
     pub keyframes: Vec<(usize, [f64; 3])>,
     /// The convex cell that the body cannot leave, if it is in one (m).
     pub room: Option<Vec<Point>>,
@@ -51,9 +51,9 @@ impl World {
     }
 }
 
-/// The scene of a number.
+/// The scene with this number.
 pub fn world(number: u64) -> World {
-    // Other numbers than those of other random scenes.
+    // A different sequence from that of the other random scenes.
     let draw = &mut Draw::new(0x0b57_ac1e + number);
     let body = pieces::body(draw);
     let start = [0.0, 0.0, draw.between(-3.0, 3.0)];
@@ -74,7 +74,7 @@ pub fn world(number: u64) -> World {
     }
     let keyframes = path(draw, &setup, &obstacles);
     let among = Among { setup, obstacles };
-    // The size of a point is 1 m, whatever is around it.
+    // The size of a point is 1 m, whatever its surroundings.
     let size = if body.len() == 1 {
         1.0
     } else {
@@ -91,7 +91,7 @@ pub fn world(number: u64) -> World {
     )
 }
 
-/// mu_s = mu_d, mu_s > mu_d, none, or each of them at times.
+/// mu_s = mu_d, mu_s > mu_d, no friction, or a mixture of the three.
 pub(crate) fn friction(draw: &mut Draw, kind: usize) -> [f64; 2] {
     let mu_s = draw.between(0.05, 1.2);
     let less = mu_s * draw.between(0.3, 0.95);
@@ -122,7 +122,7 @@ fn obstacles(draw: &mut Draw, (body, shape): (&[Point], &[Point]), kind: usize) 
     all
 }
 
-/// Up to two: a floor, a wall; normal, offset and friction of each.
+/// Up to two half-planes, a floor and a wall: normal, offset and friction of each.
 fn half_planes(draw: &mut Draw, shape: &[Point], kind: usize) -> Vec<[[f64; 2]; 3]> {
     let count = draw.below(5).saturating_sub(2);
     let facing = [[0.0, 1.0], [-1.0, 0.0]];
@@ -148,7 +148,7 @@ fn half_planes(draw: &mut Draw, shape: &[Point], kind: usize) -> Vec<[[f64; 2]; 
         .collect()
 }
 
-/// Five to nine straight parts. The first one leads to an obstacle, as half of the others do.
+/// Five to nine straight segments. The first one leads to an obstacle, as do half of the others.
 fn path(draw: &mut Draw, setup: &Setup, obstacles: &[Obstacle]) -> Vec<(usize, [f64; 3])> {
     let ([x, y], theta) = (setup.grip(), setup.start[2]);
     let start = [x, y, theta];
@@ -178,7 +178,7 @@ fn path(draw: &mut Draw, setup: &Setup, obstacles: &[Obstacle]) -> Vec<(usize, [
     keyframes
 }
 
-/// Lengths times `size`, stiffness times `stiffness`.
+/// The world with lengths multiplied by `size` and stiffnesses by `stiffness`.
 fn scaled(world: World, size: f64, stiffness: f64) -> World {
     let World {
         among, keyframes, ..

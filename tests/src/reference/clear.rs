@@ -1,12 +1,12 @@
-//! Whether the body keeps clear of what is around it. Two convex shapes are apart if they are on some axis: an outward normal of a
-//! side of either, or, for a segment, its own direction. The separation is the largest of the gaps along the axes.
-//! A gap of a pair alone has no meaning where the vertex is beside the side.
+//! Whether the body keeps clear of its surroundings. Two convex shapes are apart if they are apart along some axis: an outward
+//! normal of a side of either, or, for a segment, its own direction. The separation is the largest of the gaps along the axes. The
+//! gap of a single pair means nothing if the vertex is past the end of the side.
 
 use super::Reference;
 use super::contact::{Touch, sides};
 use super::scene::{Pose, Vector, dot, length, scale, sub};
 
-/// A direction in which body and obstacle may be apart.
+/// An axis along which body and obstacle may be apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     /// The normal of this side of the obstacle.
@@ -41,8 +41,8 @@ impl Reference {
             .collect()
     }
 
-    /// The gap along an axis, m, without the pairs in contact; of those in `closed` what it has become more than the gap given with
-    /// each.
+    /// The gap along an axis, m, ignoring the pairs in contact; for each
+    /// pair in `closed`, the excess of its gap over the gap given with it.
     fn gap_along(
         &self,
         pose: &Pose,
@@ -92,8 +92,8 @@ impl Reference {
         }
     }
 
-    /// Whether the body lies flat against the obstacle along this axis: then they are apart, and what else is in that line is so by
-    /// rounding only.
+    /// Whether the body lies flat against the obstacle along this axis: then they are apart, and any other pair in that line is
+    /// apart up to rounding.
     fn is_flat_on(&self, obstacle: usize, axis: Axis) -> bool {
         let along = |&&touch: &&Touch| match (touch, axis) {
             (
@@ -114,7 +114,7 @@ impl Reference {
         self.contacts.len() > 1 && self.contacts.iter().filter(along).any(flat)
     }
 
-    /// The gap of a pair that may not close: infinite in contact.
+    /// The gap of a pair that must not close: infinite for a pair in contact.
     fn gap_beside(&self, pose: &Pose, touch: Touch, closed: &[(Touch, f64)]) -> f64 {
         if self.contacts.contains(&touch) {
             return f64::INFINITY;
@@ -123,12 +123,12 @@ impl Reference {
         self.scene.gap(pose, touch) - least.map_or(0.0, |&(_, gap)| gap)
     }
 
-    /// Whether the body is deeper inside something than `depth` body sizes, other than by its contacts.
+    /// Whether the body is deeper than `depth` body sizes inside anything, ignoring its contacts.
     pub(super) fn enters(&self, pose: &Pose, depth: f64) -> bool {
         self.enters_beside(pose, &[], depth)
     }
 
-    /// The same where the pairs in `closed` may have a gap down to the one given with each.
+    /// The same if the pairs in `closed` may have a gap down to the one given with each.
     pub(super) fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
         let inside = |gap: f64| gap < -depth * self.size;
         self.surface_pairs()
@@ -139,8 +139,8 @@ impl Reference {
             })
     }
 
-    /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a
-    /// point and a wall or a rod and a pin, the far side of the wall is no way to be apart: the body does not pass through.
+    /// The axis along which the body is farthest from an obstacle, and the gap along it. If the two have no interior together (a
+    /// point and a wall, or a rod and a pin), being on the far side does not count as being apart: the body cannot pass through.
     fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
         self.axes(obstacle)
             .into_iter()
@@ -150,8 +150,8 @@ impl Reference {
             .unwrap_or((Axis::Side(0), f64::INFINITY))
     }
 
-    /// Whether this is the side of a thin wall from which a point does not see it, or that of a rod on which a pin is not. So is, for a
-    /// rod and a wall, the other side of that on which they touch: turned about an end of the rod they would be apart along it.
+    /// Whether this is the side of a thin wall that a point cannot see, or the side of a rod opposite to a pin. For a rod and a wall,
+    /// the side opposite to the one on which they touch counts too: if the rod turned about its end, the two would be apart along it.
     fn far_side(&self, obstacle: usize, axis: Axis) -> bool {
         let shape = &self.scene.obstacles[obstacle].vertices;
         let thin = shape.len() + self.scene.vertices.len() == 3;
@@ -181,7 +181,7 @@ impl Reference {
         (thin && unseen) || (both && self.contacts.iter().any(touched))
     }
 
-    /// Whether a pair is on that side.
+    /// Whether a pair is on the far side.
     pub(super) fn on_far_side(&self, touch: Touch) -> bool {
         match touch {
             Touch::Surface { .. } => false,
@@ -194,12 +194,12 @@ impl Reference {
         }
     }
 
-    /// The body has come to this side of an obstacle.
+    /// Records that the body now faces this side of an obstacle.
     pub(super) fn sees(&mut self, obstacle: usize, side: usize) {
         self.seen[obstacle] = Some(Axis::Side(side));
     }
 
-    /// Notes from which side each obstacle is seen.
+    /// Records the side from which each obstacle is seen.
     pub(super) fn look(&mut self) {
         let pose = self.pose;
         for obstacle in 0..self.scene.obstacles.len() {

@@ -1,10 +1,10 @@
-//! Non-negative combinations of wrenches, by trying every subset: is a load balanced by forces inside the friction cones?
+//! Non-negative combinations of wrenches, found by trying every subset: do forces inside the friction cones balance a load?
 //! In three dimensions the nearest point of a cone lies on a face spanned by at most three of its edges, so the best of all
 //! subsets of up to three edges with non-negative weights is the nearest point.
 
 use super::scene::Screw;
 
-/// The nearest point of a cone: the weight of each edge, and the distance left over.
+/// The nearest point of a cone: the weight of each edge, and the remaining distance.
 pub(super) struct Nearest {
     pub weights: Vec<f64>,
     pub distance: f64,
@@ -43,7 +43,8 @@ pub(super) fn nearest(edges: &[Screw], target: Screw) -> Nearest {
     best
 }
 
-/// Weights of up to three independent `columns` that come nearest to `target`, and the distance; `None` if dependent.
+/// Weights of up to three independent `columns` whose combination is nearest to `target`, and the distance; `None` if
+/// the columns are dependent.
 pub(super) fn least_squares(columns: &[Screw], target: Screw) -> Option<([f64; 3], f64)> {
     let mut basis = [[0.0; 3]; 3];
     let mut triangle = [[0.0; 3]; 3];

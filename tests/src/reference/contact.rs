@@ -1,6 +1,6 @@
 //! The contacts that two convex shapes can have: a vertex of the body on a surface or on a side of an obstacle, and a corner of an
-//! obstacle on a side of the body. Of each: the point, the normal towards the body, the tangent, the gap, the place of the
-//! body's material along the tangent and the ends of the side. World frame, m.
+//! obstacle on a side of the body. Each has a point, a normal towards the body, a tangent, a gap, the position of the body's
+//! material along the tangent, and the ends of its side. World frame, m.
 
 use super::scene::{Friction, Pose, Scene, Vector, add, cross, dot, length, scale, sub};
 
@@ -35,7 +35,7 @@ pub enum Touch {
 }
 
 impl Touch {
-    /// The vertex of the body that touches, if one does.
+    /// The vertex of the body that touches, if any.
     pub(super) fn vertex(self) -> Option<usize> {
         match self {
             Self::Surface { vertex, .. } | Self::Side { vertex, .. } => Some(vertex),
@@ -52,7 +52,7 @@ impl Touch {
     }
 }
 
-/// How many sides a convex shape has: none of a point, two of a segment.
+/// The number of sides of a convex shape: none for a point, two for a segment.
 pub(super) fn sides(shape: &[Vector]) -> usize {
     if shape.len() < 2 { 0 } else { shape.len() }
 }
@@ -62,20 +62,20 @@ pub(super) fn ends(shape: &[Vector], side: usize) -> [Vector; 2] {
     [shape[side], shape[(side + 1) % shape.len()]]
 }
 
-/// The unit normal of a side, out of the shape.
+/// The unit normal of a side, pointing out of the shape.
 pub(super) fn outward(shape: &[Vector], side: usize) -> Vector {
     let [from, to] = ends(shape, side);
     let along = sub(to, from);
     scale(1.0 / length(along), [along[1], -along[0]])
 }
 
-/// The direction along which friction is counted on a side with this normal (floor: +x).
+/// The direction in which friction is positive on a side with this normal (floor: +x).
 pub(super) fn tangent_of(normal: Vector) -> Vector {
     [normal[1], -normal[0]]
 }
 
 impl Scene {
-    /// Friction coefficients and memory length of what is touched.
+    /// Friction coefficients and memory length of the touched surface or obstacle.
     pub(super) fn friction(&self, touch: Touch) -> Friction {
         let of = |mu_s, mu_d, memory| Friction { mu_s, mu_d, memory };
         match touch {
@@ -101,12 +101,12 @@ impl Scene {
         }
     }
 
-    /// The direction along which the contact's friction is counted.
+    /// The direction in which the contact's friction is positive.
     pub(super) fn tangent(&self, pose: &Pose, touch: Touch) -> Vector {
         tangent_of(self.normal(pose, touch))
     }
 
-    /// The point of the body that is held if the contact sticks, body frame.
+    /// The point of the body that is held fixed while the contact sticks, body frame.
     pub(super) fn held(&self, pose: &Pose, touch: Touch) -> Vector {
         match touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => self.vertices[vertex],
@@ -123,7 +123,7 @@ impl Scene {
         }
     }
 
-    /// Where the contact is.
+    /// The position of the contact.
     pub(super) fn point(&self, pose: &Pose, touch: Touch) -> Vector {
         match touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {
@@ -135,7 +135,7 @@ impl Scene {
         }
     }
 
-    /// Distance of the vertex from the line of the side, or of the corner from that of the body's side, negative inside.
+    /// Distance of the vertex from the line of the side, or of the corner from the line of the body's side; negative inside.
     pub(super) fn gap(&self, pose: &Pose, touch: Touch) -> f64 {
         let from = match touch {
             Touch::Surface { vertex, surface } => {
@@ -162,7 +162,7 @@ impl Scene {
         dot(self.normal(pose, touch), from)
     }
 
-    /// Where the body's material at the contact is along the tangent: grows as the body slides along it.
+    /// Position of the body's material at the contact along the tangent: it grows as the body slides along the tangent.
     pub(super) fn place(&self, pose: &Pose, touch: Touch) -> f64 {
         match touch {
             Touch::Surface { .. } | Touch::Side { .. } => {
@@ -175,7 +175,7 @@ impl Scene {
         }
     }
 
-    /// The places between which the contact is on its side; `None` on a half-plane.
+    /// The positions between which the contact is on its side; `None` on a half-plane.
     pub(super) fn reach(&self, touch: Touch) -> Option<[f64; 2]> {
         match touch {
             Touch::Surface { .. } => None,
@@ -188,7 +188,7 @@ impl Scene {
         }
     }
 
-    /// How far the contact is beyond the end of its side; negative on it.
+    /// How far the contact is past the end of its side; negative on it.
     pub(super) fn beyond(&self, pose: &Pose, touch: Touch) -> f64 {
         self.reach(touch).map_or(f64::NEG_INFINITY, |[low, high]| {
             let place = self.place(pose, touch);
@@ -201,7 +201,7 @@ impl Scene {
         tangent_of(scale(-1.0, outward(&self.vertices, body_side)))
     }
 
-    /// Whether two contacts lie on one line, with one normal, within `tolerance` rad and body sizes: a flat contact.
+    /// Whether two contacts lie on one line, with the same normal, within `tolerance` rad and body sizes: a flat contact.
     pub(super) fn in_line(
         &self,
         pose: &Pose,

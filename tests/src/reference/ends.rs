@@ -1,6 +1,6 @@
-//! Which pairs touch, and what follows where one of them reaches the end of its side. A flat contact is two contacts in one line, at
-//! the ends of the interval in which the sides touch. A contact alone is passed on to the pair of the same place whose normal
-//! comes next in the direction of the slide.
+//! Which pairs touch, and what follows when one of them reaches the end of its side. A flat contact is represented by two contacts
+//! in one line, at the ends of the interval in which the sides touch. A single contact is replaced by the pair at the same place
+//! whose normal comes next in the direction of the slide.
 
 use super::cone::times;
 use super::contact::{Touch, sides};
@@ -9,19 +9,19 @@ use super::scene::{Pose, dot, length, scale, sub};
 use super::statics::sign;
 use super::{BESIDE, Reference};
 
-/// Pairs that come this close together with the first one touch with it, in body sizes.
+/// Pairs that close within this distance of the first one touch simultaneously, in body sizes.
 const TOGETHER: f64 = 1e-10;
-/// The first pair that touches is closer than this, in body sizes: what a motion is known to where it ends by a touch.
+/// The first pair that touches is closer than this, in body sizes: the accuracy of a motion that ends with a touch.
 const FIRST: f64 = 1e-6;
 /// Contacts on one obstacle that are closer than this are one, in body sizes.
 const OVERLAP: f64 = 1.0 / 524_288.0;
 /// Lines closer than this are one, in rad and body sizes.
 pub(super) const LINE: f64 = 1e-6;
-/// Normals closer than this are one, rad.
+/// Normals closer than this are equal, rad.
 const NORMAL: f64 = 1e-9;
 
 impl Reference {
-    /// All pairs with an obstacle that could touch somewhere.
+    /// All pairs of the body with an obstacle that could ever touch.
     fn obstacle_pairs(&self) -> Vec<Touch> {
         let body = &self.scene.vertices;
         let mut pairs = Vec::new();
@@ -46,7 +46,8 @@ impl Reference {
         pairs
     }
 
-    /// Whether the sides next to the vertex or corner lead away from the side it touches, or no deeper than `depth`, m.
+    /// Whether the sides next to the vertex or corner lead away from the side that it touches, or into it by at most
+    /// `depth`, m.
     fn supports(&self, pose: &Pose, touch: Touch, depth: f64) -> bool {
         let (index, shape) = match touch {
             Touch::Surface { .. } => return true,
@@ -66,7 +67,7 @@ impl Reference {
             .all(|next| dot(outwards, sub(shape[next % count], shape[index])) >= -depth)
     }
 
-    /// The pairs that touch within `tolerance` body sizes, those in contact already left out.
+    /// The pairs that touch within `tolerance` body sizes, except those already in contact.
     pub(super) fn touching(&self, pose: &Pose, tolerance: f64) -> Vec<Touch> {
         let near = tolerance * self.size;
         let obstacles = self.obstacle_pairs().into_iter().filter(|&touch| {
@@ -83,8 +84,8 @@ impl Reference {
             .collect()
     }
 
-    /// Whether a vertex meets a side at its end, at a contact with a side of another obstacle behind which it goes on: where two thin
-    /// walls meet, a body on one side of both does not touch the other side of either.
+    /// Whether a vertex meets the end of a side at a contact with a side of another obstacle, behind which the first side continues:
+    /// where two thin walls meet, a body on one side of both does not touch the other side of either.
     fn goes_behind(&self, pose: &Pose, touch: Touch) -> bool {
         let (Touch::Side { obstacle, .. }, Some([low, high])) = (touch, self.scene.reach(touch))
         else {
@@ -108,7 +109,7 @@ impl Reference {
             })
     }
 
-    /// Takes up the pairs that have come into contact; whether there were any.
+    /// Adds the pairs that have come into contact; returns whether the contacts have changed.
     pub(super) fn take_up(&mut self) -> bool {
         let mut new = self.touching(&self.pose, TOGETHER);
         if new.is_empty() {
@@ -129,8 +130,9 @@ impl Reference {
         self.contacts != before
     }
 
-    /// Leaves one contact of an obstacle at one place, and two in one line. The first `old` ones make room: a body that turns about
-    /// an overlap so short goes on about its other end. Of several new ones at one place that stays which has closed last.
+    /// Keeps one contact of an obstacle at one place, and two in one line. The first `old` contacts give way to new ones: a body
+    /// that turns about such a short overlap continues about its other end. Of several new ones at one place, the one that closed
+    /// last is kept.
     pub(super) fn reduce(&mut self, old: usize) {
         let new = self.contacts.split_off(old);
         let mut new: Vec<_> = new
@@ -171,12 +173,12 @@ impl Reference {
         self.contacts = ends;
     }
 
-    /// Whether two contacts lie in one line.
+    /// Whether two contacts lie on one line.
     pub(super) fn lined(&self, pose: &Pose, pair: [Touch; 2]) -> bool {
         self.scene.in_line(pose, pair, (self.size, LINE))
     }
 
-    /// Whether the contacts are the two ends of one that is flat.
+    /// Whether the contacts are the two ends of a flat contact.
     pub(super) fn flat(&self) -> bool {
         matches!(*self.contacts.as_slice(), [a, b] if self.lined(&self.pose, [a, b]))
     }
@@ -188,7 +190,7 @@ impl Reference {
             .position(|&touch| self.scene.beyond(pose, touch) > BESIDE * self.size)
     }
 
-    /// The pair at the place of a contact at the end of its side whose normal comes next as the body goes along `way` times the tangent.
+    /// The pair at the place of a contact at the end of its side whose normal comes next as the body moves along `way` times the tangent.
     fn next_pair(&self, touch: Touch, way: f64) -> Option<Touch> {
         let scene = &self.scene;
         let near = OVERLAP * self.size;
@@ -218,8 +220,9 @@ impl Reference {
             .min_by(|a, b| turn(a).total_cmp(&turn(b)).then(a.cmp(b)))
     }
 
-    /// A contact that slides along `way` has left its side. A flat one ends elsewhere now, and goes on as it does: true. Any
-    /// other one is passed on, and what follows is a slip in the same direction, or free motion.
+    /// Handles a contact that slides along `way` and has left its side. If it was an end of a flat contact, the new end is
+    /// found, and the motion goes on if the contact is still flat: then this returns true. Any other contact is replaced by
+    /// the next pair, and a slip in the same direction or free motion follows.
     pub(super) fn pass_on(
         &mut self,
         (index, way): (usize, f64),
@@ -257,7 +260,8 @@ impl Reference {
         false
     }
 
-    /// One of two contacts that slip has a new normal: it opens if it is not pressed any more; else both slip on if they are driven.
+    /// One of two slipping contacts has a new normal: it opens if nothing presses on it any more; otherwise both continue to slip if
+    /// the load drives them.
     fn pair_goes_on(
         &mut self,
         (pair, new, way): ([Touch; 2], Touch, f64),
@@ -279,7 +283,7 @@ impl Reference {
         }
     }
 
-    /// Finds the ends of a flat contact anew, without the pair that was one.
+    /// Determines the ends of a flat contact again, without the pair that was one of them.
     fn refit(&mut self, lost: Touch) {
         let kept = self.contacts.clone();
         let mut new = self.touching(&self.pose, TOGETHER);

@@ -1,16 +1,16 @@
-//! What happens to a body on the straight way of the hand: the first of the events that its contacts, as they stick or slide,
-//! can meet. The pose at a place of the hand tells whether one has happened before; its place is bisected.
+//! What happens to a body along the straight path of the hand: the first of the events that its sticking or sliding contacts can
+//! meet. The pose at a point of the hand's path shows whether an event has already happened; the point of the event is bisected.
 
 use super::scene::{Pose, length};
 use super::search::bisect;
 use super::{CLEARANCE, Reference};
 
-/// Events in a sub-step.
+/// The largest number of events in a sub-step.
 const EVENTS: u32 = 400;
-/// A foot that goes back faster than this, per way of the hand, has turned.
+/// A foot that moves back faster than this, per length of the hand's path, has reversed.
 pub(super) const BACK: f64 = 1e-8;
 
-/// What can happen on the way.
+/// What can happen on the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Happening {
     /// The balance is lost: its branch folds.
@@ -21,7 +21,7 @@ pub(super) enum Happening {
     Lift,
     /// One vertex or an edge no longer presses, but the free body would not leave the surface.
     Hold,
-    /// The contact of this index no longer presses.
+    /// The contact with this index no longer presses.
     Open(usize),
     /// Friction at rest does not bear the load.
     Yield,
@@ -29,7 +29,7 @@ pub(super) enum Happening {
     Memory,
     /// A sliding foot turns back.
     Reversal,
-    /// The contact of this index slides off its side.
+    /// The contact with this index slides off its side.
     Off(usize),
 }
 
@@ -73,14 +73,14 @@ impl Reference {
         self.hand = to;
     }
 
-    /// The way of the hand, scaled to one body size; `None` if it rests.
+    /// The direction of the hand, scaled to one body size; `None` if it rests.
     fn direction(&self, from: [f64; 3], to: [f64; 3]) -> Option<[f64; 3]> {
         let way = [0, 1, 2].map(|k| to[k] - from[k]);
         let whole = length([way[0], way[1]]) / self.size + way[2].abs();
         (whole > 0.0).then(|| way.map(|part| part / whole))
     }
 
-    /// The pose with the hand at `hand`, or what has happened before.
+    /// The pose with the hand at `hand`, or the event that has happened before.
     fn carried(&self, hand: [f64; 3], way: [f64; 3]) -> Result<Pose, Happening> {
         let pose = self.followed(hand).ok_or(Happening::Fold)?;
         if self.slide.is_some()
@@ -112,19 +112,19 @@ impl Reference {
         Ok(pose)
     }
 
-    /// Whether the free body keeps clear of all contacts, by more than `least` body sizes.
+    /// Whether the free body keeps clear of all contacts by more than `least` body sizes.
     pub(super) fn comes_free(&self, hand: [f64; 3], least: f64) -> bool {
         let free = self.free_pose(hand);
         let clear = |&touch| self.scene.gap(&free, touch) >= least * self.size;
         self.contacts.iter().all(clear)
     }
 
-    /// Whether the body comes free of all contacts, among obstacles also in the beginning of its way.
+    /// Whether the body comes free of all contacts, among obstacles also at the start of its path.
     fn lifts_off(&self, hand: [f64; 3]) -> bool {
         self.comes_free(hand, 0.0) && (self.scene.obstacles.is_empty() || self.opens(hand))
     }
 
-    /// N = 0 of one vertex.
+    /// The event at N = 0 of one vertex.
     fn still_presses(&self, pose: &Pose, hand: [f64; 3]) -> Result<(), Happening> {
         let normal = self.reaction(pose, self.contacts[0], hand)[0];
         let tolerance = self.force_tolerance(pose, hand);
@@ -146,7 +146,7 @@ impl Reference {
         Ok(())
     }
 
-    /// N_i = 0 of an edge.
+    /// The event at N_i = 0 of an edge.
     fn edge_presses(&self, pose: &Pose, hand: [f64; 3]) -> Result<(), Happening> {
         let normals = self.edge_normals(pose, [self.contacts[0], self.contacts[1]], hand);
         let weak = usize::from(normals[1] < normals[0]);
@@ -160,7 +160,7 @@ impl Reference {
         Err(Happening::Open(weak))
     }
 
-    /// The ends of a slide.
+    /// The events that end a slide.
     fn slides_still(&self, pose: &Pose, hand: [f64; 3], way: [f64; 3]) -> Result<(), Happening> {
         if let (Some(pair), Some(ways)) = (self.pair(), self.pair_ways()) {
             let normals = self
@@ -188,7 +188,7 @@ impl Reference {
         Ok(())
     }
 
-    /// Whether a sliding foot goes against its slide as the hand goes on.
+    /// Whether a sliding foot moves against its slide as the hand continues.
     pub(super) fn turned_back(&self, hand: [f64; 3], way: [f64; 3]) -> bool {
         let rates = self.rates(hand, way);
         rates.is_some_and(|rates| rates.iter().any(|&rate| rate < -BACK))

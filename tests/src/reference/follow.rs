@@ -1,5 +1,6 @@
-//! The body that goes with the hand: where it is for a hand pose a little way on, while its contacts stick or slide as they do.
-//! Sliding balance is found by walking down what does not balance yet; rates by going a little way to both sides.
+//! The body that moves with the hand: its pose for a hand pose slightly further on, while its contacts keep sticking or
+//! sliding. The balance of a slide is found by descending along the unbalanced wrench; rates are differences between small
+//! displacements to both sides.
 
 use super::Reference;
 use super::cone::times;
@@ -10,11 +11,11 @@ use super::search::{bisect, descend};
 use super::statics::sign;
 use super::walk::{End, SLIDE, SNAP};
 
-/// Way of the hand to each side for a rate, in body sizes.
+/// Displacement of the hand to each side for a rate, in body sizes.
 const REACH: f64 = 3e-5;
 
 impl Reference {
-    /// The pose for this hand with the contacts as they are; `None` where balance is lost.
+    /// The pose for this hand with the contacts as they are; `None` if balance is lost.
     pub(super) fn followed(&self, hand: [f64; 3]) -> Option<Pose> {
         match (self.contacts.as_slice(), self.slide.as_deref()) {
             ([], _) => Some(self.free_pose(hand)),
@@ -31,7 +32,7 @@ impl Reference {
         }
     }
 
-    /// The pose shifted along the surface to where friction is dynamic friction against `way`.
+    /// The pose shifted along the surface to where the friction equals dynamic friction against `way`.
     fn slid_foot(&self, pose: &Pose, (touch, way): (Touch, f64), hand: [f64; 3]) -> Pose {
         let shifted = |pose: &Pose, distance: f64| Pose {
             position: add(
@@ -101,8 +102,8 @@ impl Reference {
         None
     }
 
-    /// How far each contact goes in the direction of its slide when the hand goes on by a body size times `way`, from how far it
-    /// goes in a small part of that; `None` where there is no balance on either side.
+    /// How far each contact moves in the direction of its slide if the hand moves on by a body size times `way`, extrapolated
+    /// from a small part of that displacement; `None` if there is no balance on either side.
     pub(super) fn rates(&self, hand: [f64; 3], way: [f64; 3]) -> Option<Vec<f64>> {
         let at = |part: f64| self.followed(ahead(hand, way, part));
         let (low, high, width) = match (at(-REACH), at(REACH)) {
@@ -120,7 +121,7 @@ impl Reference {
     }
 }
 
-/// The hand a part of a way further.
+/// The hand pose after another fraction of the displacement.
 pub(super) fn ahead(hand: [f64; 3], way: [f64; 3], part: f64) -> [f64; 3] {
     [0, 1, 2].map(|k| hand[k] + part * way[k])
 }

@@ -6,7 +6,7 @@ use super::scene::{Pose, Vector, add, cross, dot, scale, sub};
 use super::{ContactForce, Reference};
 
 impl Reference {
-    /// The forces at the contacts; where statics leaves them open, the middle of what two cones allow, or one possible set.
+    /// The forces at the contacts; if statics leaves them undetermined, the middle of what two cones allow, or one possible set.
     pub(super) fn contact_forces(&self) -> Vec<ContactForce> {
         let slides = |touch: Touch| {
             let index = self.contacts.iter().position(|&other| other == touch);
@@ -52,7 +52,7 @@ impl Reference {
         }
     }
 
-    /// Forces of an edge, friction shared in proportion to what each contact can bear.
+    /// Forces of an edge, with friction shared in proportion to the capacity of each contact.
     fn edge_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
         let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
         let normals = self.edge_normals(&self.pose, pair, self.hand);
@@ -78,7 +78,7 @@ impl Reference {
         [about[1] / reach, -about[0] / reach]
     }
 
-    /// The dynamic coefficient of a contact, or of an edge: what its contacts have on the average of their normal forces.
+    /// The dynamic coefficient of a contact, or of an edge: the average over its contacts, weighted by their normal forces.
     pub(super) fn rubbing(&self, pose: &Pose, touch: Touch, hand: [f64; 3]) -> f64 {
         let mu_d = |touch| self.scene.friction(touch).mu_d;
         match *self.contacts.as_slice() {
@@ -98,8 +98,8 @@ impl Reference {
         Some([0, 1].map(|i| [normals[i], friction(i)]))
     }
 
-    /// Forces of two contacts on two surfaces: in the middle of the internal forces along their connection that both static
-    /// cones allow, at the end if the other is infinite.
+    /// Forces of two contacts on two surfaces: in the middle of the range of internal forces along their connecting line
+    /// that both static cones allow, or at its end if the other is infinite.
     fn braced_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
         let points = pair.map(|touch| self.scene.point(&self.pose, touch));
         let along = sub(points[1], points[0]);

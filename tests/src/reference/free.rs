@@ -1,4 +1,4 @@
-//! Motion out of contact with the hand frozen: the pose in which only hand and weight act, and the way there, looked at for
+//! Motion out of contact with the hand frozen: the pose in which only hand and weight act, and the path to it, searched for
 //! the first touch.
 
 use super::contact::Touch;
@@ -7,13 +7,13 @@ use super::search::{bisect, descend};
 use super::walk::End;
 use super::{CLEARANCE, Reference};
 
-/// Looks at the gaps on the way.
+/// Number of points on the path at which the gaps are evaluated.
 const LOOKS: u32 = 2000;
-/// A way that ends within this part of it is blocked from its beginning: some thousand roundings.
+/// A path that ends within this fraction of its length is blocked from the start: some thousand roundings.
 const AT_ONCE: f64 = 1e-12;
 
 impl Reference {
-    /// The pose in which only hand and weight act, from where the body is: the orientation follows the moment.
+    /// The pose in which only hand and weight act, reached from the current pose: the orientation follows the moment.
     pub(super) fn free_pose(&self, hand: [f64; 3]) -> Pose {
         let scene = &self.scene;
         let grip = sub([hand[0], hand[1]], [0.0, scene.weight / scene.k_h]);
@@ -29,8 +29,8 @@ impl Reference {
         at(descend(self.pose.angle, f64::INFINITY, moment).unwrap_or(self.pose.angle))
     }
 
-    /// Moves straight, holding point and orientation, to the free pose, or to the first touch if the way there is blocked. Where a
-    /// contact that was just left blocks it at once, the holding point goes first and the body turns after.
+    /// Moves straight, in holding point and orientation, to the free pose, or to the first touch if the path to it is blocked. If
+    /// a contact that was just left blocks it immediately, the holding point moves first and the body turns afterwards.
     pub(super) fn sweep(&self, left: &[Touch], hand: [f64; 3]) -> (Pose, End) {
         let target = self.free_pose(hand);
         if self.scene.obstacles.is_empty() && !self.enters(&target, CLEARANCE) {
@@ -46,8 +46,8 @@ impl Reference {
         (pose, end)
     }
 
-    /// Moves to `target`, at each part of the way by the `parts` of shift and turn; how far it comes. The contacts in `left` count
-    /// again once they are open; till then those on obstacles may close no further.
+    /// Moves to `target`; `parts` gives the fractions of shift and turn at each point of the path. Returns how far the body comes.
+    /// The contacts in `left` count again once they are open; until then, those on obstacles must not close further.
     fn along(
         &self,
         target: &Pose,

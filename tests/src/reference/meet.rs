@@ -1,4 +1,4 @@
-//! What follows an event on the way of the hand, by the rules of the slides: the contacts stick, slide, slip, open or close.
+//! What follows an event on the hand's path, according to the rules of the slides: the contacts stick, slide, slip, open or close.
 
 use super::contact::Touch;
 use super::events::{BACK, Happening};
@@ -8,11 +8,11 @@ use super::relax::{Carry, Driven};
 use super::statics::sign;
 use super::{CLEARANCE, Reference};
 
-/// Way of the hand in which the rates after a touch are looked at, in body sizes.
+/// Displacement of the hand over which the rates after a touch are evaluated, in body sizes.
 const SOON: f64 = 1e-6;
 
 impl Reference {
-    /// What `event` changes, the hand at `self.hand` and going along `way`.
+    /// Applies the consequences of `event`, with the hand at `self.hand` moving along `way`.
     pub(super) fn meet(&mut self, event: Happening, way: [f64; 3]) {
         match event {
             Happening::Fold => self.fold(),
@@ -33,17 +33,16 @@ impl Reference {
         }
     }
 
-    /// It sticks, without the bit.
+    /// The body sticks, without the stiction bit.
     fn stop(&mut self) {
         self.slide = None;
         self.stiction = false;
     }
 
-    /// The balance is lost: a foot that slides sticks if it can, else goes on by a slip to its next balance; a body that sticks
-    /// turns.
+    /// The balance is lost: a sliding foot sticks if it can; otherwise it slips to its next balance. A sticking body turns.
     fn fold(&mut self) {
         if let Some(pose) = self.followed(self.hand) {
-            // It has only turned far.
+            // It has only turned by a large angle.
             self.pose = pose;
             return;
         }
@@ -79,12 +78,12 @@ impl Reference {
         sticks
     }
 
-    /// A vertex has reached a surface. From free flight the rates decide; an edge goes on as the vertex did; two surfaces under
-    /// a vertex that slides become a joint slide if both feet go on and the new one presses.
+    /// A vertex has reached a surface. From free flight, the rates decide; a vertex that becomes an edge continues as it was;
+    /// if a sliding vertex meets a second surface, a joint slide follows if both feet move on and the new one presses.
     fn touch(&mut self, way: [f64; 3]) {
         let before = self.contacts.clone();
         if !self.take_up() {
-            // It has come to see an obstacle from another side, or turns over to a free pose behind one.
+            // The body now sees an obstacle from another side, or turns over to a free pose behind one.
             if before.is_empty() {
                 self.settle(self.hand, Carry::default());
             }
@@ -104,7 +103,7 @@ impl Reference {
         }
     }
 
-    /// A sliding contact leaves its side.
+    /// A sliding contact has left its side.
     fn off(&mut self, index: usize) {
         let slide = self.slide.take().unwrap_or_default();
         let mut carry = Carry::default();
@@ -115,7 +114,7 @@ impl Reference {
         }
     }
 
-    /// Begins a joint slide in which the contact `old` keeps its way, if the hand drives it and the new contact presses.
+    /// Starts a joint slide in which the contact `old` keeps its direction, if the hand drives it and the new contact presses.
     fn slides_jointly(&mut self, (old, slides): (Touch, f64), way: [f64; 3]) -> bool {
         let Some(pair) = self.pair() else {
             return false;
@@ -137,13 +136,13 @@ impl Reference {
         runs
     }
 
-    /// Whether all sliding feet go in the direction of their slide.
+    /// Whether all sliding feet move in the direction of their slide.
     fn runs(&self, way: [f64; 3]) -> bool {
         let rates = self.rates(self.hand, way);
         rates.is_some_and(|rates| rates.iter().all(|&rate| rate > BACK))
     }
 
-    /// A contact that bears nothing yet sticks if the rate of its force lies in the cone of dynamic friction, else it slides.
+    /// A contact that is not loaded yet sticks if the rate of its force lies in the cone of dynamic friction; otherwise it slides.
     fn strike(&mut self, way: [f64; 3]) {
         self.stop();
         if !self.on_one_surface() {
@@ -167,7 +166,8 @@ impl Reference {
         }
     }
 
-    /// The contact of this index no longer presses: the rest goes on as it does if that opens the gap, else all stick.
+    /// The contact with this index no longer presses: if the motion of the rest opens its gap, the rest continues;
+    /// otherwise all stick.
     fn open(&mut self, index: usize, way: [f64; 3]) {
         let mut rest = self.clone();
         let left = rest.contacts.remove(index);
@@ -184,7 +184,8 @@ impl Reference {
         *self = rest;
     }
 
-    /// Friction at rest does not bear the load: with the bit a slip, without it a slide of what remains.
+    /// Friction at rest does not bear the load: with the stiction bit a slip follows, without it a slide of the
+    /// remaining contacts.
     fn give_way(&mut self, way: [f64; 3]) {
         if let Some(pair) = self.pair() {
             return self.pair_gives_way(pair, way);
@@ -207,7 +208,7 @@ impl Reference {
         }
     }
 
-    /// Begins a slide without a jump, if the hand drives it.
+    /// Starts a slide without a jump, if the hand drives it.
     fn begins(&mut self, ways: Vec<f64>, way: [f64; 3]) -> bool {
         self.slide = Some(ways);
         let balanced = self.followed(self.hand).is_some() && self.rates(self.hand, way).is_some();
@@ -218,7 +219,7 @@ impl Reference {
         begins
     }
 
-    /// A corner or more contacts that yield without the bit: what remains slides, or sticks if it can.
+    /// A corner or three and more contacts yield without the stiction bit: what remains slides, or sticks if it can.
     fn remainder_begins(&mut self, way: [f64; 3]) -> bool {
         let whole = self.clone();
         let motion = if self.corner() {
@@ -245,8 +246,8 @@ impl Reference {
         false
     }
 
-    /// Two contacts on two surfaces yield. Where only one of them bears the load the other opens if it can. Where the bound
-    /// edges of both are those of a motion, and there is no bit, a slide is due; all else is a slip.
+    /// Two contacts on two surfaces yield. If only one of them bears the load, the other opens if it can. If the loaded
+    /// cone edges of both belong to a motion, and the stiction bit is not set, a slide follows; in all other cases, a slip.
     fn pair_gives_way(&mut self, pair: [Touch; 2], way: [f64; 3]) {
         let bound = self.bound_edges(&self.pose, &pair, self.hand);
         let bears = [0, 1].map(|i: usize| bound[i][0] + bound[i][1] > 0.0);
@@ -274,7 +275,7 @@ impl Reference {
         );
     }
 
-    /// Leaves the body on the contact of this index alone, if that sticks and the hand opens the other.
+    /// Leaves the body on the contact with this index alone, if that one sticks and the hand opens the other.
     fn rests_on(&mut self, index: usize, way: [f64; 3]) -> bool {
         let mut alone = self.clone();
         let left = alone.contacts.remove(1 - index);

@@ -1,15 +1,15 @@
-//! The memory of the contacts: one bit of the body, *stiction*, and the load or the length of a slip from which on it is kept.
+//! The memory of the contacts: one bit of the body, *stiction*, and the load or slip length from which the bit is kept.
 
 use super::Reference;
 use super::cone::{inner, norm, times};
 use super::contact::Touch;
 use super::scene::{Friction, Pose, Screw};
 
-/// A memory length shorter than this counts as this, in body sizes.
+/// A shorter memory length counts as this, in body sizes.
 const LEAST: f64 = 1.0 / 524_288.0;
-/// A motion whose unit twist turns less than this, in body sizes, is a translation.
+/// A motion whose unit twist turns by less than this, in body sizes, is a translation.
 const STRAIGHT: f64 = 1e-6;
-/// Step for the stiffness against a joint slide, in body sizes.
+/// Step for probing the stiffness against a joint slide, in body sizes.
 const PROBE: f64 = 1e-5;
 
 impl Reference {
@@ -26,7 +26,7 @@ impl Reference {
         friction.memory.max(LEAST * self.size)
     }
 
-    /// N*: pressed harder than this, one vertex or an edge sticks and slips, N.
+    /// N*, in N: pressed harder than this, one vertex or an edge sticks and slips.
     fn threshold(&self, friction: Friction) -> f64 {
         let drop = friction.mu_s - friction.mu_d;
         if drop > 1e-9 * friction.mu_s {
@@ -36,12 +36,12 @@ impl Reference {
         }
     }
 
-    /// Whether all contacts are one alone, or an edge.
+    /// Whether there is a single contact or an edge.
     pub(super) fn on_one_surface(&self) -> bool {
         self.contacts.len() == 1 || self.flat()
     }
 
-    /// Whether one vertex, or an edge, is pressed by N* or more.
+    /// Whether one vertex, or an edge, is pressed with N* or more.
     pub(super) fn pressed_hard(&self, pose: &Pose, hand: [f64; 3]) -> bool {
         self.on_one_surface() && {
             if let &[a, b] = self.contacts.as_slice()
@@ -64,7 +64,7 @@ impl Reference {
         }
     }
 
-    /// The ways along the tangents of two contacts that slide on two surfaces.
+    /// The directions along the tangents of two contacts that slide on two surfaces.
     pub(super) fn pair_ways(&self) -> Option<[f64; 2]> {
         match (self.pair(), self.slide.as_deref()) {
             (Some(_), Some(&[first, second])) => Some([first, second]),
@@ -78,7 +78,7 @@ impl Reference {
             .all(|&touch| self.threshold(self.scene.friction(touch)).is_infinite())
     }
 
-    /// Whether a slip of two contacts from the pose `began` to the present one was long enough to keep the bit.
+    /// Whether a slip of two contacts from the pose `began` to the current one was long enough to keep the stiction bit.
     pub(super) fn slipped_far(&self, pair: [Touch; 2], began: &Pose) -> bool {
         let far = |&touch: &Touch| {
             let way = self.scene.place(&self.pose, touch) - self.scene.place(began, touch);
@@ -87,7 +87,7 @@ impl Reference {
         !self.indifferent(pair) && pair.iter().any(far)
     }
 
-    /// The motion of two contacts in which they go along `ways`; `None` if there is none.
+    /// The motion of two contacts in which they move along `ways`; `None` if there is none.
     pub(super) fn motion(&self, pose: &Pose, pair: [Touch; 2], ways: [f64; 2]) -> Option<Screw> {
         let twist = self.free_twist(pose, pair);
         [twist, times(-1.0, twist)].into_iter().find(|&way| {
@@ -96,7 +96,7 @@ impl Reference {
         })
     }
 
-    /// A wrench that brakes `twist` with unit power: a couple, or equal drag at both contacts where the body does not turn.
+    /// A wrench that brakes `twist` with unit power: a couple, or equal drag at both contacts if the body does not turn.
     pub(super) fn brake(&self, pose: &Pose, pair: [Touch; 2], twist: Screw) -> Screw {
         if twist[2].abs() > STRAIGHT * norm(twist) {
             return [0.0, 0.0, -1.0 / twist[2]];
@@ -117,8 +117,8 @@ impl Reference {
         Some(self.balanced(pose, pair, (ways, brake), hand)?.normals)
     }
 
-    /// How long a joint slip would be from here, friction falling from static to dynamic, in memory lengths: the longer of the
-    /// two feet's.
+    /// The length of a joint slip from here, with friction falling from static to dynamic, in memory lengths: the longer of
+    /// the two feet's.
     pub(super) fn slip_length(
         &self,
         pose: &Pose,

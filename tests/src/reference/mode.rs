@@ -1,4 +1,4 @@
-//! What contacts do that cannot hold the body under a frozen hand: the one motion of several that fit the load.
+//! What contacts do that cannot hold the body under a frozen hand: one motion, selected from those that fit the load.
 
 use super::cone::{inner, times};
 use super::contact::Touch;
@@ -6,16 +6,16 @@ use super::scene::{Screw, add, cross, dot, scale, sub};
 use super::statics::sign;
 use super::{CLEARANCE, Reference};
 
-/// A gap that changes more slowly than this, per unit of a unit twist, neither opens nor closes.
+/// A gap that changes by less than this, per unit of a unit twist, neither opens nor closes.
 pub(super) const STILL: f64 = 1e-9;
 
-/// A motion that begins.
+/// A motion that starts.
 pub(super) enum Mode {
     Slide([Touch; 2], Screw),
     Keep(Vec<Touch>),
 }
 
-/// Whether one vertex of the body is in both contacts.
+/// Whether the same vertex of the body is in both contacts.
 pub(super) fn same_vertex(a: Touch, b: Touch) -> bool {
     a.vertex().is_some() && a.vertex() == b.vertex()
 }
@@ -26,7 +26,7 @@ impl Reference {
         matches!(*self.contacts.as_slice(), [a, b] if same_vertex(a, b))
     }
 
-    /// How a vertex leaves a corner: along one surface if friction does not hold it there, else it comes free.
+    /// How a vertex leaves a corner: along one surface if friction does not hold it there; otherwise it comes free.
     pub(super) fn leaves_corner(&self, hand: [f64; 3]) -> Option<Mode> {
         let &[a, b] = self.contacts.as_slice() else {
             return None;
@@ -41,8 +41,8 @@ impl Reference {
         Some(Mode::Keep(kept.map(|(kept, _)| kept).into_iter().collect()))
     }
 
-    /// What the contacts do that cannot hold, at rest or `slipping` already: turn about one that
-    /// sticks, else slide with the fewest openings, else come free.
+    /// The motion of contacts that cannot hold, from rest or already `slipping`: they turn about one that sticks; else
+    /// slide with the fewest openings; else come free.
     pub(super) fn mode(&self, hand: [f64; 3], slipping: bool) -> Option<Mode> {
         let count = self.contacts.len();
         let pairs = || {
@@ -79,7 +79,8 @@ impl Reference {
         moves.or_else(|| free().then(|| Mode::Keep(Vec::new())))
     }
 
-    /// Whether the load pulls the body off all contacts with obstacles: the holding point may go first, the body turns after.
+    /// Whether the load pulls the body off all contacts with obstacles: then the holding point may move first and the body
+    /// turn afterwards.
     fn pulled_off(&self, hand: [f64; 3]) -> bool {
         let force = self.scene.applied_force(&self.pose, hand);
         self.contacts.iter().all(|&touch| {
@@ -87,7 +88,7 @@ impl Reference {
         })
     }
 
-    /// Whether the way to the free pose opens all contacts.
+    /// Whether the path to the free pose opens all contacts.
     pub(super) fn opens(&self, hand: [f64; 3]) -> bool {
         let held = self.scene.holding_point;
         let (from, target) = (self.pose, self.free_pose(hand));
@@ -100,8 +101,8 @@ impl Reference {
         })
     }
 
-    /// The joint slip of two contacts on two surfaces that friction no longer holds: of the driven ones that in which both
-    /// press, then the one driven most.
+    /// The joint slip of two contacts on two surfaces that friction no longer holds: of the driven slips, one in which
+    /// both contacts press, or else the most strongly driven one.
     pub(super) fn slip_of_pair(
         &self,
         pair: [Touch; 2],
@@ -119,8 +120,8 @@ impl Reference {
         Some((pair, best.2))
     }
 
-    /// The slide of a pair, if the load drives it, both contacts (or one, if not `pressed`) press and all others stay or open;
-    /// with its drive.
+    /// The slide of a pair, with its drive, if the load drives it, both contacts press (or one, if not `pressed`) and all
+    /// others stay closed or open.
     fn slide_mode(&self, pair: [Touch; 2], pressed: bool, hand: [f64; 3]) -> Option<(Mode, f64)> {
         if same_vertex(pair[0], pair[1]) {
             return None;
@@ -140,7 +141,8 @@ impl Reference {
         })
     }
 
-    /// Whether the load turns the body about the kept vertex so that all other contacts open, and the kept ones can hold it.
+    /// Whether the load turns the body about the kept vertex so that all other contacts open, and whether the kept contacts
+    /// can hold it.
     fn pivots(&self, kept: &[Touch], hand: [f64; 3]) -> bool {
         let pin = self.scene.point(&self.pose, kept[0]);
         let moment = self.scene.applied_moment(&self.pose, hand, pin);
@@ -153,7 +155,7 @@ impl Reference {
         self.contacts.iter().all(opens) && (kept.len() == 1 || self.carries(kept, hand))
     }
 
-    /// Whether the two cones of a corner carry the applied force.
+    /// Whether the two cones of a corner bear the applied force.
     fn carries(&self, pair: &[Touch], hand: [f64; 3]) -> bool {
         let pin = self.scene.point(&self.pose, pair[0]);
         let mut free_of_moment = self.clone();

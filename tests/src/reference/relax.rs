@@ -9,28 +9,28 @@ use super::scene::{Pose, Screw};
 use super::statics::sign;
 use super::walk::End;
 
-/// Motions after which the body is left where it is.
+/// Number of motions after which the body is left where it is.
 const MOTIONS: usize = 60;
-/// A contact that the free pose leaves by less than this carries nothing worth a motion, in body sizes.
+/// A contact that the free pose leaves by less than this bears no load worth a motion, in body sizes.
 const WEIGHTLESS: f64 = 1e-5;
 
-/// A slip that is known to begin.
+/// A slip that is about to begin.
 #[derive(Clone, Copy)]
 pub(super) enum Driven {
     Vertex(Touch, f64),
     Pair([Touch; 2], Screw),
 }
 
-/// What a motion has left to the next one.
+/// What one motion hands over to the next.
 #[derive(Default)]
 pub(super) struct Carry {
-    /// The contacts slip already: dynamic friction decides.
+    /// The contacts are already slipping: dynamic friction decides.
     pub slipping: bool,
     /// The slip that comes first.
     pub driven: Option<Driven>,
     /// Where the slip of two contacts began.
     pub began: Option<Pose>,
-    /// The normal forces of two contacts count at the end of their slip only.
+    /// The normal forces of two contacts count only at the end of their slip.
     pub unwatched: bool,
     /// Contacts that have just opened.
     pub left: Vec<Touch>,
@@ -42,7 +42,7 @@ impl Reference {
         self.settle(hand, Carry::default());
     }
 
-    /// The same, from a motion under way.
+    /// The same, continuing a motion.
     pub(super) fn settle(&mut self, hand: [f64; 3], mut carry: Carry) {
         self.slide = None;
         for _ in 0..MOTIONS {
@@ -65,7 +65,7 @@ impl Reference {
         self.ambiguous = true;
     }
 
-    /// Lets all contacts go but `kept`, under the hand where it is.
+    /// Releases all contacts except `kept`, with the hand where it is.
     pub(super) fn let_go(&mut self, kept: &[Touch]) {
         let mut carry = Carry::default();
         self.release(kept, &mut carry);
@@ -136,7 +136,7 @@ impl Reference {
         false
     }
 
-    /// Two contacts or more that hold the pose: they stay, slip along the one motion two of them leave free, or open.
+    /// Two or more contacts that fix the pose: they stay, slip along the one motion that two of them leave free, or open.
     fn relax_locked(&mut self, hand: [f64; 3], carry: &mut Carry) -> bool {
         if carry.slipping {
             if self.admissible_in_slip(&self.pose, &self.contacts, hand) {
@@ -171,7 +171,7 @@ impl Reference {
         }
     }
 
-    /// Takes up the vertices that have come into contact, under a frozen hand.
+    /// Adds the vertices that have come into contact, under a frozen hand.
     pub(super) fn land(&mut self, carry: &mut Carry) {
         self.take_up();
         *carry = Carry::default();

@@ -1,10 +1,10 @@
-//! The scene of the reference in plain SI `f64`: the body, what is around it, and the wrench with which hand and weight load the
+//! The scene of the reference in plain SI `f64`: the body, its surroundings, and the wrench with which hand and weight load the
 //! body. World frame, moments counter-clockwise.
 
 /// A vector in the plane.
 pub(super) type Vector = [f64; 2];
 
-/// A wrench (force, moment / body size) or a twist (translation, rotation * body size), so that its three parts compare.
+/// A wrench (force, moment / body size) or a twist (translation, rotation * body size), so that its three components are comparable.
 pub(super) type Screw = [f64; 3];
 
 /// A half-plane that the body cannot enter: the free side is `normal . p >= offset`.
@@ -18,8 +18,8 @@ pub struct Surface {
     pub mu_s: f64,
     /// Dynamic friction coefficient, >= 0.
     pub mu_d: f64,
-    /// Memory length of the contact, m: stick and slip are told from a slide where slips are longer. Below 2^-19 body sizes it
-    /// counts as that.
+    /// Memory length of the contact, m: motions with longer slips are stick-slip, those with shorter ones a slide. Below 2^-19
+    /// body sizes it counts as that.
     pub memory: f64,
 }
 
@@ -32,7 +32,7 @@ pub struct Obstacle {
     pub mu_s: f64,
     /// Dynamic friction coefficient, >= 0.
     pub mu_d: f64,
-    /// Memory length of the contact, m, as that of a [`Surface`].
+    /// Memory length of the contact, m, as for a [`Surface`].
     pub memory: f64,
 }
 
@@ -44,12 +44,12 @@ pub(super) struct Friction {
     pub memory: f64,
 }
 
-/// A held polygon and what is around it.
+/// A held polygon and its surroundings.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// Vertices of the convex body, counter-clockwise, body frame, m.
     pub vertices: Vec<[f64; 2]>,
-    /// Where the hand holds, body frame, m.
+    /// The point at which the hand holds the body, body frame, m.
     pub holding_point: [f64; 2],
     /// Translational stiffness, N/m, > 0.
     pub k_h: f64,
@@ -83,7 +83,7 @@ impl Pose {
         )
     }
 
-    /// A direction of the body in the world.
+    /// A direction of the body in the world frame.
     pub(super) fn direction(&self, direction: Vector) -> Vector {
         let (sin, cos) = self.angle.sin_cos();
         [
@@ -92,7 +92,7 @@ impl Pose {
         ]
     }
 
-    /// The point of the body that is at a point of the world, m.
+    /// The point of the body at a given point of the world, m.
     pub(super) fn inverse(&self, point: Vector) -> Vector {
         let back = Self {
             position: [0.0, 0.0],
@@ -101,7 +101,7 @@ impl Pose {
         back.direction(sub(point, self.position))
     }
 
-    /// The pose with orientation `angle` that puts the body point `held` at `at`.
+    /// The pose with orientation `angle` that places the body point `held` at `at`.
     pub(super) fn holding(held: Vector, at: Vector, angle: f64) -> Self {
         let turned = Self {
             position: [0.0, 0.0],

@@ -1,8 +1,9 @@
-//! Where a function of one number changes: its lowest point, the place where it crosses, and the angle at which a moment vanishes.
+//! Points at which a function of one variable changes: its minimum, its crossing, and the angle at which a moment vanishes.
 
 use super::TURN;
 
-/// The first angle from `angle` on, in the direction of the moment, at which it vanishes; `None` if that is farther than `limit`.
+/// The first angle, starting at `angle` in the direction of the moment, at which the moment vanishes; `None` if it is farther
+/// than `limit`.
 pub(super) fn descend(angle: f64, limit: f64, moment: impl Fn(f64) -> f64) -> Option<f64> {
     let way = moment(angle);
     if way == 0.0 {
@@ -20,8 +21,8 @@ pub(super) fn descend(angle: f64, limit: f64, moment: impl Fn(f64) -> f64) -> Op
     None
 }
 
-/// The lowest point between `from` and `to` if `height` falls at the one and rises at the other and is not positive there;
-/// `to` otherwise.
+/// The minimum between `from` and `to` if `height` falls at one end, rises at the other and is not positive at the
+/// minimum; `to` otherwise.
 pub(super) fn dip(from: f64, to: f64, height: impl Fn(f64) -> f64) -> f64 {
     let at = |part: f64| from + part * (to - from);
     let rises = |part: f64| height(at(part + 1e-3)) > height(at(part));

@@ -7,9 +7,9 @@ use super::statics::sign;
 use super::walk::{End, SMALLEST};
 use super::{CLEARANCE, Reference};
 
-/// A joint slip shorter than this is none, in body sizes.
+/// A shorter joint slip does not count, in body sizes.
 const MOVED: f64 = 1e-9;
-/// A balance pulls on a contact where it does so by more than this, in tolerances of force.
+/// A balance counts as pulling on a contact if the pull exceeds this, in force tolerances.
 const PULL: f64 = 1e3;
 
 impl Reference {
@@ -22,7 +22,7 @@ impl Reference {
     ) -> bool {
         let (mut pose, end) = self.slide_vertex(slip, &carry.left, hand);
         if end == End::Snap && pose == self.pose {
-            // It is at the fold and has to be taken over it.
+            // It is at the fold and has to be moved across it.
             pose = self.shifted(&pose, slip, 2.0 * SMALLEST * self.size);
         }
         self.pose = pose;
@@ -50,7 +50,7 @@ impl Reference {
         false
     }
 
-    /// Two contacts that slip are held by dynamic friction from the beginning, as where one of them has just closed.
+    /// Stops two slipping contacts if dynamic friction holds them from the start, for example when one of them has just closed.
     pub(super) fn stop_slip(&mut self, hand: [f64; 3], carry: &Carry) -> bool {
         let mut ways = Vec::new();
         if self.on_one_surface() {
@@ -64,7 +64,7 @@ impl Reference {
         true
     }
 
-    /// Whether two contacts whose slip began at a pose and has come to its end have the bit.
+    /// Whether two contacts keep the stiction bit after a slip that began at a pose and has ended.
     fn keeps_stiction(&self, began: &Pose, hand: [f64; 3]) -> bool {
         self.pair().map_or_else(
             || self.pressed_hard(&self.pose, hand),
@@ -120,7 +120,7 @@ impl Reference {
         false
     }
 
-    /// One of two contacts that slip leaves its side: a flat contact slips on, any other one is tested with its new normal.
+    /// One of two slipping contacts leaves its side: a flat contact continues to slip, any other one is tested with its new normal.
     fn pair_off(
         &mut self,
         (pair, way): ([Touch; 2], Screw),
@@ -136,22 +136,23 @@ impl Reference {
         }
     }
 
-    /// The end of a slip at dynamic friction: the contacts stick and have the bit if it is `kept`, else they slide on.
+    /// The end of a slip at dynamic friction: the contacts stick and have the stiction bit if it is `kept`; otherwise
+    /// they slide on.
     fn end_slip(&mut self, ways: Vec<f64>, kept: bool) {
         self.slips += 1;
         self.stiction = kept;
         self.slide = (!kept && ways.len() == self.contacts.len()).then_some(ways);
     }
 
-    /// The contact that the balance of a joint slip pulls on, instead of pressing.
+    /// The contact that the balance of a joint slip pulls on instead of pressing.
     fn pulled(&self, ways: [f64; 2], hand: [f64; 3]) -> Option<usize> {
         let normals = self.pair_normals(&self.pose, self.pair()?, ways, hand)?;
         let weak = usize::from(normals[1] < normals[0]);
         (normals[weak] < -PULL * self.force_tolerance(&self.pose, hand)).then_some(weak)
     }
 
-    /// Opens the contact `left` in a joint slip, if the balance of the one that is `kept`, or its slip along `way` (if any way
-    /// is given), or the lift of both keeps the gap open.
+    /// Opens the contact `left` in a joint slip, if the gap stays open in the balance of the contact that is `kept`, in its
+    /// slip along `way` (if given), or in the lift of both.
     fn opens_in_slip(
         &mut self,
         (left, kept, way): (Touch, Touch, Option<f64>),

@@ -1,4 +1,4 @@
-//! Which loads the friction cones of the contacts can carry, and what two contacts that slide together bear.
+//! Which loads the friction cones of the contacts can bear, and the forces of two contacts that slide together.
 
 use super::Reference;
 use super::cone::{inner, nearest, norm, normal_to, times};
@@ -10,9 +10,9 @@ use super::scene::{Friction, Pose, Screw, Vector, add, cross, dot, scale, sub};
 pub(super) struct Sliding {
     /// Reactions along the two normals, N.
     pub normals: [f64; 2],
-    /// How much of the braking wrench would balance the load: positive if the load drives the motion.
+    /// The fraction of the braking wrench that would balance the load: positive if the load drives the motion.
     pub drive: f64,
-    /// The numerator of `drive`: changes sign only where the sliding body is balanced.
+    /// The numerator of `drive`: it changes sign only where the sliding body is balanced.
     pub excess: f64,
     /// The denominator of `drive`.
     pub whole: f64,
@@ -50,7 +50,7 @@ impl Reference {
         1e-12 * (self.scene.k_h * self.size + norm(self.load(pose, hand)))
     }
 
-    /// Normal and tangential part of the reaction a single contact would have to give, N.
+    /// Normal and tangential part of the reaction that a single contact would have to supply, N.
     pub(super) fn reaction(&self, pose: &Pose, touch: Touch, hand: [f64; 3]) -> [f64; 2] {
         let force = self.scene.applied_force(pose, hand);
         [
@@ -86,7 +86,7 @@ impl Reference {
         nearest(&edges, load).distance <= self.force_tolerance(pose, hand)
     }
 
-    /// The line of a unit normal force with `lean` times as much along the tangent.
+    /// The line of a unit normal force plus `lean` times as much along the tangent.
     fn edge_of_cone(&self, pose: &Pose, touch: Touch, lean: f64) -> Screw {
         let tilt = scale(lean, self.scene.tangent(pose, touch));
         self.line(pose, touch, add(self.scene.normal(pose, touch), tilt))
@@ -109,8 +109,8 @@ impl Reference {
             .collect()
     }
 
-    /// The cone edges of friction at rest that bear a load at the limit: for each contact the weights of its edge that leans to
-    /// +t and of its edge that leans to -t.
+    /// The edges of the cones of friction at rest that bear a load at the limit: for each contact, the weight of its edge that
+    /// leans to +t and of its edge that leans to -t.
     pub(super) fn bound_edges(
         &self,
         pose: &Pose,
@@ -128,7 +128,7 @@ impl Reference {
             .collect()
     }
 
-    /// How fast the contacts of a pair go along their tangents in a motion.
+    /// How fast the contacts of a pair move along their tangents in a motion.
     pub(super) fn speeds(&self, pose: &Pose, pair: [Touch; 2], twist: Screw) -> [f64; 2] {
         pair.map(|touch| {
             let tangent = self.scene.tangent(pose, touch);
@@ -136,7 +136,7 @@ impl Reference {
         })
     }
 
-    /// The state of two contacts that slip at `mu_d` along `twist`; `None` where no drag could balance them.
+    /// The state of two contacts that slip at `mu_d` along `twist`; `None` if no drag could balance them.
     pub(super) fn sliding(
         &self,
         pose: &Pose,
@@ -155,8 +155,8 @@ impl Reference {
         [0, 1, 2].map(|k| -speeds[0] * tangents[0][k] - speeds[1] * tangents[1][k])
     }
 
-    /// The state of two contacts that go along `ways` times their tangents, with a wrench along `brake` to balance what they
-    /// do not; `None` where it could not.
+    /// The state of two contacts that move along `ways` times their tangents, with a wrench along `brake` that balances the
+    /// rest of the load; `None` if it could not.
     pub(super) fn balanced(
         &self,
         pose: &Pose,
@@ -186,8 +186,8 @@ impl Reference {
         })
     }
 
-    /// The drive of two contacts that slide along `ways` under the load that reactions of these normal forces balance, each on the
-    /// edge of its static cone: what falls away when they begin to move.
+    /// The drive of two contacts that slide along `ways` under a load that reactions with these normal forces balance, each on the
+    /// edge of its static cone: the force that vanishes when they begin to move.
     pub(super) fn drive_of_yield(
         &self,
         pose: &Pose,

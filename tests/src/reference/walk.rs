@@ -1,5 +1,5 @@
-//! Motion in contact with the hand frozen, in tiny steps, each looked at for what ends it: turning about a pinned vertex,
-//! sliding on one vertex and sliding on two. The first step with an end is bisected.
+//! Motion in contact with the hand frozen, in tiny steps, each checked for an event that ends it: turning about a pinned
+//! vertex, sliding on one vertex and sliding on two. The first step with such an event is bisected.
 
 use super::cone::{inner, norm, normal_to, times};
 use super::contact::Touch;
@@ -8,16 +8,17 @@ use super::search::{bisect, dip};
 use super::statics::sign;
 use super::{BESIDE, CLEARANCE, Reference, TURN};
 
-/// A turn by more than this in one step of something else is a snap, rad.
+/// During another motion, a turn by more than this in one step is a snap, rad.
 pub(super) const SNAP: f64 = 0.03;
 /// Largest step of a slide, in body sizes.
 pub(super) const SLIDE: f64 = 1e-3;
-/// Smallest step of a slide, in body sizes: below, a snap is not resolved further.
+/// Smallest step of a slide, in body sizes: a snap is not resolved more finely.
 pub(super) const SMALLEST: f64 = 1e-13;
-/// Steps after which a slide is given up.
+/// Steps after which a slide is abandoned.
 const MANY: u32 = 200_000;
 
-/// Rounds in which three contacts or more are brought to gap zero, one after the other: those of a short overlap are slow.
+/// Rounds in which three or more contacts are brought to gap zero, one after the other: contacts with a short overlap
+/// converge slowly.
 const ROUNDS: u32 = 100_000;
 
 /// What ended a motion.
@@ -25,20 +26,20 @@ const ROUNDS: u32 = 100_000;
 pub(super) enum End {
     /// The load is balanced (in a slide: by dynamic friction).
     Rest,
-    /// Other vertices have come into contact: see the pose.
+    /// Other vertices have come into contact: the pose shows which.
     Touch,
-    /// The contact of this index no longer presses.
+    /// The contact with this index no longer presses.
     Lift(usize),
-    /// The contact of this index has left its side.
+    /// The contact with this index has left its side.
     Off(usize),
-    /// The body turns by a finite angle without moving on.
+    /// The body turns by a finite angle without a displacement.
     Snap,
     /// No end was found.
     Lost,
 }
 
 impl End {
-    /// How deep a vertex may be inside a surface, in body sizes, while the place of this end is bisected.
+    /// How deep a vertex may be inside a surface, in body sizes, while the position of this end is bisected.
     fn depth(self) -> f64 {
         match self {
             Self::Touch => 0.0,
@@ -48,14 +49,14 @@ impl End {
 }
 
 impl Reference {
-    /// Whether a contact that was left is not open yet.
+    /// Whether a contact that was left has not opened yet.
     pub(super) fn still_closed(&self, pose: &Pose, touch: Touch) -> bool {
         self.scene.gap(pose, touch) < CLEARANCE * self.size
             && self.scene.beyond(pose, touch) <= BESIDE * self.size
     }
 
-    /// Turns about a contact that sticks in the direction of the moment until it is balanced, another vertex touches (if
-    /// `watched`), or, with `Snap`, by more than `limit`.
+    /// Turns about a sticking contact in the direction of the moment until the moment is balanced, another vertex
+    /// touches (if `watched`), or, with `Snap`, the turn exceeds `limit`.
     pub(super) fn turn(
         &self,
         pose: &Pose,
@@ -100,8 +101,8 @@ impl Reference {
         }
     }
 
-    /// Slides the contact along `way` times the tangent, the moment balanced at every position, until dynamic
-    /// friction holds it. The contacts in `left` may close no further; they count again once they are open.
+    /// Slides the contact along `way` times the tangent, with the moment balanced at every position, until dynamic
+    /// friction holds it. The contacts in `left` must not close further; they count again once they are open.
     pub(super) fn slide_vertex(
         &self,
         (touch, way): (Touch, f64),
@@ -175,8 +176,8 @@ impl Reference {
         times(sign(inner(twist, way)), twist)
     }
 
-    /// Slides two contacts along the motion that keeps both gaps, starting along `way`, until dynamic friction holds them; with
-    /// the direction at the end. A contact that no longer presses ends the slide only if it is `watched`.
+    /// Slides two contacts along the motion that keeps both gaps, starting along `way`, until dynamic friction holds them;
+    /// returns the direction at the end as well. A contact that no longer presses ends the slide only if it is `watched`.
     pub(super) fn slide_pair(
         &self,
         pair: [Touch; 2],

@@ -1,14 +1,15 @@
-//! A world of several obstacles: which coplanar sides are one, and which corners nothing can touch because another obstacle or a
-//! half-plane covers them. Found anew whenever it is asked for.
+//! A world of several obstacles: which coplanar sides count as one, and which corners cannot be touched because another obstacle
+//! or a half-plane covers them. The answers are computed on every request.
 
 use super::contact::{ends, outward, sides, tangent_of};
 use super::scene::{Scene, Vector, cross, dot, length, sub};
 
-/// Corners and sides that are closer than this are at one place, in body sizes and rad.
+/// Corners and sides that are closer than this coincide, in body sizes and rad.
 const SAME: f64 = 1e-9;
 
 impl Scene {
-    /// The first of the sides of equal friction that make one line with a side, and where along the tangent that line begins and ends.
+    /// The first of the sides of equal friction that form one line with a side, and the positions along the tangent at which that line
+    /// begins and ends.
     pub(super) fn run(&self, obstacle: usize, side: usize) -> ((usize, usize), [f64; 2]) {
         let shape = &self.obstacles[obstacle].vertices;
         let normal = outward(shape, side);
@@ -61,7 +62,7 @@ impl Scene {
             .flat_map(|(i, obstacle)| (0..sides(&obstacle.vertices)).map(move |side| (i, side)))
     }
 
-    /// Whether nothing can touch this corner.
+    /// Whether this corner cannot be touched.
     pub(super) fn covered(&self, obstacle: usize, corner: usize) -> bool {
         let point = self.obstacles[obstacle].vertices[corner];
         let near = SAME * self.size();
@@ -74,7 +75,7 @@ impl Scene {
                 .any(|other| other != obstacle && self.covers(other, (obstacle, point), near))
     }
 
-    /// Whether an obstacle has a point in it or on it; where corners meet, the first of them remains.
+    /// Whether a point is in or on an obstacle; if corners coincide, the first of them remains.
     fn covers(&self, other: usize, (obstacle, point): (usize, Vector), near: f64) -> bool {
         let shape = &self.obstacles[other].vertices;
         if shape

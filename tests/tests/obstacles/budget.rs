@@ -1,4 +1,4 @@
-//! The budget of a step among obstacles: no step takes more, every frame is lawful, and what is cut goes on to the same bits.
+//! The budget of a step among obstacles: no step exceeds it, every frame is lawful, and a cut step continues to the same bits.
 
 use stiction_core::{Evolution, Solver, State, Status};
 use stiction_tests::obstacles::laws::{FINITE, Laws, OUTSIDE};
@@ -8,7 +8,7 @@ use stiction_tests::obstacles::worlds::{World, world};
 use stiction_tests::{Number, budget, test_each};
 
 const SCENES: u64 = budget(20, 3) as u64;
-/// So many frames of a scene are passed over: much happens in one.
+/// The scene is sampled at this stride of frames, so that much happens in one step.
 const STRIDE: usize = 20;
 
 type Of<R> = Solver<R, VERTICES, SURFACES, Model>;
@@ -17,12 +17,12 @@ test_each! {
     cases::what_is_cut_goes_on_to_the_same_bits,
 }
 
-/// The hand in every so many frames.
+/// The hand at the sampled frames.
 fn hands(world: &World) -> impl Iterator<Item = [f64; 3]> {
     world.hands().into_iter().step_by(STRIDE)
 }
 
-/// Steps until nothing is left to do, each within its budget and lawful: how many were cut, and where it comes to.
+/// Steps until nothing is left to do, each within its budget and lawful. Returns how many steps were cut, and the final state.
 fn steps<R: Number>(
     run: &mut Run<R>,
     (laws, hand): (&Laws, [f64; 3]),
@@ -32,7 +32,7 @@ fn steps<R: Number>(
     loop {
         let limit = run.solver.budget();
         let frame = run.step(hand);
-        // A body that is behind may be at an event, in contacts that are about to change.
+        // A body that is behind may be at an event, with contacts that are about to change.
         let is_cut = frame.status == Status::Behind;
         let broken = laws.broken(frame).into_iter();
         let mut broken =
@@ -51,7 +51,7 @@ fn steps<R: Number>(
 mod cases {
     use super::*;
 
-    /// From the least budget on no step takes more, and from none at all on every one comes to the bits of one without a budget.
+    /// From the smallest budget on no step exceeds it, and each budget leads to the same bits as no budget.
     pub(super) fn what_is_cut_goes_on_to_the_same_bits<R: Number>(evolution: Evolution) {
         let least = Of::<R>::LEAST_BUDGET;
         let mut cut = 0;

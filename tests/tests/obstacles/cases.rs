@@ -1,5 +1,5 @@
-//! Every case of `cases/obstacles.json` in a number type and an evolution: pose and forces within 1e-6 in f64 (1e-9 where they follow
-//! from formulas), 2e-3 in f32 and fixed point.
+//! Every case of `cases/obstacles.json` in a number type and an evolution: pose and forces within 1e-6 in f64 (1e-9 if they follow
+//! from closed formulas), 2e-3 in f32 and fixed point.
 
 use std::time::Duration;
 use stiction_core::{Evolution, Fixed};
@@ -8,9 +8,9 @@ use stiction_tests::obstacles::cases::all;
 use stiction_tests::obstacles::guard::{Outcome, within};
 use stiction_tests::obstacles::judged::verdict;
 
-/// More than any case takes.
+/// More time than any case takes.
 const LIMIT: Duration = Duration::from_secs(20);
-/// Cases of the file.
+/// The number of cases in the file.
 const CASES: usize = 16;
 
 fn every_case_is_right<R: Number>(evolution: Evolution) {
@@ -31,7 +31,7 @@ fn every_case_is_right<R: Number>(evolution: Evolution) {
         };
         off += usize::from(!is_right);
     }
-    assert_eq!(off, 0, "cases that are not right in {}", R::NAME);
+    assert_eq!(off, 0, "wrong cases in {}", R::NAME);
 }
 
 #[test]

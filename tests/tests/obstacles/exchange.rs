@@ -1,7 +1,8 @@
-//! Body and world exchanged: a polygon that a hand turns against a fixed one, and the fixed one held and turned against the first. With g
-//! the pose of the body, p_h and phi the hand and q the holding point, the springs of the body g⁻¹ that is held at p_h by a hand at q with
-//! the angle -phi store the same energy. So as long as a hand only turns, vertices and corners change places and nothing else does. What
-//! is not compared: whether a contact at the edge of its cone has come to a stop, and what counts as a slip where a contact is passed on.
+//! Body and world exchanged: a polygon that a hand turns against a fixed one, and the fixed one held and turned against the first. Let g
+//! be the pose of the body, p_h and phi the hand, and q the holding point. The springs of the body g⁻¹, held at p_h by a hand at q with
+//! the angle -phi, store the same energy. So as long as a hand only turns, vertices and corners change places and nothing else changes.
+//! Two things are not compared: whether a contact at the edge of its cone has stopped, and what counts as a slip when a contact moves on
+//! to the next pair.
 
 use stiction_core::{Evolution, Fixed, Status};
 use stiction_tests::draw::{Draw, polygon};
@@ -11,9 +12,9 @@ use stiction_tests::reference::Touch;
 use stiction_tests::{Number, Setup, budget};
 
 const SCENES: u64 = budget(300, 20) as u64;
-/// Frames of a turn to one side.
+/// Frames of a turn in one direction.
 const FRAMES: usize = 100;
-/// The shapes are at least so far apart in the beginning (m); both have the size 1 m.
+/// Minimum distance of the shapes at the start (m); both have the size 1 m.
 const CLEAR: f64 = 0.02;
 
 /// A scene, the scene of the exchanged shapes, and the angles of the hand (rad).
@@ -85,7 +86,7 @@ fn inverse([x, y, theta]: [f64; 3]) -> [f64; 3] {
     [x, y, -theta]
 }
 
-/// What touches what where body and world are exchanged.
+/// The pair of touching features after the exchange of body and world.
 fn exchanged(touch: Touch) -> Touch {
     match touch {
         Touch::Side { vertex, side, .. } => Touch::Corner {
@@ -109,7 +110,7 @@ fn sorted(mut contacts: Vec<Contact>) -> Vec<Contact> {
     contacts
 }
 
-/// How far a frame is from that of the exchanged shapes: in m, rad and N.
+/// The difference between a frame and that of the exchanged shapes: in m, rad and N.
 fn difference(one: &Frame, other: &Frame) -> f64 {
     let [x, y, theta] = inverse(one.pose);
     let [ox, oy, otheta] = other.pose;
@@ -123,12 +124,12 @@ fn difference(one: &Frame, other: &Frame) -> f64 {
     contacts.map(contact).fold(pose, f64::max)
 }
 
-/// Both scenes side by side in a number type; how many frames had a contact, and how many of them slid or had slipped.
+/// Runs both scenes in a number type; returns how many frames had a contact, and how many of them slid or had slipped.
 fn both<R: Number>(number: u64, evolution: Evolution, bound: f64) -> [usize; 2] {
     let scene = Exchange::random(number);
     let [mu_s, mu_d] = scene.one.obstacles[0].friction;
     if mu_s > mu_d && R::ROUNDING > f64::ROUNDING {
-        // Where a slip begins depends on all slips before it: in few digits not for long the same.
+        // The start of a slip depends on all slips before it: with few digits, the runs soon differ.
         return [0; 2];
     }
     let [x, y] = scene.hand;
@@ -170,7 +171,7 @@ fn both<R: Number>(number: u64, evolution: Evolution, bound: f64) -> [usize; 2] 
     counts
 }
 
-/// All scenes; most of them touch, and many slide.
+/// All scenes: most of them touch, and many slide.
 fn all<R: Number>(bound: f64) {
     for evolution in Evolution::ALL {
         let counts = (0..SCENES).map(|number| both::<R>(number, evolution, bound));

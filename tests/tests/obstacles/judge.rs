@@ -1,4 +1,4 @@
-//! The judge of frames itself: what the slow reference says is lawful, and what is made wrong is noticed.
+//! Tests of the judge of frames: it accepts the frames of the slow reference, and notices every fault introduced into them.
 
 use stiction_tests::budget;
 use stiction_tests::obstacles::compare::frame_of;
@@ -13,7 +13,7 @@ use stiction_tests::reference::{Reference, Touch};
 const SCENES: u64 = budget(25, 2) as u64;
 const SUBSTEPS: usize = 20;
 
-/// The frames of the reference in a random scene, up to one at which it gives up.
+/// The frames of the reference in a random scene, until it gives up.
 fn frames(world: &World) -> Vec<Frame> {
     let among = &world.among;
     let hands = world.hands();

@@ -1,4 +1,4 @@
-//! Runs of the cases before the judge of traces: every frame, and what follows from the frames before it.
+//! Runs of the cases, checked by the judge of traces: every frame, and its consistency with the frames before it.
 
 use stiction_core::Evolution;
 use stiction_judge::{Bounds, Judge};

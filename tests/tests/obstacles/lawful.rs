@@ -11,12 +11,12 @@ use stiction_tests::{Number, budget};
 const SCENES: u64 = budget(200, 10) as u64;
 /// Rooms of 100 jumps: over all number types and evolutions more than 10⁵ jumps.
 const ROOMS: u64 = budget(200, 10) as u64;
-/// More than any scene takes.
+/// More time than any scene takes.
 const LIMIT: Duration = Duration::from_secs(30);
-/// Faults that are told before a test gives up: a step that does not end goes on beside what follows.
+/// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with the rest.
 const MOST: usize = 10;
 
-/// What is wrong in a scene.
+/// The fault of a scene.
 fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Option<String> {
     let work = move || look::<R>((scenes, number), evolution, &AtomicU64::new(0));
     match within(LIMIT, work) {
@@ -29,11 +29,11 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
     }
 }
 
-/// Scenes that break a law today: number type, evolution, number.
+/// Scenes that currently break a law: number type, evolution, number.
 const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
 const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
 
-/// No scene has a fault but those that are known, and these have one: who mends it takes it off the list.
+/// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
     let (count, known) = match scenes {
         Kind::Worlds => (SCENES, KNOWN_WORLDS),

@@ -1,5 +1,5 @@
 //! The solver among obstacles with corners: cases with known answers, the laws of single frames on random scenes, closed rooms, and
-//! the cases before the judge of traces.
+//! the cases under the judge of traces.
 
 mod budget;
 mod cases;

@@ -1,4 +1,4 @@
-//! Pegs put into a hole with a clearance of a thousandth: how an insertion ends does not depend on the number type.
+//! Pegs inserted into a hole with a clearance of a thousandth: the outcome does not depend on the number type.
 
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::pegs::Insertion;
@@ -6,8 +6,8 @@ use stiction_tests::obstacles::pegs::Insertion;
 /// Insertions of random starts.
 const COUNT: u64 = 100;
 
-/// By frame all of them. Along the path one in a hundred may end otherwise: where a slide of two contacts becomes pressed and sticks is a
-/// matter of few digits.
+/// By frame, all outcomes agree. Along the path, one in a hundred may differ: whether a slide of two contacts becomes pressed and sticks
+/// can depend on the last digits.
 #[test]
 fn insertions_end_alike_in_every_number_type() {
     let mut others = Vec::new();

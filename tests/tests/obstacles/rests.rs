@@ -1,15 +1,15 @@
-//! Places at which no verb seemed to get the body on: every frame ends at rest.
+//! Positions in which no state could move the body on: every frame ends at rest.
 
 use std::sync::atomic::AtomicU64;
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::Number;
 use stiction_tests::obstacles::survey::{Kind, look};
 
-/// Random scenes, and what happens in each of them.
+/// Random scenes, with what happens in each.
 const SCENES: &[(u64, &str)] = &[
     (
         6,
-        "of two contacts that slide one is pressed no more by the moment about the other",
+        "the moment about one of two sliding contacts no longer presses the other",
     ),
     (
         193,
@@ -21,7 +21,7 @@ const SCENES: &[(u64, &str)] = &[
     ),
     (
         449,
-        "a rod turns from level over the upper end of the side at which it stands",
+        "a rod turns from level over the upper end of the side on which it stands",
     ),
     (
         492,
@@ -29,7 +29,7 @@ const SCENES: &[(u64, &str)] = &[
     ),
     (
         926,
-        "the search for a touch gives up as a body that slides turns first",
+        "the search for a touch gives up because a sliding body turns first",
     ),
     (
         1584,

@@ -1,25 +1,24 @@
-//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits and more from the balance of their
-//! contacts.
+//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits or more from the balance of the contacts.
 //!
-//! The reference knows a place where something touches to 1e-12 body sizes, and a force at the edge of its cone to 1e-12 of what the
-//! spring bears when drawn by a body size, which is some ten times what it bears here. Reached: 2e-12 in poses, 3e-11 in forces, where
-//! a slip begins at such a place; 1e-14 where nothing slips.
+//! The reference finds the position of a touch to 1e-12 body sizes, and a force at the edge of its cone to 1e-12 of the spring force
+//! at a deflection of one body size, which is some ten times the force in these cases. Errors reached: 2e-12 in poses and 3e-11 in
+//! forces if a slip begins at such a position; 1e-14 if nothing slips.
 
 use stiction_tests::close;
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::cases::{Answer, Case, all};
 use stiction_tests::reference::Reference;
 
-/// Parts in which the hand goes from frame to frame.
+/// The number of substeps per frame for the hand.
 const SUBSTEPS: usize = 20;
 /// Largest error of a pose in body sizes and rad.
 const POSE: f64 = 5e-12;
-/// Largest error of a force, in the largest force of its frame.
+/// Largest error of a force, relative to the largest force of its frame.
 const FORCE: f64 = 1e-10;
-/// Cases that are run; the one besides has to be refused by who reads it.
+/// The number of cases that are run; the remaining one must be refused by the reader.
 const RUN: usize = 15;
 
-/// What the reference says in a frame, after so many slips.
+/// The answer of the reference in a frame, after a number of slips.
 fn answer(among: &Among, body: &Reference, (hand, slips): ([f64; 3], u32)) -> Answer {
     let setup = &among.setup;
     let pose = body.pose();
@@ -36,7 +35,7 @@ fn answer(among: &Among, body: &Reference, (hand, slips): ([f64; 3], u32)) -> An
     }
 }
 
-/// Poses, forces and contacts of a run, each frame given to `look`.
+/// Poses, forces and contacts of a run; each frame is passed to `look`.
 pub(crate) fn run(
     among: &Among,
     case: &Case,

@@ -1,12 +1,12 @@
-//! A point, whose answers are known by heart, past the corners of obstacles: on to the next side, off into the air, over a seam, into
-//! a hollow, around a thin wall.
+//! A point, whose answers are known in closed form, past the corners of obstacles: onto the next side, off into the air, over a seam,
+//! into a hollow, around a thin wall.
 
 use stiction_tests::close;
 use stiction_tests::reference::{Obstacle, Reference, Scene, Touch};
 
 const K_H: f64 = 100.0;
 const SUBSTEPS: usize = 20;
-/// Larger than what a touch, 1e-12 m, leaves of a place.
+/// Larger than the position error after a touch, 1e-12 m.
 const PLACE: f64 = 1e-10;
 
 fn obstacle(vertices: &[[f64; 2]], mu: f64) -> Obstacle {
@@ -43,7 +43,7 @@ fn at(got: [f64; 2], want: [f64; 2]) {
     close("y", got[1], want[1], PLACE);
 }
 
-/// Where a point is that slides along `way` (1 or -1) on the line through `on` with a normal, the hand at `hand`.
+/// The position of a point that slides along `way` (1 or -1) on the line through `on` with a normal, for a hand at `hand`.
 fn slid(hand: [f64; 2], on: [f64; 2], normal: [f64; 2], slide: f64) -> [f64; 2] {
     let tangent = [normal[1], -normal[0]];
     let along = |way: [f64; 2]| way[0] * (hand[0] - on[0]) + way[1] * (hand[1] - on[1]);
@@ -90,7 +90,7 @@ fn a_point_falls_off_a_sharp_corner_to_the_hand() {
     at(goes(&mut tool, [0.014, -0.05]), [-0.001, 0.0]);
     at(goes(&mut tool, [0.016, -0.05]), [0.016, -0.05]);
     assert_eq!(tool.state(), "non-contact");
-    // It comes back from the side.
+    // It returns from the side.
     at(goes(&mut tool, [-0.01, -0.05]), [0.0, -0.05]);
 }
 
@@ -104,7 +104,7 @@ fn a_point_does_not_notice_a_seam() {
             let mut tool = point([-0.5, 0.1], obstacles);
             goes(&mut tool, [-0.5, -0.05]);
             at(goes(&mut tool, [0.5, -0.05]), [0.5 - 0.3 * 0.05, 0.0]);
-            // Sticks, slides, and nothing else.
+            // It sticks, then slides; nothing else happens.
             assert_eq!((tool.events(), tool.slips()), (1, 0));
             at(goes(&mut tool, [-0.5, -0.05]), [-0.5 + 0.3 * 0.05, 0.0]);
         }
@@ -148,8 +148,8 @@ fn a_point_goes_round_a_thin_wall_but_not_through_it() {
     );
 }
 
-/// One end of a rod stands on a thin wall that ends below its middle: turned down, it comes to lie on the wall's end. It does not go on
-/// through it to the other side, on which its end touches the wall as well.
+/// One end of a rod stands on a thin wall that ends below its middle: as it turns down, it comes to lie on the wall's end. It must not
+/// pass through to the other side, which its end touches as well.
 #[test]
 fn a_rod_does_not_turn_through_the_end_of_a_wall() {
     let scene = Scene {
@@ -185,7 +185,7 @@ fn a_rod_does_not_turn_through_the_end_of_a_wall() {
     assert_eq!(touches, [end, corner]);
 }
 
-/// Two thin walls that meet, from below one of them: where the point comes to where they meet, the other one goes on above.
+/// Two thin walls that meet, seen from below one of them: where the point reaches their junction, the other wall continues above.
 #[test]
 fn a_point_below_a_bent_wall_does_not_touch_its_upper_side() {
     let across = [[0.0, 0.0], [2.0, 0.0]];
@@ -196,7 +196,7 @@ fn a_point_below_a_bent_wall_does_not_touch_its_upper_side() {
         goes(&mut tool, [0.5, 0.05]);
         // Friction holds it back.
         at(goes(&mut tool, [0.02, 0.05]), [0.02 + 0.3 * 0.05, 0.0]);
-        // Off the end it is free.
+        // Past the end it is free.
         for k in 1..10 {
             goes(&mut tool, [0.02 - 0.022 * f64::from(k), 0.05]);
         }

@@ -1,5 +1,5 @@
-//! The reference among obstacles before the judge: the cases with known answers and random worlds are lawful, frame after frame, and
-//! every fault in a lawful frame is found.
+//! The reference among obstacles, checked by the judge: the cases with known answers and random worlds are lawful, frame after
+//! frame, and every fault introduced into a lawful frame is found.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -19,7 +19,7 @@ use super::worlds::crowded;
 const SCENES: usize = budget(150, 8);
 const SUBSTEPS: usize = 20;
 
-/// The scene of the reference as the judge has it, but for what the reference does not know.
+/// The scene of the reference in the judge's format, except for what the reference does not know.
 fn scene(of: &reference::Scene, start: [f64; 3]) -> Scene {
     let obstacle = |(i, obstacle): (usize, &reference::Obstacle)| Obstacle {
         name: i.to_string(),
@@ -67,7 +67,7 @@ const EXACT: [Bounds; 2] = [
     },
 ];
 
-/// The first thing that a judge finds in frames; they tell how much happened, not what.
+/// The first finding of the judge in frames that report only the number of events, not their names.
 fn broken(scene: &Scene, frames: &[Frame], bounds: Bounds) -> Option<(usize, Finding)> {
     let mut judge = Judge::new(scene.clone(), bounds, Evolution::Path);
     (frames.iter().enumerate()).find_map(|(i, frame)| {
@@ -78,7 +78,7 @@ fn broken(scene: &Scene, frames: &[Frame], bounds: Bounds) -> Option<(usize, Fin
     })
 }
 
-/// Frames in numbers of single precision.
+/// Frames rounded to single precision.
 fn single(frames: &[Frame]) -> Vec<Frame> {
     let round = |x: f64| f64::from(x as f32);
     let contact = |contact: &Contact| Contact {
@@ -98,7 +98,7 @@ fn single(frames: &[Frame]) -> Vec<Frame> {
     frames.iter().map(frame).collect()
 }
 
-/// The laws that a frame breaks, after the frames before it.
+/// The laws that a frame breaks, given the frames before it.
 fn broken_by(scene: &Scene, before: &[Frame], frame: Frame) -> BTreeSet<&'static str> {
     let mut judge = Judge::new(scene.clone(), EXACT[1], Evolution::Path);
     for known in before {
@@ -110,7 +110,7 @@ fn broken_by(scene: &Scene, before: &[Frame], frame: Frame) -> BTreeSet<&'static
         .collect()
 }
 
-/// The scene and the frames of a random world; the reference gives up nowhere in it.
+/// The scene and the frames of a random world in which the reference never gives up.
 fn traced(draw: &mut Draw) -> (Scene, Vec<Frame>) {
     let world = crowded(draw);
     let mut body = Reference::new(world.scene.clone(), world.start, world.hands[0]);
@@ -174,7 +174,7 @@ fn random_worlds_are_lawful() {
     assert!(contacts > 20 * SCENES, "{contacts}");
 }
 
-/// A lawful frame with a fault: of the contact of this index, if it can have it.
+/// Introduces a fault into a lawful frame, at the contact with this index; returns whether that contact can have it.
 type Fault = fn(&Scene, &mut Frame, usize) -> bool;
 
 fn moved(frame: &mut Frame, way: [f64; 2], by: f64) {
@@ -189,7 +189,7 @@ fn deeper(_: &Scene, frame: &mut Frame, k: usize) -> bool {
     true
 }
 
-/// Towards the end of the side, and on by a hundredth of a body size.
+/// Moves the contact towards the end of its side, and past it by a hundredth of a body size.
 fn off_its_end(scene: &Scene, frame: &mut Frame, k: usize) -> bool {
     let Touch::Side { obstacle, side, .. } = frame.contacts[k].touch else {
         return false;
@@ -226,7 +226,7 @@ fn turned(_: &Scene, frame: &mut Frame, k: usize) -> bool {
     true
 }
 
-/// Forces that are as small as what is allowed are not looked at.
+/// Forces as small as the tolerance are skipped.
 fn pulls(_: &Scene, frame: &mut Frame, k: usize) -> bool {
     let contact = &mut frame.contacts[k];
     contact.normal = -contact.normal;
@@ -247,7 +247,7 @@ fn missing(_: &Scene, frame: &mut Frame, k: usize) -> bool {
     contact.normal > 1e-3
 }
 
-/// Laws, each of which finds a fault.
+/// Faults, each with the laws that detect it.
 const FAULTS: [(&str, Fault, &[&str]); 7] = [
     ("deeper", deeper, &[law::OUTSIDE, law::ON_SURFACE]),
     ("off its end", off_its_end, &[law::ON_SIDE]),

@@ -1,4 +1,4 @@
-//! Every frame of random scenes: outside the obstacles, in balance, friction within its cone, contacts where both shapes are.
+//! Every frame of random scenes: outside the obstacles, in balance, friction within its cone, and contacts on both shapes.
 
 use super::worlds::{outward, placed, separation, world};
 use stiction_tests::budget;
@@ -7,12 +7,12 @@ use stiction_tests::reference::{Reference, Scene, Touch};
 
 const SCENES: usize = budget(150, 4);
 const SUBSTEPS: usize = 20;
-/// Depth of a body inside an obstacle, m: what three contacts at once are seated to.
+/// Depth of a body inside an obstacle, m: the accuracy with which three simultaneous contacts are seated.
 const INSIDE: f64 = 1e-9;
 /// Distance of a contact from both shapes, m.
 const APART: f64 = 1e-9;
-/// What is out of balance or beyond the cone, in parts of the load: more than the 1e-12 that the cone test of the reference lets pass,
-/// divided by the sine of two contacts that are nearly parallel.
+/// Imbalance or excess over the cone, as fractions of the load: more than the 1e-12 that the cone test of the reference tolerates,
+/// divided by the sine between two contacts that are nearly parallel.
 const FORCE: f64 = 1e-7;
 
 /// Point and normal of a contact.
@@ -39,7 +39,7 @@ pub(crate) fn place(scene: &Scene, pose: [f64; 3], touch: Touch) -> ([f64; 2], [
     }
 }
 
-/// The centroid of a polygon, of a rod, of a point.
+/// The centroid of a polygon, of a rod or of a point.
 fn centroid(shape: &[[f64; 2]]) -> [f64; 2] {
     let first = shape[0];
     let (mut area, mut sum) = (0.0, [0.0, 0.0]);
@@ -56,7 +56,7 @@ fn centroid(shape: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|k| shape.iter().map(|p| p[k]).sum::<f64>() / count)
 }
 
-/// What a frame breaks, if anything.
+/// The law that a frame breaks, if any.
 pub(crate) fn broken(scene: &Scene, body: &Reference, hand: [f64; 3]) -> Option<String> {
     let pose = body.pose();
     let shape = placed(&scene.vertices, pose);

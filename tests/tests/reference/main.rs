@@ -1,5 +1,5 @@
-//! The slow reference among obstacles: against cases with known answers, against the laws on random scenes, before the judge of
-//! traces, and against itself where physics says that two scenes are one. No solver takes part.
+//! The slow reference among obstacles: against cases with known answers, against the laws on random scenes, under the judge of
+//! traces, and against itself where physics says that two scenes are equivalent. The solver takes no part.
 
 mod cases;
 mod corners;

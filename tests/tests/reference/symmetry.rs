@@ -1,4 +1,4 @@
-//! Scenes that physics does not tell apart: a mirror image, body and world exchanged, an obstacle in two pieces, a floor and a block.
+//! Scenes that are physically equivalent: a mirror image, body and world exchanged, an obstacle in two pieces, a floor and a block.
 
 use super::worlds::{World, friction, placed, world};
 use stiction_tests::budget;
@@ -7,11 +7,11 @@ use stiction_tests::reference::{Foot, Obstacle, Reference, Surface, Touch};
 
 const SCENES: usize = budget(50, 2);
 const SUBSTEPS: usize = 20;
-/// Largest difference of two poses that are the same, m and rad: touches are known to 1e-12 m, and every slip and fold after them
-/// hands that on, larger.
+/// Largest difference between two equal poses, m and rad: touches are known to 1e-12 m, and every slip and fold after them
+/// amplifies that error.
 const SAME: f64 = 1e-7;
 
-/// How far two poses are apart.
+/// The difference between two poses.
 fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     [0, 1, 2]
         .map(|k| (a[k] - b[k]).abs())
@@ -19,7 +19,7 @@ fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Runs two scenes beside each other; each pose of the second is compared through `seen`.
+/// Runs two scenes in parallel; each pose of the second is compared after the mapping `seen`.
 fn follow(name: &str, [one, other]: [&World; 2], seen: impl Fn([f64; 3]) -> [f64; 3]) {
     let new = |w: &World| Reference::new(w.scene.clone(), w.start, w.hands[0]);
     let (mut first, mut second) = (new(one), new(other));
@@ -61,7 +61,7 @@ fn a_mirror_image_behaves_like_a_mirror_image() {
     }
 }
 
-/// What is left of a polygon where `way` . p >= `least`.
+/// The part of a polygon where `way` . p >= `least`.
 fn cut(shape: &[[f64; 2]], way: [f64; 2], least: f64) -> Vec<[f64; 2]> {
     let above = |p: [f64; 2]| way[0] * p[0] + way[1] * p[1] - least;
     let mut left = Vec::new();
@@ -119,7 +119,7 @@ fn a_large_block_is_a_floor() {
     let mut draw = Draw::new(23);
     for i in 0..SCENES {
         let mut block = world(&mut draw);
-        // A soft body that may turn over is let go by the rule of half-planes wherever its free pose is clear of them.
+        // A soft body that may turn over is let go by the rule of half-planes whenever its free pose is clear of them.
         block.scene.k_theta = draw.between(30.0, 300.0);
         let [mu_s, mu_d] = friction(&mut draw);
         let memory = 1.0 / 1024.0;
@@ -143,13 +143,13 @@ fn a_large_block_is_a_floor() {
     }
 }
 
-/// Where the world is for the body.
+/// The pose of the world in the body's frame.
 fn inverse([x, y, angle]: [f64; 3]) -> [f64; 3] {
     let back = placed(&[[-x, -y]], [0.0, 0.0, -angle])[0];
     [back[0], back[1], -angle]
 }
 
-/// The same contact of the exchanged shapes.
+/// The same contact, for the exchanged shapes.
 fn exchanged(touch: Touch) -> Touch {
     match touch {
         Touch::Surface { .. } => touch,
@@ -174,8 +174,8 @@ fn exchanged(touch: Touch) -> Touch {
     }
 }
 
-/// The springs do not know which of the two shapes is the body. While the hand keeps its place and only turns, the obstacle may as
-/// well be held where the hand is, and turned the other way against the body.
+/// The springs do not know which of the two shapes is the body. While the hand keeps its position and only turns, the obstacle can
+/// equally be held at the hand's position and turned the other way against the body.
 #[test]
 fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
     let mut draw = Draw::new(24);
@@ -188,7 +188,7 @@ fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
         let mut body = Reference::new(world.scene.clone(), world.start, world.hands[0]);
         for (k, &hand) in world.hands.iter().enumerate().skip(1) {
             body.step(hand, SUBSTEPS);
-            // From every tenth frame on which there is contact.
+            // Starts from every tenth frame with a contact.
             if k % 10 != 0 || body.state() == "non-contact" {
                 continue;
             }
@@ -213,7 +213,7 @@ fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
                 let phi = hand[2] + 0.1 * turn * f64::from(step);
                 here.step([hand[0], hand[1], phi], SUBSTEPS);
                 there.step([x, y, -phi], SUBSTEPS);
-                // In free flight the straight ways are not the same.
+                // In free flight, the straight paths differ.
                 if here.state() == "non-contact" {
                     break;
                 }

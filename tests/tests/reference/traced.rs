@@ -1,5 +1,5 @@
-//! What the reference does, as a trace for the judge. It tells of a frame how much happened, not what: a name is given only where
-//! the contacts before and after leave no other.
+//! The answers of the reference as a trace for the judge. Per frame the reference reports only the number of events: an event
+//! gets a name only if the contacts before and after allow no other.
 
 use stiction_judge::{Contact, Event, Frame, State, Status};
 use stiction_tests::obstacles::before_judge::touch;
@@ -8,7 +8,7 @@ use stiction_tests::reference::{ContactForce, Reference, Scene};
 use super::lawful::place;
 use super::worlds::placed;
 
-/// A contact as the judge has it.
+/// A contact in the judge's format.
 fn contact(scene: &Scene, pose: [f64; 3], force: &ContactForce) -> Contact {
     let (point, direction) = place(scene, pose, force.touch);
     Contact {
@@ -21,7 +21,7 @@ fn contact(scene: &Scene, pose: [f64; 3], force: &ContactForce) -> Contact {
     }
 }
 
-/// The record of a body, with the one before.
+/// The record of a body, given the previous one.
 pub(crate) fn frame(
     scene: &Scene,
     body: &Reference,
@@ -65,7 +65,7 @@ pub(crate) fn frame(
     frame
 }
 
-/// What happened. Of several things the order is not known: names that leave it open.
+/// The events of a frame. The order of several events is unknown, so they get names that leave it open.
 fn events(last: &Frame, next: &Frame, count: u32) -> Vec<Event> {
     let slides = |frame: &Frame| frame.contacts.iter().any(|c| c.sliding != Some(0));
     let touches = |frame: &Frame| frame.contacts.iter().map(|c| c.touch).collect::<Vec<_>>();

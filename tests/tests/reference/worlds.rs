@@ -1,14 +1,14 @@
-//! Random scenes of a body among convex obstacles, and paths of a hand that pushes it against them; body sizes of 1 m.
+//! Random scenes of a body among convex obstacles, with paths of a hand that pushes it against them; body sizes of 1 m.
 
 use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::reference::{Obstacle, Scene, Surface};
 
-/// The body is at least this far from every obstacle in the beginning, m.
+/// The body is at least this far from every obstacle at the start, m.
 const CLEAR: f64 = 0.05;
-/// Frames of a straight part of a path.
+/// Frames of a straight segment of a path.
 const FRAMES: usize = 20;
 
-/// A scene, the body's pose at the start, and the hand's.
+/// A scene, the body's start pose and the hand's.
 #[derive(Clone, Debug)]
 pub(crate) struct World {
     pub(crate) scene: Scene,
@@ -16,7 +16,7 @@ pub(crate) struct World {
     pub(crate) hands: Vec<[f64; 3]>,
 }
 
-/// Points of the body frame in the world.
+/// Points of the body frame in the world frame.
 pub(crate) fn placed(points: &[[f64; 2]], [x, y, angle]: [f64; 3]) -> Vec<[f64; 2]> {
     let (sin, cos) = angle.sin_cos();
     let place = |p: &[f64; 2]| [x + cos * p[0] - sin * p[1], y + sin * p[0] + cos * p[1]];
@@ -31,7 +31,7 @@ pub(crate) fn outward(shape: &[[f64; 2]], side: usize) -> [f64; 2] {
     [along[1] / length, -along[0] / length]
 }
 
-/// How far two convex shapes are apart along the best of their axes; negative where they overlap.
+/// The separation of two convex shapes along the axis that separates them best; negative if they overlap.
 pub(crate) fn separation(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let beyond = |shape: &[[f64; 2]], other: &[[f64; 2]]| {
         let along = |at: [f64; 2], way: [f64; 2]| {
@@ -42,7 +42,7 @@ pub(crate) fn separation(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
         (0..sides)
             .flat_map(|side| {
                 let normal = outward(shape, side);
-                // A segment has its own direction, too.
+                // A segment also has its own direction as an axis.
                 let end = (shape.len() == 2).then(|| along(shape[side], [normal[1], -normal[0]]));
                 [Some(along(shape[side], normal)), end]
             })
@@ -61,7 +61,7 @@ fn shape(draw: &mut Draw, size: f64) -> Vec<[f64; 2]> {
     }
 }
 
-/// Coefficients of friction, static and dynamic, at times the same.
+/// Coefficients of friction, static and dynamic, sometimes equal.
 pub(crate) fn friction(draw: &mut Draw) -> [f64; 2] {
     let mu_s = draw.between(0.05, 1.2);
     let equal = draw.below(4) == 0;
@@ -119,7 +119,7 @@ pub(crate) fn world(draw: &mut Draw) -> World {
     }
 }
 
-/// The same among up to four obstacles, half of them above a floor.
+/// The same with up to four obstacles, in half of the scenes above a floor.
 pub(crate) fn crowded(draw: &mut Draw) -> World {
     let [mut among, more] = [world(draw), world(draw)];
     let body = placed(&among.scene.vertices, among.start);
@@ -144,7 +144,7 @@ pub(crate) fn crowded(draw: &mut Draw) -> World {
     among
 }
 
-/// Five straight parts: most of them towards a corner of an obstacle, up to it or beyond; some turn the hand, some go anywhere.
+/// Five straight segments: most of them towards a corner of an obstacle, up to it or past it; some turn the hand, some go anywhere.
 fn path(draw: &mut Draw, start: [f64; 3], obstacles: &[Obstacle]) -> Vec<[f64; 3]> {
     let mut hands = vec![start];
     for _ in 0..5 {

@@ -1,4 +1,4 @@
-//! A step allocates nothing. The counter is per thread.
+//! A step allocates nothing, according to a counter per thread.
 
 use stiction_core::{Evolution, Hand, Solver};
 use stiction_tests::setup::{SURFACES, VERTICES};

@@ -1,4 +1,4 @@
-//! Where no motion is consistent the body stays, out of balance, and every frame says so (STATICS 9, rule 8).
+//! If no motion is consistent, the body stays out of balance, and every frame reports it (STATICS 9, rule 8).
 
 use stiction_core::{Evolution, Solver, Status};
 use stiction_tests::laws::{judge, worst};
@@ -21,8 +21,9 @@ mod cases {
         assert!(finding.holds(), "{}: {finding:?}: {frame:?}", R::NAME);
     }
 
-    /// A heavy point on a smooth slope is held straight below itself along the slope: a pull that turns it neither way. What
-    /// a number type takes for no way to turn stays out of balance; that it does, is told as long as the hand rests there.
+    /// A heavy point on a smooth slope is held straight below itself along the slope: the pull turns it in neither
+    /// direction. In a number type that finds no direction of turning, the point stays out of balance, and the status
+    /// reports it as long as the hand rests there.
     pub(super) fn imbalance_is_told_until_the_hand_moves<R: Number>(evolution: Evolution) {
         let slope = 15f64.to_radians();
         let (sin, cos) = slope.sin_cos();
@@ -43,13 +44,13 @@ mod cases {
             lawful_or_said::<R>(&setup, run.step(rest));
             assert_eq!(run.frame.status, first);
         }
-        // A hand a little to the side ends the dilemma.
+        // A hand slightly to the side ends the ambiguity.
         lawful_or_said::<R>(&setup, run.step([0.0, 0.01, slope]));
         assert_eq!(run.frame.status, Status::Ok);
     }
 
-    /// A heavy rod on two smooth slopes that both lead down the same way. Out of balance there is no way on which it could be
-    /// kept: the frame after is a jump, whatever the evolution.
+    /// A heavy rod on two smooth slopes that both descend in the same direction. Out of balance, there is no path along which
+    /// the rod could be followed: the next frame is a jump, whatever the evolution.
     pub(super) fn frame_after_an_imbalance_is_a_jump<R: Number>(evolution: Evolution) {
         let (up, tilt) = (
             [7.5f64.to_radians(), 30f64.to_radians()],
@@ -82,7 +83,7 @@ mod cases {
         assert!(unbalanced > 0, "{}", R::NAME);
     }
 
-    /// A point between a floor and two ceilings at the same height: no friction, so the hand takes it along.
+    /// A point between a floor and two ceilings at the same height: without friction, the hand moves it along.
     pub(super) fn slot_without_friction_bears_nothing_along_it<R: Number>(evolution: Evolution) {
         let setup = Setup::point()
             .held_at([0.1, 0.0])

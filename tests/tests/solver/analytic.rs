@@ -1,15 +1,15 @@
-//! Whole evolutions with known answers. The values are those of an independent calculation, 12 digits; lengths,
+//! Whole evolutions with known answers. The values come from an independent calculation, to 12 digits; lengths,
 //! stiffnesses and forces are of order 1, so every bound is absolute: 1e-9 in f64, 1e-4 in f32.
 //!
 //! Two quantities obey a square-root law and get their own bounds where they appear: the angle just before a fold,
-//! which is a double root, and what a slip inherits from an angle close to one.
+//! which is a double root, and the part of a slip that depends on an angle close to a fold.
 
 mod edge;
 mod fold;
 mod ladder;
 mod vertex;
 
-/// The place between `low`, where `holds` is true, and `high`, where it is not, at which it ceases to hold.
+/// The point between `low`, where `holds` is true, and `high`, where it is false, at which it becomes false.
 fn threshold(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     assert!(
         holds(low) && !holds(high),

@@ -1,5 +1,5 @@
-//! Two contacts slide with a hand that turns, fold and snap to the next balance (STATICS 5): a rod on smooth walls, whose balance is
-//! known in closed form.
+//! Two contacts slide while the hand turns, then the balance folds and the body snaps to the next balance (STATICS 5): a rod on
+//! smooth walls, whose balance is known in closed form.
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 use stiction_core::{Event, Evolution, StateKind, Status};
@@ -11,7 +11,7 @@ test_each!(cases::rod_follows_its_branches_and_snaps_between_them);
 /// m of `scenes::rod_buckles`
 const M: f64 = SQRT_2 / 2.0 / scenes::BUCKLING;
 
-/// u on the side of a sign, beyond the fold, where u - m sin u = beta.
+/// The root u of u - m sin u = beta on the side of a sign, beyond the fold.
 fn balance(beta: f64, side: f64) -> f64 {
     let fold = side * (1.0 / M).acos();
     let (mut inner, mut outer) = (fold, side * FRAC_PI_4);

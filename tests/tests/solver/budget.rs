@@ -1,4 +1,5 @@
-//! The budget of a step: no step takes more, what is cut goes on to the same bits, and to a new sample straight from where it stands.
+//! The budget of a step: no step exceeds it; a cut step continues to the same bits, and a new sample of the hand is followed straight
+//! from the body's current pose.
 
 use stiction_core::{Evolution, Full, Solver, State, Status};
 use stiction_tests::counted::{Counted, counted};
@@ -8,7 +9,7 @@ use stiction_tests::run::planar;
 use stiction_tests::setup::{SURFACES, VERTICES};
 use stiction_tests::{Frame, Number, Scenario, Setup, test_each};
 
-/// So few frames lead the hand from one keyframe to the next that much happens in one.
+/// So few frames per keyframe that much happens in one frame.
 const FRAMES_PER_LEG: usize = 3;
 
 test_each! {
@@ -23,7 +24,7 @@ fn solver<R: Number>(setup: &Setup, evolution: Evolution) -> Of<R> {
     Solver::new(setup.scene::<R>().expect("a sound scene"), evolution)
 }
 
-/// The frame of a step, and whether something is left to do.
+/// The frame of a step, and whether anything is left to do.
 fn step<R: Number>(solver: &Of<R>, state: &mut State<R>, hand: [f64; 3]) -> (Frame, bool) {
     let output = solver.step(state, planar::<R>(hand));
     let behind = R::wide(output.behind);
@@ -34,7 +35,7 @@ fn step<R: Number>(solver: &Of<R>, state: &mut State<R>, hand: [f64; 3]) -> (Fra
     (Frame::new(solver, state, &output), is_behind)
 }
 
-/// No vertex is inside a surface, though the body may be out of balance.
+/// No vertex is inside a surface, although the body may be out of balance.
 fn stays_outside<R: Number>(setup: &Setup, frame: &Frame) {
     let findings = judge::<R>(setup, frame).into_iter();
     let gaps =
@@ -45,7 +46,7 @@ fn stays_outside<R: Number>(setup: &Setup, frame: &Frame) {
 mod cases {
     use super::*;
 
-    /// Of one step without a budget, slips counted and all.
+    /// The bits of a single step without a budget, including the number of slips.
     pub(super) fn what_is_cut_goes_on_to_the_same_bits<R: Number>(evolution: Evolution) {
         let (mut steps, mut cut) = (0, 0);
         for scenario in scenarios(100, 8) {
@@ -76,7 +77,7 @@ mod cases {
         assert!(cut > 50, "{cut}");
     }
 
-    /// However a hand that stops at last was followed before, the body comes to rest lawfully and stays.
+    /// However a hand was followed before it stops, the body comes to rest lawfully and stays.
     pub(super) fn new_sample_leads_straight_from_where_it_stands<R: Number>(evolution: Evolution) {
         let (mut behind, mut caught_up) = (0, 0);
         for scenario in scenarios(100, 8) {
@@ -97,7 +98,7 @@ mod cases {
         assert!(behind > 20 && caught_up > 500, "{behind} {caught_up}");
     }
 
-    /// In mid-step: the body stays where it is, and a hand that takes hold of it later begins anew.
+    /// A hand lets go in mid-step: the body stays where it is, and a hand that grasps it later starts a new path.
     pub(super) fn hand_that_lets_go_leaves_nothing_to_do<R: Number>(evolution: Evolution) {
         let mut count = 0;
         for scenario in scenarios(100, 8) {
@@ -123,7 +124,7 @@ mod cases {
     }
 }
 
-/// What steps take, in operations on numbers and in units of work, is in proportion, and neither exceeds a budget.
+/// The cost of steps in operations on numbers is proportional to that in units of work, and neither exceeds a budget.
 #[test]
 fn no_step_takes_more_than_its_budget() {
     let mut dearest = (0.0, 0, 0);
@@ -137,7 +138,7 @@ fn no_step_takes_more_than_its_budget() {
     assert!(per_unit <= OPERATIONS_PER_UNIT, "{per_unit}");
 }
 
-/// So many operations on numbers a unit of work takes at most.
+/// The largest number of operations on numbers per unit of work.
 const OPERATIONS_PER_UNIT: f64 = 200.0;
 
 fn dear_unit(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {

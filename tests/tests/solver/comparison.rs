@@ -1,11 +1,11 @@
-//! The solver behind number types made of other crates' functions, in the named scenes and in random ones: every number is
-//! finite and nothing panics; what else holds differs.
+//! The solver on number types built from functions of other crates, in the named scenes and in random ones: every number
+//! is finite and nothing panics; the other guarantees differ.
 //!
 //! | type | what holds |
 //! |---|---|
 //! | `LibmSingle` | every law, within the bounds of `f32` |
-//! | `CordicFixed` | every law within ten times the bounds of `Fixed`, gaps within the same; in random scenes one frame in a thousand may fall out |
-//! | `MicromathSingle` | where the scene is not refused, the geometry to 2e-3 L; forces do not balance |
+//! | `CordicFixed` | every law within ten times the bounds of `Fixed`, gaps within the bounds of `Fixed`; in random scenes, one frame in a thousand may violate a law |
+//! | `MicromathSingle` | if the scene is not refused, the geometry to 2e-3 L; forces do not balance |
 
 use stiction_core::{CordicFixed, Evolution, LibmSingle, MicromathSingle};
 use stiction_tests::laws::{assert_lawful, judge};
@@ -25,7 +25,7 @@ fn is_accepted<R: Number>(scenario: &Scenario) -> bool {
     scenario.setup.scene::<R>().is_ok()
 }
 
-/// Looks at the frames of every scenario in both evolutions.
+/// Examines the frames of every scenario in both evolutions.
 fn each<R: Number>(
     scenarios: impl Iterator<Item = Scenario>,
     mut look: impl FnMut(&Setup, &[Frame]),

@@ -1,4 +1,4 @@
-//! A contact that sticks does not creep: not by one bit in a million frames.
+//! A sticking contact does not creep: not by one bit in a million frames.
 
 use stiction_core::{Evolution, StateKind};
 use stiction_tests::{Number, Run, Scenario, budget, scenes, test_each};

@@ -1,6 +1,6 @@
-//! The documentation of the solver says what the code does: the picture and the table of the contact states are those of its
-//! transition table, and every equation and section that the code cites is there. Links between documents lead somewhere, and
-//! so do the paths that they name.
+//! The documentation of the solver matches the code: the picture and the table of the contact states are those of its
+//! transition table, and every equation and section that the code cites exists. Links between documents, and the paths that
+//! they name, exist.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use stiction_tests::diagram::{Area, Diagram, SIZE, document, table};
 
 fn diagram() -> Diagram {
-    Diagram::new().expect("a way for every arm")
+    Diagram::new().expect("an arrow for every arm")
 }
 
 #[test]
@@ -17,7 +17,7 @@ fn the_picture_is_what_the_command_writes() {
     let drawn = diagram().svg().expect("a string");
     assert!(
         kept == drawn,
-        "core/states.svg is old: cargo run -p stiction-tests --example state_diagram"
+        "core/states.svg is out of date: cargo run -p stiction-tests --example state_diagram"
     );
 }
 
@@ -38,11 +38,11 @@ fn the_table_is_what_the_command_writes() {
     let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
     assert!(
         statics.contains(&table()),
-        "core/STATICS.md is old: cargo run -p stiction-tests --example state_diagram"
+        "core/STATICS.md is out of date: cargo run -p stiction-tests --example state_diagram"
     );
 }
 
-/// A line without text would end the picture within Markdown.
+/// An empty line would end the picture within Markdown.
 #[test]
 fn markdown_takes_the_picture_whole() {
     let svg = diagram().svg().expect("a string");
@@ -61,7 +61,7 @@ fn sources(folder: &Path, text: &mut String) {
     }
 }
 
-/// What follows a mark, as long as it is of digits and dots.
+/// The digits and dots that follow a mark.
 fn cited(text: &str, mark: &str) -> Vec<String> {
     let numbers = text.split(mark).skip(1).map(|after| {
         let end = after.find(|c: char| !c.is_ascii_digit() && c != '.');
@@ -98,7 +98,7 @@ fn what_the_code_cites_is_there() {
     }
 }
 
-/// The table of thresholds has a row for each that the code states, and no other.
+/// The table of thresholds has a row for each threshold in the code, and no other.
 #[test]
 fn every_threshold_is_in_the_table() {
     let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("../core");
@@ -126,7 +126,7 @@ fn documents(folder: &str) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The anchor of a heading, as hosts of repositories make it.
+/// The anchor of a heading, as repository hosts generate it.
 fn anchor(heading: &str) -> String {
     let text = heading.trim_start_matches('#').trim().to_lowercase();
     let kept = text
@@ -135,7 +135,7 @@ fn anchor(heading: &str) -> String {
     kept.collect::<String>().replace(' ', "-")
 }
 
-/// Where the documents are.
+/// Folders with documents.
 const FOLDERS: [&str; 6] = [
     ".",
     "core",
@@ -145,7 +145,7 @@ const FOLDERS: [&str; 6] = [
     "tests",
 ];
 
-/// What is in code marks and begins with a top folder is a path from there, or from the document.
+/// Text in code marks that starts with a top-level folder is a path from there, or from the document.
 #[test]
 fn paths_lead_somewhere() {
     let mut count = 0;
@@ -176,7 +176,7 @@ fn links_lead_somewhere() {
         let text = fs::read_to_string(&file).expect("a document");
         let targets = text.split("](").skip(1);
         for target in targets.filter_map(|rest| rest.split(')').next()) {
-            // A target has no space, as a formula may.
+            // A link target contains no space; a formula may.
             if target.starts_with("http") || target.contains(' ') {
                 continue;
             }

@@ -1,6 +1,6 @@
-//! The box of the benchmarks, dragged by 0.1 m: a slip of the flat box is (mu_s - mu_d) e long, with e the depth of the
-//! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand by other
-//! means than this solver.
+//! The box of the benchmarks, dragged by 0.1 m: a slip of the flat box is (mu_s - mu_d) e long, where e is the depth of the
+//! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand,
+//! independently of this solver.
 
 use stiction_core::{Evolution, Fixed, Full, StateKind, Status};
 use stiction_tests::run::{Frame, RunOf, run};
@@ -39,8 +39,8 @@ fn tilted_box_turns_while_it_slips() {
     slips::<Fixed>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
 }
 
-/// Fixed point beside f64 at 1 kHz, frame by frame: a slip may fall one frame earlier or later, where the onset lies within
-/// roundings of the end of a frame; everywhere else the poses agree to 10 µm.
+/// Fixed point compared with f64 at 1 kHz, frame by frame: a slip may occur one frame earlier or later if its onset lies
+/// within roundings of the end of a frame; everywhere else the poses agree to 10 µm.
 #[test]
 fn fixed_point_follows_f64_to_10_um() {
     for (name, scenario) in [
@@ -72,8 +72,8 @@ fn fixed_point_follows_f64_to_10_um() {
     }
 }
 
-/// A vertex in a side as little out of line as may be: the box lies on either part of its side and goes from one to the other,
-/// with room for a single surface, too.
+/// A vertex on a side, as little out of line as is allowed: the box lies on either part of its side and moves from one to the
+/// other, even with capacity for a single surface only.
 #[test]
 fn flat_on_a_side_with_a_vertex_hardly_out_of_line() {
     hardly_out_of_line::<f64>();
@@ -86,7 +86,7 @@ fn hardly_out_of_line<R: Number>() {
     let [from, to] = [0, 1].map(|i| scenario.keyframes[i]);
     let above = [from[0], from[1] + 0.03, 0.1];
     let leaning = |phi: f64| [to[0], to[1], phi];
-    let way = [from, to, above, from, leaning(0.5), leaning(-0.5), to];
+    let path = [from, to, above, from, leaning(0.5), leaning(-0.5), to];
     for evolution in Evolution::ALL {
         for along in [-0.04, 0.0, 0.03] {
             for out in [4.0e-6, 1e-5, 1e-4] {
@@ -95,7 +95,7 @@ fn hardly_out_of_line<R: Number>() {
                 setup.start[1] += out;
                 let mut run = RunOf::<R, 5, 1, Full>::start(&setup, evolution, above);
                 let mut edges = Vec::new();
-                for frame in way.iter().flat_map(|&hand| run.lead(hand, 40)) {
+                for frame in path.iter().flat_map(|&hand| run.lead(hand, 40)) {
                     let what = format!("{} {evolution:?} {along} {out}", R::NAME);
                     assert_eq!(frame.status, Status::Ok, "{what}: {frame:?}");
                     if frame.state == StateKind::Edge {

@@ -1,5 +1,5 @@
-//! The ends of every parameter (STATICS 10): whatever a number type is given, it gives finite numbers, and every frame
-//! either obeys the laws or says in its status that it does not.
+//! The extremes of every parameter (STATICS 10): for any input, a number type returns finite numbers, and every frame
+//! either obeys the laws or reports in its status that it does not.
 
 use stiction_core::{Angle, Evolution, Fixed, Hand, StateKind, Status};
 use stiction_tests::extremes::{Outcome, SWEEPS, outcome};
@@ -16,7 +16,7 @@ test_each! {
     cases::number_type_holds_what_users_need,
 }
 
-/// Lever times pull and the moment of the turn, together: up to 64 k_h L² in fixed point.
+/// Lever times pull, plus the moment of the turn: up to 64 k_h L² in fixed point.
 #[test]
 fn fixed_point_says_which_loads_it_does_not_carry() {
     const LEVER: f64 = 7.0;
@@ -61,7 +61,7 @@ mod cases {
         }
     }
 
-    /// The part of every sweep that a user meets: there every number type holds its error without a word.
+    /// The part of every sweep that users meet: there every number type keeps its error bound and reports no limitation.
     pub(super) fn number_type_holds_what_users_need<R: Number>(evolution: Evolution) {
         for (name, from, to) in [
             ("mu_s of the floor (mu_d = 0.6 mu_s)", 0.0, 1e3),
@@ -69,7 +69,7 @@ mod cases {
             ("body size L (m)", 1e-6, 1e6),
             ("k_h (N/m)", 1e-6, 1e9),
             ("weight / (k_h L)", 0.0, 10.0),
-            ("way of the hand in one frame (L)", 0.1, 1.0),
+            ("displacement of the hand in one frame (L)", 0.1, 1.0),
             ("scene away from the origin (L)", 0.0, 1.0),
             ("angle between two floors (rad)", 1e-7, 1.0),
             ("angle between floor and ceiling (rad)", 0.0, 0.1),
@@ -122,15 +122,15 @@ mod cases {
                 frames.extend(whole.lead(last[0], 1));
                 frames.extend(whole.lead(last[1], 30));
                 frames.extend(whole.lead(last[2], 30));
-                // Next to the triple root of kappa = 1 a search may end at its bound of steps, and says so.
+                // Close to the triple root at kappa = 1, a search may end at its limit of steps, and reports it.
                 frames.retain(|frame| kappa > 1.001 || frame.status < Status::IterationLimit);
                 assert_lawful::<R>(&setup, &frames);
             }
         }
     }
 
-    /// Where mu_d grows to the place at which two ends of a slip meet in a double root, the slip becomes shorter by a
-    /// leap: on both sides, to the last digit of mu_d, it ends in balance at mu_d N.
+    /// As mu_d grows to the value at which two ends of a slip meet in a double root, the slip length drops
+    /// discontinuously: on both sides of that value, to the last digit of mu_d, the slip ends in balance at mu_d N.
     pub(super) fn slip_that_ends_on_a_double_root<R: Number>(evolution: Evolution) {
         let slip = |mu_d: f64| {
             let setup = Setup::point()
@@ -166,7 +166,7 @@ mod cases {
         assert!(leap > 0.3, "leaps by {leap} at mu_d {low}");
     }
 
-    /// Turned in the air a million times, five turns a frame, the body lands as if it had never turned, to the bit.
+    /// After a million turns in the air, five per frame, the body lands exactly as if it had never turned, to the bit.
     pub(super) fn million_turns_cost_no_digits<R: Number>(evolution: Evolution) {
         let setup = Setup::block(0.8, 0.6)
             .held_at([0.0, 0.4])
@@ -199,7 +199,7 @@ mod cases {
         assert_eq!(once.wrench, often.wrench);
     }
 
-    /// Parameters below the normal numbers of f32 are as good as zero.
+    /// Parameters below the normal numbers of f32 are treated as zero.
     pub(super) fn denormal_parameters<R: Number>(evolution: Evolution) {
         let tiny = 1e-40;
         let setup = Setup::block(0.8, 0.6)

@@ -1,5 +1,5 @@
-//! The solver against the slow reference: random scenes, every frame started from the solver's own pose and contacts, state and
-//! pose compared at its end. Scene `i`, frame `k` of a report are always the same.
+//! The solver against the slow reference in random scenes: every frame of the reference starts from the solver's own pose and
+//! contacts; state and pose are compared at its end. Scene `i` and frame `k` of a report are the same in every run.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
@@ -7,16 +7,16 @@ use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::reference::{Foot, Reference, Scene, Surface, Touch};
 use stiction_tests::{Frame, Run, Setup};
 
-/// Scenes of a hundred frames.
+/// Number of scenes, each of a hundred frames.
 const SCENES: usize = if cfg!(debug_assertions) { 4 } else { 200 };
 const SUBSTEPS: usize = 50;
-/// Largest difference of two equal poses, in body sizes and rad.
+/// Largest difference between equal poses, in body sizes and rad.
 const POSE: f64 = 1e-6;
-/// Largest difference where the phase of the slips is open.
+/// Largest difference if the phase of the slips is undetermined.
 const PHASE: f64 = 1e-2;
 
-/// A scene of 3 to 6 vertices and 1 to 3 surfaces (a slanted floor; a wall, a ceiling parallel to the floor or anything), and the
-/// hand's frames: it presses first, then presses, drags, twists, lifts.
+/// A scene of 3 to 6 vertices and 1 to 3 surfaces (a slanted floor; a wall, a ceiling parallel to the floor or at any angle), and
+/// the hand's frames: it presses first, then presses, drags, twists and lifts.
 fn case(draw: &mut Draw) -> (Setup, Vec<[f64; 3]>) {
     let size = draw.power(-2.0, 0.5);
     let count = 3 + draw.below(4);
@@ -145,7 +145,7 @@ fn reference_at(setup: &Setup, frame: &Frame, stiction: bool) -> Reference {
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Same,
-    /// Slips without beginning (from a touch) or end (before lift-off), or the event limit: same state, phase of the slips open.
+    /// Slips without a start (from a touch) or an end (before lift-off), or the event limit: same state, phase of the slips undetermined.
     OpenPhase,
     /// The reference or the solver found no motion that fits.
     Ambiguous,

@@ -1,5 +1,5 @@
-//! Without friction a vertex glides: its foot is where the tangential forces balance, and the angle has a second harmonic in
-//! its moment (STATICS 3.6). Known answers, found here by slow bisections, and the laws in random scenes.
+//! Without friction a vertex glides: its foot is where the tangential forces balance, and its moment has a second harmonic
+//! in the angle (STATICS 3.6). The tests use known answers, found here by slow bisections, and the laws in random scenes.
 
 use stiction_core::{Bare, Event, Evolution, Fixed, Frictionless, StateKind, Status};
 use stiction_tests::laws::{assert_lawful, worst};
@@ -31,7 +31,7 @@ fn moment(rotation: f64, [_, height, phi]: [f64; 3], theta: f64) -> f64 {
     rotation * (phi - theta) + normal * LEVER * theta.sin()
 }
 
-/// The place between `low` and `high` where a function changes its sign.
+/// The point between `low` and `high` at which a function changes its sign.
 fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let rises = f(high) > 0.0;
     assert!(
@@ -88,7 +88,7 @@ mod cases {
         assert_eq!((run.frame.slips, run.frame.status), (0, Status::Ok));
     }
 
-    /// Pressed down by a soft grip the tool leans to one side; turned to the other one it falls over.
+    /// Pressed down by a soft grip, the tool leans to one side; turned to the other side, it falls over.
     pub(super) fn glide_folds_by_its_second_harmonic<R: Number>(evolution: Evolution) {
         const ROTATION: f64 = 0.02;
         const HEIGHT: f64 = 0.2;
@@ -120,7 +120,7 @@ mod cases {
     }
 }
 
-/// Random scenes of one surface without friction: the laws in every frame, and a motion is always found.
+/// Random scenes of one surface without friction: the laws hold in every frame, and a motion is always found.
 fn survey<R: Number>(evolution: Evolution) {
     for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
         let mut setup = scenario.setup.clone().smooth();
@@ -148,8 +148,8 @@ fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
     }
 }
 
-/// A point has no size; what the digits of fixed point are spent on follows from its springs: an angle (rad), known as
-/// exactly as it is where the grip is no softer than the lever asks for, and the place of the tip with it.
+/// A point has no size, so the resolution of fixed point follows from its springs: the angle (rad) is accurate, and with it the
+/// position of the tip, provided that the grip is no softer than the lever requires.
 #[test]
 fn fixed_point_carries_a_point_tool_with_a_short_lever() {
     for (lever, rotation, angle) in [(0.005, 0.01, 1e-4), (0.02, 0.5, 2e-5)] {

@@ -1,4 +1,4 @@
-//! The hand: taking hold, letting go, and samples that are no pose.
+//! The hand: grasping, letting go, and samples that are not a pose.
 
 use stiction_core::{Angle, Event, Evolution, Hand, StateKind, Status};
 use stiction_tests::laws::assert_lawful;
@@ -23,7 +23,7 @@ test_each!(
 mod cases {
     use super::*;
 
-    /// A block 2 × 1 in the air, to be taken hold of anywhere.
+    /// A block 2 × 1 in the air that can be grasped anywhere.
     fn loose() -> Setup {
         Setup {
             holding_point: None,
@@ -35,8 +35,8 @@ mod cases {
         planar::<R>(hand).released()
     }
 
-    /// A rod turns with the hand, by so little in a frame and so softly that its moment is below the digits, until its end is on the
-    /// floor.
+    /// A rod turns with the hand until its end reaches the floor; its turn per frame is so small, and its grip so soft, that the
+    /// moment is below the last digit.
     pub(super) fn soft_grip_turns_a_free_body_up_to_the_floor<R: Number>(evolution: Evolution) {
         for stiffness in [1e-6, 1e-5, 1e-3] {
             let setup = Setup::rod(1.0)
@@ -102,8 +102,8 @@ mod cases {
         assert_eq!((frame.pose, frame.wrench), ([0.0, 2.0, 0.0], [0.0; 3]));
     }
 
-    /// A point far from the hand that reaches for it: a type that carries the springs takes hold and says so, one that does
-    /// not says that it is out of range, and no grasp.
+    /// A hand reaches for a point far away: a number type that can represent the springs grasps it and reports so; one that
+    /// cannot reports that it is out of range, and no grasp.
     pub(super) fn grasp_beyond_the_number_type_is_none<R: Number>(evolution: Evolution) {
         for far in [0.01, 0.1, 1.0, 3.0, 5.0] {
             let body = Setup::new(&[[far, 0.0]]).springs(1e4, 42.0);
@@ -179,7 +179,7 @@ mod cases {
         close("theta", frame.pose[2], 0.5, R::ANALYTIC);
     }
 
-    /// The same hand, spoilt in one component.
+    /// The same hand with one component invalid.
     fn spoilt<R: Number>(hand: Hand<R::Si>) -> Vec<Hand<R::Si>> {
         let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::si);
         let spoil = |bad| {

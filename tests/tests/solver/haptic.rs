@@ -1,5 +1,4 @@
-//! Whole runs of ordinary haptic use, in every number type: every frame obeys the laws, and the scenes are what they are said
-//! to be.
+//! Whole runs of ordinary haptic use, in every number type: every frame obeys the laws, and the scenes are as documented.
 
 use stiction_core::{Evolution, Fixed, Hand, StateKind, narrow_hand};
 use stiction_tests::haptic::measures::{Samples, Tally, against_f64, led};
@@ -8,7 +7,7 @@ use stiction_tests::laws::assert_lawful_run;
 use stiction_tests::run::planar;
 use stiction_tests::{Number, Run, Scenario, budget};
 
-/// So many scenes of each kind.
+/// The number of scenes of each kind.
 const SCENES: usize = budget(25, 2);
 
 fn all() -> impl Iterator<Item = (Kind, usize, Scenario)> {
@@ -18,7 +17,7 @@ fn all() -> impl Iterator<Item = (Kind, usize, Scenario)> {
         .flat_map(move |kind| of(kind).map(move |(i, scenario)| (kind, i, scenario)))
 }
 
-/// Every law, that numbers are finite and that feet that stick do not move among them; frame evolution in every fifth scene.
+/// Every law holds, including that numbers are finite and that sticking feet do not move; frame evolution in every fifth scene.
 fn every_frame_is_lawful<R: Number>() {
     for (kind, i, scenario) in all() {
         let frame = (i % 5 == 0).then_some(Evolution::Frame);
@@ -45,7 +44,7 @@ fn every_frame_of_fixed_point_is_lawful() {
     every_frame_is_lawful::<Fixed>();
 }
 
-/// Rounding of what goes in is no part of any difference between number types.
+/// Rounding of the inputs contributes nothing to the differences between number types.
 #[test]
 fn scenes_and_samples_are_those_of_f32() {
     for (_, _, scenario) in all() {
@@ -60,7 +59,7 @@ fn scenes_and_samples_are_those_of_f32() {
     }
 }
 
-/// A body that its weight does not turn about the hand begins in the air.
+/// A body that its weight does not turn about the hand starts in the air.
 #[test]
 fn stiff_hand_begins_in_the_air() {
     for (kind, i, scenario) in all() {
@@ -72,7 +71,7 @@ fn stiff_hand_begins_in_the_air() {
     }
 }
 
-/// A run whose frames are cut in three meets every sample of the hand.
+/// A run whose frames are cut into three passes through every sample of the hand.
 #[test]
 fn cut_frames_end_at_the_samples() {
     for (_, _, scenario) in all() {
@@ -102,8 +101,8 @@ fn every_state_has_its_share() {
     }
 }
 
-/// One run has one phase: the slips of a whole run are the same in every number type and at every rate, but for those that fall
-/// next to the end of a stroke.
+/// The phase of the slips does not depend on number type or rate: whole runs have the same slips, except those close to the end
+/// of a stroke.
 #[test]
 fn runs_of_stick_slip_agree() {
     let scenes = || scenes(Kind::StickSlip).take(SCENES);
@@ -132,7 +131,7 @@ fn runs_of_stick_slip_agree() {
     }
 }
 
-/// Frames of the hand that jumps after its first event are near to those of its path.
+/// Poses of the hand that jumps after its first event are close to those along its path.
 #[test]
 fn frames_are_near_to_the_path() {
     let scenes = scenes(Kind::StickSlip).take(SCENES);
@@ -141,7 +140,7 @@ fn frames_are_near_to_the_path() {
     assert!(error <= 2e-2, "{error:.1e} L");
 }
 
-/// Where mu_s = mu_d nothing slips, and whole runs are apart by rounding alone in nine frames of ten.
+/// If mu_s = mu_d, nothing slips, and in nine frames of ten whole runs differ by rounding alone.
 #[test]
 fn runs_without_stick_slip_agree() {
     let scenes = || scenes(Kind::Equal).take(SCENES);

@@ -1,5 +1,5 @@
-//! A body jammed between two walls (STATICS 6): what its contacts need to hold it is known in closed form, and so is where they hold
-//! it with reactions beyond 64 k_h L alone. There it stays and says so.
+//! A body jammed between two walls (STATICS 6): the contact forces needed to hold it are known in closed form, and so is the load
+//! above which they hold it only with reactions beyond 64 k_h L. There the body stays and its status reports it.
 
 use stiction_core::{Evolution, StateKind, Status};
 use stiction_tests::laws::assert_lawful;
@@ -8,13 +8,13 @@ use stiction_tests::{Number, Run, Setup, test_each};
 
 test_each!(cases::rod_says_where_it_jams_and_never_moves);
 
-/// Of the rod's line against the walls' normal (rad), and of both walls.
+/// Angle of the rod's line against the walls' normal (rad), and friction of both walls.
 const TILT: f64 = 0.3;
 const MU: f64 = 0.5;
 const LENGTH: f64 = 0.1;
 
-/// A rod of length L leans between two walls, held at its middle. A moment M that turns it across the slot is borne by N on either
-/// wall with a height of L sin(tilt) between them, and by friction mu N with a width of L cos(tilt).
+/// A rod of length L leans between two walls, held at its middle. A moment M that turns it across the slot is borne by N on each
+/// wall with a lever of L sin(tilt) between them, and by friction mu N with a lever of L cos(tilt).
 fn jammed_from() -> f64 {
     64.0 * (TILT.sin() + MU * TILT.cos())
 }
@@ -24,7 +24,7 @@ mod cases {
 
     pub(super) fn rod_says_where_it_jams_and_never_moves<R: Number>(evolution: Evolution) {
         let wall = LENGTH / 2.0 * TILT.cos();
-        // k_theta = k_h L², so that a turn of the hand by 1 rad is a moment of 1.
+        // k_theta = k_h L², so that a turn of the hand by 1 rad gives a moment of 1.
         let setup = Setup::new(&[[-LENGTH / 2.0, 0.0], [LENGTH / 2.0, 0.0]])
             .at([0.0, 0.0, TILT])
             .held_at([0.0, 0.0])
@@ -43,7 +43,7 @@ mod cases {
             assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
             assert_eq!((frame.state, frame.pose), (StateKind::TwoVertex, begin));
             let moment = TILT - hand[2];
-            // A part of the rounding of both.
+            // Too close to the limit: within the rounding of both.
             if (moment / jammed_from() - 1.0).abs() < 1e-4 {
                 continue;
             }

@@ -24,7 +24,7 @@ fn named_scenes_obey_every_law() {
     }
 }
 
-/// Without friction every edge of a cone is there twice, and two contacts bear loads of one plane alone.
+/// Without friction, the two edges of each cone coincide, and two contacts bear only loads in one plane.
 #[test]
 fn scenes_without_friction_obey_every_law() {
     fn glides<R: Number>() {
@@ -46,8 +46,8 @@ fn scenes_without_friction_obey_every_law() {
     glides::<Fixed>();
 }
 
-/// A box leans on a wall, a corner just above the floor: the turn of the hand lets that corner touch a little before balance,
-/// and slip or open again, and so a slip begins a little out of balance. It must not end so.
+/// A box leans on a wall, with a corner just above the floor: as the hand turns, that corner touches slightly before balance,
+/// and slips or opens again, so a slip begins slightly out of balance. It must not end out of balance.
 #[test]
 fn slip_that_begins_out_of_balance_ends_in_balance() {
     fn touches_and_slips<R: Number>() {
@@ -78,7 +78,7 @@ fn slip_that_begins_out_of_balance_ends_in_balance() {
     touches_and_slips::<Fixed>();
 }
 
-/// A rod between floor and wall slides down; its upper end turns back on the way. The slip ends in balance at mu_d N, with
+/// A rod between floor and wall slides down; its upper end reverses on the path. The slip ends in balance at mu_d N, with
 /// both frictions against the motion.
 #[test]
 fn two_vertex_slip_rubs_after_a_vertex_turned_back() {

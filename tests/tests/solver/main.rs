@@ -1,5 +1,5 @@
-//! The solver by law and by state. One program, so that every number type, evolution and model of the solver is compiled once
-//! for all; `cargo test -p stiction-tests --test solver NAME` runs the tests of a module.
+//! The solver by law and by state. It is one program, so that every number type, evolution and model of the solver is
+//! compiled only once; `cargo test -p stiction-tests --test solver NAME` runs the tests of a module.
 
 mod allocation;
 mod ambiguous;

@@ -1,6 +1,6 @@
-//! A smaller model is the same solver with parts left out: where a scene does without them, it gives the same bits as the
-//! full one; on a single surface without friction, where contacts glide instead of sliding, the same answers to within the number type's error.
-//! Where a scene does not do without them, it is refused.
+//! A smaller model is the same solver with parts left out: if a scene does not need them, the model returns the same bits as the full one;
+//! on a single surface without friction, where contacts glide instead of sliding, the answers agree to within the number type's error. If a
+//! scene needs the missing parts, it is refused.
 
 use stiction_core::{
     Bare, Evolution, Fixed, Frictionless, Full, Model, Parameter, Scene, Solver, Weightless,
@@ -32,8 +32,8 @@ fn keyframes(setup: &Setup) -> [[f64; 3]; 6] {
     .map(|[dx, dy, turn]| [x + dx * l, y + dy * l, theta + turn])
 }
 
-/// Runs a hand path in a model of its own capacity and, along the exact path in f64, in the full one: every frame obeys the
-/// laws, with the state and the pose of the full one.
+/// Runs a hand path in a model with its own capacity and, along the exact path in f64, in the full one: every frame obeys
+/// the laws and has the state and the pose of the full model.
 fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
     setup: &Setup,
     evolution: Evolution,
@@ -41,7 +41,7 @@ fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
     let begin = keyframes(setup)[0];
     let mut small = RunOf::<R, V, S, M>::start(setup, evolution, begin);
     let mut full = Run::<f64>::start(setup, Evolution::Path, begin);
-    // The grip's stability is a tenth of k_h L² and more, and the coordinates are of order 1.
+    // The stiffness of the grip is at least a tenth of k_h L², and the coordinates are of order 1.
     let bound = 64.0 * R::ROUNDING;
     for hand in polyline(&keyframes(setup), 50) {
         let frame = small.step(hand);
@@ -54,7 +54,7 @@ fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
     }
 }
 
-/// Runs a hand path in a model of its own capacity and in the full one, frame by frame.
+/// Runs a hand path in a model with its own capacity and in the full one, frame by frame.
 fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
     setup: &Setup,
     evolution: Evolution,
@@ -74,7 +74,7 @@ fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
             }
             Some((s, f)) => (small.step(s, hand), full.step(f, hand)),
         };
-        // The larger model has more to ask for.
+        // The larger model has more cases to check.
         outputs.1.work = outputs.0.work;
         assert_eq!(outputs.0, outputs.1, "{} {evolution:?}: {setup:?}", R::NAME);
         if let Some((s, f)) = &runs {
@@ -99,7 +99,8 @@ fn every_model_that_slides<R: Number>(evolution: Evolution) {
     );
 }
 
-/// On a single surface without, contacts glide: the same answers, where the balance is unique, by other steps.
+/// On a single surface without friction, contacts glide: the answers are the same if the balance is unique, reached in
+/// other steps.
 fn every_model_that_glides<R: Number>(evolution: Evolution) {
     let (tool, block) = (tool(), block());
     let smooth = [0.0, 0.0];

@@ -1,5 +1,5 @@
 //! mu_s = mu_d: a slide has no jumps. A rod between floor and wall is turned down by the hand; once it slides, both contacts
-//! stay at the edge of their cones and the rod goes a short way in every frame.
+//! stay at the edge of their cones and the rod moves by a small distance in every frame.
 
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::run::Run;
@@ -10,7 +10,7 @@ const MU: f64 = 0.5;
 const HALF: f64 = 0.15;
 /// k_h (N/m)
 const STIFFNESS: f64 = 500.0;
-/// Of a tenth of a radian.
+/// Frames for a tenth of a radian.
 const FRAMES: usize = 500;
 
 /// The hand, 2 cm below the middle of the rod at -angle, as it turns the rod towards the floor.
@@ -62,8 +62,9 @@ fn ladder_slides_without_jumps() {
     slides_without_jumps::<Fixed>();
 }
 
-/// Where the foot of a rod ends whose grip, 1 m to the side of it, swings from below to above the level of the foot in so many
-/// frames. The floor bears as much as before; in the middle of the swing the pull along it is greater than at its ends.
+/// Final position of the foot of a rod whose grip, 1 m to the side, swings from below to above the level of the foot within a
+/// number of frames. The load on the floor stays the same; in the middle of the swing, the pull along the floor is greater
+/// than at its ends.
 fn foot_of_a_swing<R: Number>(stiffness: f64, frames: usize) -> f64 {
     let swing = std::f64::consts::FRAC_PI_6;
     let setup = Setup::rod(1.0)
@@ -83,11 +84,11 @@ fn foot_of_a_swing<R: Number>(stiffness: f64, frames: usize) -> f64 {
     foot.point[0]
 }
 
-/// A foot that ends at a place after many frames ends there after few, too.
+/// A foot ends at the same position after few frames as after many.
 fn ends_alike<R: Number>(end: impl Fn(usize) -> f64, way: f64, few: &[usize]) {
     for &frames in few {
         let same = end(frames);
-        // Slips below 2^-19 are not told apart.
+        // Slips below 2^-19 are not resolved.
         assert!(
             (same - way).abs() < 1e-5,
             "{} {frames}: {same} {way}",
@@ -105,15 +106,15 @@ fn slides_in_mid_frame<R: Number>() {
     }
 }
 
-/// A slide that begins and ends within one frame is as long as in many.
+/// A slide that begins and ends within one frame is as long as one over many frames.
 #[test]
 fn slide_in_mid_frame_is_not_left_out() {
     slides_in_mid_frame::<f64>();
     slides_in_mid_frame::<f32>();
 }
 
-/// Where a tip ends that is held 0.3 m from it, pressed down, as the hand goes 0.5 m along the floor and turns three times: the pull
-/// along the floor grows and falls with every turn, and the tip goes on whenever it is greater than ever before.
+/// Final position of a tip that is held 0.3 m away from it and pressed down, while the hand moves 0.5 m along the floor and turns three
+/// times: the pull along the floor grows and falls with every turn, and the tip moves whenever the pull exceeds all earlier values.
 fn tip_after_turns<R: Number>(frames: usize) -> f64 {
     let setup = Setup::point()
         .held_at([0.3, 0.0])
@@ -130,7 +131,7 @@ fn slides_again_and_again<R: Number>() {
     ends_alike::<R>(tip_after_turns::<R>, way, &[1, 2, 3, 4, 5, 7, 10, 30, 100]);
 }
 
-/// Slides that begin and end several times within one frame come out as in many.
+/// Slides that begin and end several times within one frame end as they do over many frames.
 #[test]
 fn slides_that_alternate_in_mid_frame_are_not_left_out() {
     slides_again_and_again::<f64>();

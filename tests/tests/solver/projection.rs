@@ -1,5 +1,5 @@
-//! From a tracker with six degrees of freedom to the planar hand: position onto the plane, rotation by its twist about
-//! the plane's normal, unwrapped over the path, depth passed through.
+//! From a tracker with six degrees of freedom to the planar hand: the position is projected onto the plane, the
+//! rotation becomes its twist about the plane's normal, unwrapped over the path, and the depth is passed through.
 
 use proptest::prelude::*;
 use std::f64::consts::TAU;

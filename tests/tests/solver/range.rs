@@ -1,4 +1,4 @@
-//! What a number type carries, and what it says of the rest: scenes, hands and grasps far out.
+//! The range that a number type represents, and what it reports beyond that: scenes, hands and grasps far out.
 
 use stiction_core::{
     Evolution, Fixed, Frictionless, Full, Parameter, SceneError, StateKind, Status,
@@ -17,7 +17,7 @@ fn range<R: Number>() -> f64 {
     R::wide(R::RANGE.to_si(R::si(1.0)))
 }
 
-/// The farthest that a hand may be turned from the body that it holds (rad).
+/// The largest angle by which a hand may be turned against the body that it holds (rad).
 fn most_turn<R: Number>() -> f64 {
     f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0)
 }
@@ -25,7 +25,7 @@ fn most_turn<R: Number>() -> f64 {
 mod cases {
     use super::*;
 
-    /// A hand near a body is near it wherever both are, and far from it where it is on the other side of the origin.
+    /// A hand near a body is near it wherever both are, and far from it if it is on the other side of the origin.
     pub(super) fn pull_counts_from_the_body<R: Number>(evolution: Evolution) {
         let setup = |x: f64, y: f64| Setup::rod(1.0).held_at([0.0; 2]).at([x, y, 0.0]);
         let far = 0.7 * range::<R>();
@@ -39,8 +39,8 @@ mod cases {
         }
     }
 
-    /// A hand takes hold of a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (STATICS 10). What
-    /// it is turned by in the world does not count.
+    /// A hand can grasp a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (STATICS 10). Its
+    /// angle in the world does not matter.
     pub(super) fn hand_takes_hold_wound_up_to_a_bound<R: Number>(evolution: Evolution) {
         let most = most_turn::<R>();
         for theta in [0.0, -40.0, 300.0] {
@@ -58,8 +58,8 @@ mod cases {
         }
     }
 
-    /// A rod that lies in a slot cannot turn, and a block on a floor does not lift: in certified frames, too, the springs are reported as they
-    /// are, or refused beyond what the number type carries.
+    /// A rod in a slot cannot turn, and a block on a floor does not lift: in certified frames, too, the spring forces are reported as they
+    /// are, or refused beyond the range of the number type.
     pub(super) fn springs_of_a_body_at_rest_are_told_as_they_are<R: Number>(evolution: Evolution) {
         let most = most_turn::<R>();
         let slot = Setup::rod(1.0)
@@ -81,7 +81,7 @@ mod cases {
             let told = if carried { turn } else { 0.99 * most };
             close("moment", frame.wrench[2], 6.4 * told / most, 1e-3);
         }
-        // Pressed down, with its middle over the floor.
+        // Pressed down, with its middle above the floor.
         let range = range::<R>();
         let block = Setup::block(0.8, 0.6)
             .held_at([0.0, 0.3])
@@ -104,7 +104,7 @@ mod cases {
         }
     }
 
-    /// Every number of a scene, to just below the range of the type and just beyond it.
+    /// Every number of a scene, to just below the range of the type and just above it.
     pub(super) fn scene_goes_as_far_as_the_numbers<R: Number>(_: Evolution) {
         let body = || Setup::rod(1.0);
         let setups = |far: f64| {
@@ -151,8 +151,8 @@ fn lever_counts_from_the_contact() {
     }
 }
 
-/// A foot that glides asks for the square of its lever (STATICS 10): up to 8 L in fixed point, however short the pull. One with
-/// friction does not.
+/// For a gliding foot, the square of its lever matters (STATICS 10): it may be up to 8 L in fixed point, however short the
+/// pull. For a foot with friction, it does not.
 #[test]
 fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
     for (lever, glides) in [(7.9, true), (8.1, false)] {
@@ -178,7 +178,7 @@ fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
     }
 }
 
-/// At the most that a surface may cut in at the start, 1e-5 of the body's size, the scene is one still.
+/// With the largest overlap that is allowed at the start, 1e-5 of the body's size, the scene is still accepted.
 #[test]
 fn depth_at_the_start_is_allowed_up_to_its_bound() {
     let start = |depth: f64| {
@@ -194,12 +194,12 @@ fn depth_at_the_start_is_allowed_up_to_its_bound() {
     assert_eq!(
         start(1e-5_f64.next_up()),
         Err(first),
-        "of two as deep the first"
+        "of two equally deep surfaces, the first"
     );
 }
 
-/// A block that rises at 45 degrees slips ever shorter ways; where it is pressed less than its memory asks for, it slides until it
-/// lifts. A hundred slips are nothing that limits a frame, more than the events that are told apart are (STATICS 7).
+/// A block that rises at 45 degrees slips by ever shorter distances; when it is pressed less than its memory requires, it slides
+/// until it lifts. A hundred slips do not limit a frame; more events than are resolved do (STATICS 7).
 #[test]
 fn hundred_slips_of_a_frame_are_no_limit() {
     let (mut few, mut many) = (0, 0);

@@ -1,5 +1,5 @@
 //! The worst residual of 1000 random scenes × 200 frames, by law, number type and evolution: no frame violates a law, and
-//! none escapes the laws of balance by being ambiguous.
+//! none evades the laws of balance by being ambiguous.
 
 use std::collections::BTreeMap;
 use stiction_core::{Evolution, Fixed, Status, Wrench};
@@ -53,7 +53,7 @@ fn survey<R: Number>(evolution: Evolution) {
     );
 }
 
-/// What the body feels of the hand, the hand feels of the body.
+/// The force of the body on the hand is opposite to that of the hand on the body.
 #[test]
 fn feedback_is_the_opposite_wrench() {
     let wrench = Wrench {

@@ -1,4 +1,4 @@
-//! A scene that cannot be used is refused, and the error names the parameter, its value and what is allowed.
+//! An unusable scene is refused, and the error names the parameter, its value and what is allowed.
 
 use stiction_core::{Evolution, Fixed, Parameter, Real, StateKind};
 use stiction_tests::laws::assert_lawful;
@@ -6,7 +6,7 @@ use stiction_tests::run::{planar, polyline, run};
 use stiction_tests::setup::{SURFACES, VERTICES};
 use stiction_tests::{Number, Run, Setup};
 
-/// A sound scene, changed in one parameter.
+/// A valid scene with one parameter changed.
 fn changed(change: impl Fn(&mut Setup)) -> Setup {
     let mut setup = Setup::block(2.0, 1.0).floor([0.5, 0.3]);
     change(&mut setup);
@@ -20,7 +20,7 @@ fn refused<R: Number>(setup: &Setup, parameter: Parameter, value: f64) {
     };
     assert_eq!(error.parameter, parameter);
     let got = R::wide(error.value);
-    // A depth is carried to a rounding of the body's size.
+    // A depth is accurate to a rounding of the body's size.
     let carried = match parameter {
         Parameter::Penetration { .. } => R::ROUNDING * setup.size(),
         _ => 0.0,
@@ -83,7 +83,7 @@ fn vertex() {
     }
 }
 
-/// In a side or in the opposite one: three vertices touch no surface together.
+/// A vertex in a side or in the opposite one: three vertices cannot touch a surface simultaneously.
 #[test]
 fn vertex_hardly_out_of_line() {
     for out in [-1e-3, 0.0, 1e-9, 1e-7, 1e-6, 3e-6] {
@@ -116,7 +116,7 @@ fn start_pose() {
     refused_by_all(Parameter::Start, 1e30, |s| s.start[2] = 1e30);
 }
 
-/// Of a place the larger coordinate is told, with its sign.
+/// For a position, the error reports the larger coordinate, with its sign.
 #[test]
 fn places_are_told_by_the_larger_coordinate() {
     for far in [1e13, -1e13] {
@@ -132,17 +132,17 @@ fn places_are_told_by_the_larger_coordinate() {
             s.vertices = vec![[-1.0, far], [1.0, far]];
         });
     }
-    // So it is where the place among the others is at fault.
+    // The same holds if the position is wrong relative to the others.
     refused_by_all(Parameter::Vertex(3), 1.5, |s| {
         (s.vertices[2], s.vertices[3]) = ([-0.5, 0.3], [-1.0, 1.5]);
     });
 }
 
-/// Puts a number into a sound scene.
+/// Inserts a number into a valid scene.
 type Change = fn(&mut Setup, f64);
 
-/// What is said to be allowed of a number that is too large for the type is what the type carries: with it the scene is one,
-/// beyond it is none.
+/// If a number is too large for the type, the error states the largest number that the type represents: a scene with that
+/// number is accepted, and one beyond it is refused.
 #[test]
 fn allowed_numbers_are_those_that_are_carried() {
     fn check<R: Number>() {
@@ -157,7 +157,7 @@ fn allowed_numbers_are_those_that_are_carried() {
                 s.holding_point = Some([-far, 0.0])
             }),
             (Parameter::Offset(0), |s, far| s.surfaces[0].offset = -far),
-            // k_h is 1 and the surface below the body.
+            // k_h is 1 and the surface is below the body.
             (Parameter::Weight, |s, far| s.weight = far),
             (Parameter::StiffnessRotation, |s, far| {
                 let size = s.size();
@@ -224,7 +224,7 @@ fn stiffnesses() {
     );
 }
 
-/// L, k_h L and k_h L² are divided by: neither of them may be beyond the float, not even the last.
+/// L, k_h L and k_h L² are divisors: each of them, even the last, has to be within the float's range.
 #[test]
 fn units() {
     let sized = |size: f64, k_h: f64| {
@@ -274,7 +274,7 @@ fn surface() {
     refused_by_all(Parameter::Normal(0), f64::NAN, |s| {
         s.surfaces[0].normal[0] = f64::NAN
     });
-    // Too long for the number type, though each of its parts is a number.
+    // Too long for the number type, although each component is representable.
     refused_by_all(Parameter::Normal(0), f64::INFINITY, |s| {
         s.surfaces[0].normal = [1.5e308; 2]
     });
@@ -307,7 +307,7 @@ fn penetration_at_the_start() {
     );
 }
 
-/// Every parameter has a name of its own, with the indices that it is about.
+/// Every parameter has its own name, with the indices that it refers to.
 #[test]
 fn parameters_are_named() {
     use Parameter as P;
@@ -359,7 +359,7 @@ fn parameters_are_named() {
     assert_eq!((with("17"), with("23")), (13, 3));
 }
 
-/// What is farther from a surface than 1e-5 of the body's size does not touch it at the start, and is not moved there.
+/// A body farther from a surface than 1e-5 of its size does not touch it at the start, and is not moved there.
 #[test]
 fn gap_at_the_start() {
     fn starts<R: Number>() {
@@ -379,8 +379,8 @@ fn gap_at_the_start() {
     starts::<Fixed>();
 }
 
-/// A plate as thin as 1 : 100 000 is a body in `f64`. Set onto the floor a little too deep, where all its vertices are as near to it
-/// as counts as a touch, it stands on two of them, and obeys the laws; thinner ones are refused.
+/// A plate as thin as 1 : 100 000 is a valid body in `f64`. Set onto the floor slightly too deep, with all its vertices within the
+/// tolerance of a touch, it stands on two of them and obeys the laws; thinner plates are refused.
 #[test]
 fn thinnest_body_follows_from_the_number_type() {
     fn thinnest<R: Number>() -> Option<f64> {

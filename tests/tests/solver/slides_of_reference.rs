@@ -1,4 +1,5 @@
-//! The slow reference against answers known by heart: where it slides, where it sticks and slips, and what the bit remembers.
+//! The slow reference against answers known in closed form: when it slides, when it sticks and slips, and what the stiction
+//! bit remembers.
 
 mod bodies;
 
@@ -7,7 +8,7 @@ use stiction_tests::reference::{Reference, Scene, Surface};
 
 const K_H: f64 = 200.0;
 const SUBSTEPS: usize = 20;
-/// Stick and slip from 10 N on for 0.5 and 0.3: a depth of 0.05 m.
+/// Stick-slip from 10 N on for 0.5 and 0.3: a depth of 0.05 m.
 const MEMORY: f64 = 0.01;
 
 fn floor([mu_s, mu_d]: [f64; 2]) -> Surface {
@@ -44,7 +45,7 @@ fn point(friction: [f64; 2], depth: f64) -> Reference {
     tool
 }
 
-/// Where the only contact is and whether it slides.
+/// The position of the only contact, and the direction in which it slides.
 fn foot(tool: &Reference) -> (f64, i8) {
     let contacts = tool.contacts();
     assert_eq!(contacts.len(), 1, "{contacts:?}");
@@ -74,7 +75,7 @@ fn a_point_pressed_hard_sticks_and_slips() {
         slips += tool.slips();
         assert!(tool.stiction() && foot(&tool).1 == 0);
     }
-    // From a lag of 0.05 on, every (mu_s - mu_d) N / k_h = 0.02 m.
+    // After a lag of 0.05, one slip every (mu_s - mu_d) N / k_h = 0.02 m.
     assert_eq!(slips, 48);
     close("foot", foot(&tool).0, 48.0 * 0.02, 1e-9);
 }

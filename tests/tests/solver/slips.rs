@@ -1,11 +1,11 @@
-//! What is told of slips: how many, and how far the first contact went in the longest.
+//! What a frame reports about its slips: how many occurred, and how far the first contact moved in the longest one.
 
 use stiction_core::{Event, Evolution, Fixed, StateKind, Status};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
 use stiction_tests::{Frame, Number, Run, budget, scenes};
 
-/// How far the first contact went in a frame that it lasted, and the first contact alone slides.
+/// The displacement of the first contact in a frame in which that contact persists, and no other slides.
 fn way(before: &Frame, after: &Frame) -> Option<f64> {
     let pairs = |frame: &Frame| -> Vec<_> {
         let contacts = frame.contacts.iter();
@@ -71,8 +71,8 @@ fn longest_slip_is_how_far_the_first_contact_went() {
     longest_slip_is_the_way_of_the_foot::<Fixed>();
 }
 
-/// A hand that rises obliquely makes slips that crowd where the box lifts; what comes after that in the same frame, here slips along a
-/// wall, is on the hand's way as in many frames.
+/// A hand that rises obliquely causes slips that become ever shorter as the box lifts; the later events of the same frame, here slips
+/// along a wall, follow the hand's path as they do over many frames.
 fn way_goes_on_after_slips_that_crowd<R: Number>() {
     let setup = scenes::box_flat().setup.wall(0.13, [0.5, 0.3]);
     let [x, y] = setup.grip();
@@ -101,7 +101,7 @@ fn way_goes_on_after_slips_that_crowd_in_every_number_type() {
     way_goes_on_after_slips_that_crowd::<Fixed>();
 }
 
-/// Where mu_s = mu_d the box slides as the hand drags it, until it meets the wall 30 mm ahead. That is no slip.
+/// If mu_s = mu_d, the box slides as the hand drags it, until it meets the wall 30 mm ahead. That does not count as a slip.
 fn slide_up_to_a_wall_is_no_slip<R: Number>() {
     let mut setup = scenes::box_flat().setup.wall(0.13, [0.3, 0.3]);
     (

@@ -1,5 +1,5 @@
-//! Nothing holds the angle of a body, k_theta = 0 without weight (STATICS 3.7): a vertex that is the holding point, and one whose
-//! lever comes to lie in the friction cone.
+//! Nothing holds the angle of a body, with k_theta = 0 and no weight (STATICS 3.7): a vertex that is the holding point, and one
+//! whose lever comes to lie in the friction cone.
 
 use stiction_core::{Evolution, Frictionless, Status};
 use stiction_tests::run::RunOf;
@@ -28,7 +28,7 @@ mod cases {
             .floor([mu, mu])
     }
 
-    /// Pressed, dragged to and fro, lifted: as with any rotational stiffness.
+    /// Pressed, dragged back and forth, lifted: the same as with any rotational stiffness.
     pub(super) fn vertex_that_is_the_holding_point_is_a_point<R: Number>(evolution: Evolution) {
         const WAY: [[f64; 2]; 6] = [
             [0.0, -0.01],
@@ -59,8 +59,8 @@ mod cases {
         }
     }
 
-    /// The hand goes on and down: nothing bears until the lever comes to lie on the edge of the cone. From there on it stays there and
-    /// the foot slides.
+    /// The hand moves along and down: nothing bears a load until the lever reaches the edge of the cone. From then on the lever stays
+    /// there and the foot slides.
     pub(super) fn lever_bears_on_the_edge_of_the_cone<R: Number>(evolution: Evolution) {
         for (way, mu) in [(1.0, 0.3), (-1.0, 0.3), (1.0, 1.0), (-1.0, 0.0)] {
             let mut run = Run::<R>::start(&lever(way, mu), evolution, [way * D, 0.0, 0.0]);
@@ -84,7 +84,7 @@ mod cases {
         }
     }
 
-    /// The hand goes straight down: where the lever enters the cone the foot stays, and the lever follows the hand.
+    /// The hand moves straight down: when the lever enters the cone, the foot stays, and the lever follows the hand.
     pub(super) fn lever_in_the_cone_sticks<R: Number>(evolution: Evolution) {
         const MU: f64 = 0.5;
         for way in [1.0, -1.0] {
@@ -107,11 +107,11 @@ mod cases {
         }
     }
 
-    /// The foot touches with the lever within the cone: pressed on, it stays.
+    /// The foot touches with the lever inside the cone: pressed further, it stays.
     pub(super) fn lever_that_touches_in_the_cone_sticks<R: Number>(evolution: Evolution) {
         const MU: f64 = 0.5;
         for way in [1.0, -1.0] {
-            // The lever points down, and on by 0.2 rad.
+            // The lever points down and is then tilted by 0.2 rad.
             let [along, down] = [D * 0.2_f64.sin(), D * 0.2_f64.cos()];
             let setup = lever(1.0, MU).at([0.0, 0.1, way * 0.2 - std::f64::consts::FRAC_PI_2]);
             let hand = |x: f64, depth: f64| [way * (along + x), 0.1 - down - depth, 0.0];
@@ -131,7 +131,7 @@ mod cases {
         }
     }
 
-    /// What bears nothing is where the hand alone has it, whichever way that goes.
+    /// A foot that bears no load is where the hand alone places it, in whichever direction the hand moves.
     pub(super) fn foot_that_bears_nothing_goes_to_and_fro<R: Number>(evolution: Evolution) {
         for way in [1.0, -1.0] {
             let mut run = Run::<R>::start(&lever(way, 0.5), evolution, [way * D, 0.0, 0.0]);
@@ -146,7 +146,7 @@ mod cases {
                         R::ANALYTIC,
                     );
                     let Some(contact) = frame.contacts.first() else {
-                        // A jump of the hand ends where the vertex bears nothing, and leaves it there.
+                        // A jump of the hand ends where the vertex bears no load, and leaves it there.
                         assert_eq!(evolution, Evolution::Frame, "{frame:?}");
                         continue;
                     };
@@ -158,8 +158,8 @@ mod cases {
         }
     }
 
-    /// A rod that stands on a floor, held at its middle, under a weight that would take the hand just down to the floor: at the first pull
-    /// it swings round. Where it comes to rest, friction is in its cone, and so it is on the way of the hand from there.
+    /// A rod that stands on a floor, held at its middle, under a weight that would lower the hand just to the floor: at the first pull it
+    /// swings round. Where it comes to rest, friction is in its cone, and it stays so along the hand's path from there.
     pub(super) fn rod_held_at_its_centroid_slips_from_under_the_hand<R: Number>(
         evolution: Evolution,
     ) {
@@ -179,7 +179,7 @@ mod cases {
         }
     }
 
-    /// A foot that glides, in the model without friction: under the hand, once that is deeper than the lever is long.
+    /// A gliding foot, in the model without friction: it is below the hand once the hand is deeper than the lever is long.
     pub(super) fn without_friction_the_lever_bears_upright<R: Number>(evolution: Evolution) {
         let at = [D, 0.0, 0.0];
         let mut run = RunOf::<R, 1, 1, Frictionless>::start(&lever(1.0, 0.0), evolution, at);
@@ -210,7 +210,7 @@ mod cases {
     }
 }
 
-/// A point that is held at itself but for a rounding swings round at the first pull: it slides where that is out of the cone.
+/// A point that is held at itself up to a rounding error swings round at the first pull: it slides when that pull is outside the cone.
 #[test]
 fn point_held_at_itself_is_pulled_out_of_its_cone() {
     let mut setup = Setup::new(&[[0.5, 0.0]])

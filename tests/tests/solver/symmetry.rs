@@ -1,17 +1,17 @@
-//! The laws know no place, no direction, no side and no unit; and the path evolution knows no frame rate. Named scenes
-//! have few events, so rounding stays rounding: 1e-9 L over the whole run, in f64.
+//! The laws do not depend on position, direction, side or unit; and the path evolution does not depend on the frame
+//! rate. Named scenes have few events, so rounding errors stay small: 1e-9 L over the whole run, in f64.
 
 use stiction_core::{Evolution, StateKind, Status};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
 use stiction_tests::{Scenario, Setup, close, scenes};
 
-/// No event of a named scene falls on the end of such a frame.
+/// A number of frames for which no event of a named scene falls on the end of a frame.
 const FRAMES_PER_LEG: usize = 47;
 const BOUND: f64 = 1e-9;
 
-/// Runs a scene and its image in both evolutions and compares every frame: `pose` maps the pose of the scene, SI units,
-/// and `force` the size of its forces.
+/// Runs a scene and its image in both evolutions and compares every frame: `pose` maps the pose of the scene, in SI
+/// units, and `force` the magnitude of its forces.
 fn compare(
     name: &str,
     scenario: &Scenario,
@@ -43,7 +43,7 @@ fn compare(
     }
 }
 
-/// Statics alone determine the reactions.
+/// Whether statics alone determines the reactions.
 fn determinate(state: StateKind) -> bool {
     matches!(
         state,
@@ -94,7 +94,7 @@ fn turned_and_shifted_world_evolves_alike() {
     let (turn, shift) = (0.7f64, [0.3, -0.2]);
     let (sin, cos) = turn.sin_cos();
     let rotate = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
-    // Weight has a direction of its own.
+    // Weight has its own direction.
     let weightless = |(_, scenario): &(&str, Scenario)| scenario.setup.weight == 0.0;
     for (name, scenario) in scenes::all().into_iter().filter(weightless) {
         let l = scenario.setup.size();
@@ -130,7 +130,7 @@ fn inches_and_pounds_evolve_as_metres_and_newtons() {
     }
 }
 
-/// The same state, and the same pose to a bound (of the body size `l`, or rad).
+/// The same state, and the same pose to within a bound (of the body size `l`, or rad).
 fn ends_alike(name: &str, got: &Frame, want: &Frame, [bound, l]: [f64; 2]) {
     assert_eq!(got.state, want.state, "{name}");
     for (i, size) in [l, l, 1.0].into_iter().enumerate() {
@@ -157,7 +157,7 @@ fn path_evolution_ends_alike_at_every_frame_rate() {
     }
 }
 
-/// That random paths end alike in few frames a leg and in many. Counts those without a status.
+/// Checks that random paths end alike in few frames per leg and in many. Counts those whose status is ok.
 fn ends_at_every_rate(scenes: impl Iterator<Item = Scenario>, [few, many]: [usize; 2]) -> u32 {
     let mut count = 0;
     for (index, scenario) in scenes.enumerate() {
@@ -174,7 +174,7 @@ fn ends_at_every_rate(scenes: impl Iterator<Item = Scenario>, [few, many]: [usiz
         let (Some(few), Some(many)) = (few.last(), many.last()) else {
             panic!("a path has frames");
         };
-        // Slips, up to hundreds, make differences grow.
+        // Slips, up to hundreds of them, amplify differences.
         let bound = [1e-6, scenario.setup.size()];
         ends_alike(&format!("scene {index}"), few, many, bound);
         count += 1;
@@ -182,16 +182,16 @@ fn ends_at_every_rate(scenes: impl Iterator<Item = Scenario>, [few, many]: [usiz
     count
 }
 
-/// However the hand's way is cut into frames: contacts give way to the motion that is driven there, whatever the end of a long frame
-/// would drive; where none is driven yet, the way goes on.
+/// The result does not depend on how the hand's path is cut into frames: contacts yield to the motion that is driven at that point
+/// of the path, whatever the end of a long frame would drive; if none is driven yet, the path continues.
 #[test]
 fn random_path_ends_alike_in_one_frame_and_in_many() {
     let count = ends_at_every_rate(scenarios(1000, 4), [1, 7]);
     assert!(count > 500, "{count}");
 }
 
-/// Without friction the body stays in the balance that it is in, as far as this lasts, however far the hand goes in a frame; and
-/// nothing slips, so that no limit of slips is met.
+/// Without friction, the body stays in its balance as long as that exists, however far the hand moves in a frame; and nothing
+/// slips, so that no limit on slips is met.
 #[test]
 fn random_path_without_friction_ends_alike_in_one_frame_and_in_many() {
     let smooth = scenarios(2000, 4).map(|scenario| Scenario {
@@ -202,8 +202,8 @@ fn random_path_without_friction_ends_alike_in_one_frame_and_in_many() {
     assert!(count > 1960, "{count}");
 }
 
-/// Where mu_s = mu_d the body slides with the hand, or two contacts jump: in a few frames it is at every one where it is in many. What ends
-/// a slide is found to 2^-23.
+/// If mu_s = mu_d, the body slides with the hand, or two contacts jump: with few frames, it is at each of them where it is with many. The
+/// end of a slide is found to 2^-23.
 #[test]
 fn named_slides_without_jumps_are_alike_at_every_frame_rate() {
     for (name, mut scenario) in scenes::all() {

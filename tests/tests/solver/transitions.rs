@@ -1,5 +1,5 @@
-//! Every arm of the transition table is reached by some scene (with `--nocapture` it prints which), and leads from the state
-//! that it names to the other one.
+//! Every arm of the transition table is reached by some scene (`--nocapture` prints which), and leads from one of the states
+//! that it names to the other.
 
 use stiction_core::{Evolution, StateKind, Transition};
 use stiction_tests::random::scenarios;
@@ -53,7 +53,7 @@ fn the_arms_of_a_frame_lead_from_its_first_state_to_its_last() {
     }
 }
 
-/// From the state before the frame its arms, each from a state that others lead to, come to the state after it.
+/// The arms of a frame form a chain from the state before the frame to the state after it.
 fn assert_chained(before: StateKind, frame: &Frame) {
     let mut visited = vec![before];
     let mut arms: Vec<Transition> = frame.transitions.iter().collect();
@@ -64,10 +64,10 @@ fn assert_chained(before: StateKind, frame: &Frame) {
     }
     assert!(
         arms.is_empty(),
-        "no way from {before:?} to {arms:?}: {frame:?}"
+        "no chain from {before:?} through {arms:?}: {frame:?}"
     );
     assert!(
         visited.contains(&frame.state),
-        "no way from {before:?}: {frame:?}"
+        "no chain from {before:?}: {frame:?}"
     );
 }

@@ -1,5 +1,5 @@
-//! What a frame takes, counted in operations on numbers: the same on every machine, so that a shortcut that is not taken
-//! any more, or a search that takes more steps, shows.
+//! The cost of a frame, counted in operations on numbers: it is the same on every machine, so that a shortcut that is no
+//! longer taken, or a search that needs more steps, becomes visible.
 
 use stiction_core::{Evolution, Frictionless, Full, Model, Solver};
 use stiction_tests::counted::{Counted, counted};
@@ -10,7 +10,7 @@ use stiction_tests::{Scenario, scenes};
 
 const FRAMES_PER_LEG: usize = 250;
 
-/// What every frame of a scene takes, the start not counted.
+/// The cost of every frame of a scene, excluding the start.
 fn steps<const S: usize, M: Model>(
     scenario: &Scenario,
     (evolution, frames_per_leg): (Evolution, usize),
@@ -31,7 +31,7 @@ fn work<const S: usize, M: Model>(scenario: &Scenario, evolution: Evolution) -> 
     [mean, steps.into_iter().max().unwrap_or_default()]
 }
 
-/// What is above its budget; prints all.
+/// The scenes that exceed their budget; prints all.
 fn exceeding<const S: usize, M: Model>(
     scenes: impl IntoIterator<Item = (&'static str, Scenario)>,
     budgets: &[(&str, [[u64; 2]; 2])],
@@ -82,11 +82,11 @@ fn random_frames_take_no_more_than_their_budget() {
     }
 }
 
-/// Thousands of operations, as below: with path and frame evolution.
+/// Thousands of operations, as below: with path and with frame evolution.
 const RANDOM: [u64; 2] = [37_600, 16_600];
 
-/// Mean and worst with path evolution, and with frame evolution. Budgets, not results: as much as the frames of a scene take,
-/// and a little more. Less is better; more has to be worth it.
+/// Mean and worst cost with path evolution, and with frame evolution. These are budgets, not results: slightly more than the
+/// frames of a scene cost. A lower number is better; a higher one has to be justified.
 const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("box on a vertex", [[419, 1970], [419, 1920]]),
     ("box flat", [[212, 1070], [222, 1170]]),

@@ -1,5 +1,5 @@
-//! Messages about obstacles, version 3: they arrive as they were sent, what a scene without obstacles needs is as without them, a peer of
-//! version 2 is told, and what is no message is a fault.
+//! Messages about obstacles, version 3: they arrive as they were sent, the messages for a scene without obstacles do not change, a
+//! peer of version 2 gets a fault for each message that it must not miss, and an invalid message is a fault.
 
 use crate::malformed::bare;
 use crate::random::{Random, Store};
@@ -76,7 +76,7 @@ fn random_messages_about_obstacles_arrive_as_they_were_sent() {
     }
 }
 
-/// What a scene without obstacles needs is the same bytes, whoever says and hears it.
+/// The messages for a scene without obstacles consist of the same bytes, whichever versions sender and receiver have.
 #[test]
 fn other_messages_are_those_of_peers_without_obstacles() {
     let mut random = Random(22);
@@ -107,7 +107,7 @@ fn peer_of_version_2_is_told_of_what_it_must_not_miss() {
                 message: CommandAmong::Common(_),
                 ..
             }) => None,
-            // Goes on without it.
+            // A peer without obstacles continues without them.
             Either::ReportAmong(Frame {
                 message: ReportAmong::Room(_),
                 ..
@@ -335,7 +335,7 @@ fn any_payload_about_obstacles_is_a_message_or_a_fault() {
     for i in 0..times(100_000) {
         let code = [0x09, 0x97, 0x92, 0x96][i as usize % 4];
         let length = [41, 49, 55, 63, 85, 14, 2, 29, 57, random.below(90)][random.below(10)];
-        // Mostly small bytes, so that counts and codes have a meaning often enough.
+        // Mostly small bytes, so that counts and codes are often valid.
         let byte = |random: &mut Random| {
             if random.below(16) == 0 {
                 random.byte()

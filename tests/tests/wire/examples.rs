@@ -1,4 +1,4 @@
-//! The examples of FRAME.md are what the code sends and reads.
+//! The code sends and decodes the examples of FRAME.md.
 
 use crate::decoded_among;
 use crate::said::Said;
@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 /// The specification.
 const FRAME: &str = include_str!("../../../core/FRAME.md");
 
-/// The bytes of every example and what it says.
+/// The bytes of every example and its content.
 pub(crate) fn examples() -> Vec<(Vec<u8>, Said)> {
     let (_, section) = FRAME.split_once("\n## 10. Examples\n").expect("section 10");
     let blocks = section.split("```text\n").skip(1);

@@ -1,4 +1,4 @@
-//! A line that flips bits, drops, doubles and inserts bytes: nothing wrong is taken for right, every loss shows in the
+//! A line that flips bits and drops, doubles and inserts bytes: no wrong message is accepted, every loss shows in the
 //! sequence numbers, and the next undamaged frame is found.
 
 use crate::random::{Random, pose};
@@ -25,7 +25,7 @@ fn garbled(random: &mut Random, bytes: &[u8], per_byte: u64, out: &mut Vec<u8>) 
     damaged
 }
 
-/// A pose that can be told by its number, as a frame.
+/// A frame with a pose that can be identified by its number.
 fn numbered(random: &mut Random, number: u32) -> Frame<Report<'static>> {
     let message = Report::Pose(Pose {
         depth: number as f32,
@@ -38,7 +38,7 @@ fn numbered(random: &mut Random, number: u32) -> Frame<Report<'static>> {
     }
 }
 
-/// What came of a run over the line.
+/// The results of a run over the line.
 #[derive(Debug, Default)]
 struct Tally {
     sent: u32,
@@ -49,7 +49,7 @@ struct Tally {
     faults: Faults,
 }
 
-/// Sends numbered poses. Every accepted one must be, bit for bit, the next one of those that were sent.
+/// Sends numbered poses. Every accepted one must equal, bit for bit, the next one of those that were sent.
 fn run(seed: u64, per_byte: u64) -> Tally {
     let mut random = Random(seed);
     let mut tally = Tally {

@@ -1,4 +1,4 @@
-//! The records of the tracker of the paper.
+//! The records of the tracker that the paper used.
 
 use crate::random::Random;
 use crate::times;
@@ -6,7 +6,7 @@ use stiction_core::frame::{LogitechDecoder, LogitechRecord};
 use stiction_core::{Axis, Projection};
 use stiction_tests::close;
 
-/// A record as the tracker sends it: thousandths of an inch, fortieths of a degree.
+/// A record in the tracker's format: thousandths of an inch, fortieths of a degree.
 fn record(flags: u8, position: [i32; 3], angles: [u16; 3]) -> [u8; 16] {
     let mut bytes = vec![0x80 | flags];
     for p in position {
@@ -80,7 +80,7 @@ fn planar_hand_turns_on_over_a_full_roll() {
     });
     let mut projection = Projection::new(plane).expect("two axes");
     let mut last = 0.0;
-    // Two turns; the tracker's angle begins anew after each of 14400 units.
+    // Two turns; the tracker's angle wraps around after 14400 units.
     for step in 0..=288_u16 {
         let record = read(&record(4, [0, 0, 500], [0, 0, step % 144 * 100]));
         let hand = record
@@ -136,7 +136,7 @@ fn lost_byte_costs_one_record() {
     }
 }
 
-/// Bit 6: at the fringe, bit 5: out of range, below: the buttons.
+/// Bit 6: at the fringe; bit 5: out of range; lower bits: the buttons.
 #[test]
 fn every_flag_has_its_bits() {
     for flags in 0..128_u8 {

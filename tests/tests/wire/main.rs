@@ -1,4 +1,4 @@
-//! The wire: FRAME.md and the code say the same, and no line makes a wrong message of a right one.
+//! The wire: FRAME.md and the code agree, and no line turns a valid message into a wrong one.
 
 mod among;
 mod examples;
@@ -7,7 +7,7 @@ mod logitech;
 mod malformed;
 mod meanings;
 mod names;
-#[cfg(not(miri))] // It starts another program.
+#[cfg(not(miri))] // It starts a process.
 mod other_client;
 mod random;
 mod round_trip;
@@ -19,23 +19,23 @@ use stiction_core::frame::{
     obstacle_bytes, scene_bytes, wire_bytes,
 };
 
-/// The longest payload that there can be: 255 vertices, surfaces, obstacles and corners of these.
+/// The longest possible payload: 255 vertices, surfaces, obstacles and corners.
 const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
-/// Room for every frame.
+/// Capacity for every frame.
 const LONGEST: usize = frame_bytes(PAYLOAD);
 const WIRE: usize = wire_bytes(PAYLOAD);
 
-/// How often something is tried: so many times, or, in the slow interpreter, a few.
+/// The number of repetitions: `count`, or few in the slow interpreter.
 const fn times(count: u32) -> u32 {
     if cfg!(miri) { count / 500 } else { count }
 }
 
-/// Of many cases every one, or, in the slow interpreter, one in `of`.
+/// All cases, or, in the slow interpreter, one in `of`.
 fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
     all.step_by(if cfg!(miri) { of } else { 1 })
 }
 
-/// A frame of either direction, of peers without obstacles or with them.
+/// A frame in either direction, between peers with or without obstacles.
 enum Either<'a> {
     Command(Frame<Command<'a>>),
     Report(Frame<Report<'a>>),
@@ -53,7 +53,7 @@ impl Either<'_> {
         }
     }
 
-    /// It goes to the board.
+    /// Whether it goes to the board.
     fn to_board(&self) -> bool {
         matches!(self, Self::Command(_) | Self::CommandAmong(_))
     }
@@ -65,12 +65,12 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
     frame.encode(&mut wire).expect("there is room").to_vec()
 }
 
-/// What `look` makes of the only frame in these bytes, heard by a peer without obstacles.
+/// The result of `look` on the only frame in these bytes, received by a peer without obstacles.
 fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
     heard(wire, (to_board, false), look)
 }
 
-/// As [`decoded`], by a peer with obstacles.
+/// The same as [`decoded`], for a peer with obstacles.
 fn decoded_among<T>(
     wire: &[u8],
     to_board: bool,
@@ -101,7 +101,7 @@ fn heard<T>(
     })
 }
 
-/// A raw frame: any head, any payload, a right checksum.
+/// A raw frame: any header, any payload, a valid checksum.
 fn sealed(bytes: &[u8]) -> Vec<u8> {
     let crc = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(bytes);
     let frame = [bytes, &crc.to_le_bytes()].concat();

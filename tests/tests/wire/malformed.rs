@@ -1,4 +1,4 @@
-//! What is no message is told by its kind, and changes nothing.
+//! An invalid message is reported by its kind, and changes nothing.
 
 use crate::random::{Random, Store};
 use crate::{Either, decoded, encoded, sealed, times};
@@ -12,7 +12,7 @@ fn fault(bytes: &[u8], to_board: bool) -> Option<Fault> {
     decoded(&sealed(bytes), to_board, |received| received.err())
 }
 
-/// Head and payload of a message.
+/// Header and payload of a message.
 pub(crate) fn bare(frame: &Either<'_>) -> (Vec<u8>, bool) {
     let (wire, to_board) = (frame.encoded(), frame.to_board());
     let mut raw = wire[..wire.len() - 1].to_vec();
@@ -215,7 +215,7 @@ fn frame_for_which_there_is_no_room_is_told_and_the_next_one_found() {
         ),
         (2, 2)
     );
-    // The longest frame that fits, and one byte more.
+    // The longest frame that fits, and one with one more byte.
     for (n, kind) in [
         (frame_bytes(0) - 4, None),
         (frame_bytes(0) - 3, Some(FaultKind::TooLong)),
@@ -252,7 +252,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
         } else {
             0x80 + random.byte() % 0x16
         };
-        // Mostly small bytes, so that counts and codes have a meaning often enough.
+        // Mostly small bytes, so that counts and codes are often valid.
         let length = [0, 1, 5, 14, 20, 21, 29, 48, 54, 61, random.below(80)][random.below(11)];
         let byte = |random: &mut Random| {
             if random.below(4) == 0 {
@@ -269,7 +269,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             Ok(frame) => {
                 messages += 1;
                 let (again, _) = bare(&frame);
-                // What has no meaning is ignored, and sent on as 0.
+                // Unused bits are ignored, and sent on as 0.
                 let ignored = match &frame {
                     Either::Command(Frame {
                         message: Command::Scene(s),

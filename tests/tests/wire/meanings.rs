@@ -1,4 +1,4 @@
-//! What single fields mean: the bits of events, a status to come, a memory length that is there or not.
+//! The meaning of single fields: the bits of events, a status of a later version, an optional memory length.
 
 use crate::random::Random;
 use crate::round_trip::{scene, to_board};
@@ -57,7 +57,7 @@ fn grasp_and_release_are_told_apart() {
     assert!(!one.contains(Event::Grasp) && !one.contains(Event::Slip));
 }
 
-/// Who does not know a status takes the pose as one that may be out of balance, FRAME 5.1.
+/// A client that does not know a status treats the pose as one that may be out of balance, FRAME 5.1.
 #[test]
 fn status_to_come_is_taken_for_ambiguous() {
     let known = Status::ALL.len() as u8;
@@ -81,7 +81,7 @@ fn status_to_come_is_taken_for_ambiguous() {
     }
 }
 
-/// No number means that there is none, not even one that is refused.
+/// Only `None` means that there is no memory length; no number means that, not even an invalid one.
 #[test]
 fn memory_length_arrives_or_is_absent() {
     for memory in [None, Some(0.0), Some(2e-5), Some(-1.0), Some(f32::INFINITY)] {

@@ -11,7 +11,7 @@ use stiction_core::{Event, Evolution, StateKind, Status};
 use crate::Either;
 use crate::random::{Random, Store};
 
-/// `TooLong` is `too-long`; what a variant holds does not belong to its name.
+/// `TooLong` is `too-long`; the fields of a variant are not part of its name.
 fn hyphenated(variant: &impl Debug) -> String {
     let shown = format!("{variant:?}");
     let letters = shown.chars().take_while(char::is_ascii_alphanumeric);

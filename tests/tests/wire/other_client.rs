@@ -13,7 +13,7 @@ use stiction_core::frame::{
 };
 use stiction_core::{Axis, Event, Evolution};
 
-/// The client, before its arguments.
+/// The client's command, without its arguments.
 fn python() -> Command {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host-sim/examples/board_client.py");
     let mut command = Command::new("python3");
@@ -21,7 +21,7 @@ fn python() -> Command {
     command
 }
 
-/// What the client answers to these lines; `None` without a Python.
+/// The client's answers to these lines; `None` without Python.
 fn client(option: &str, lines: Vec<String>) -> Option<Vec<String>> {
     let mut command = python();
     command.arg(option);
@@ -76,8 +76,8 @@ const INFO: Info<'_> = Info {
     name: Text::new("a socket"),
 };
 
-/// A board behind a socket: it answers hello, and every sample with the pose of a free body, until the client goes. How many
-/// samples came, and how many frames were lost.
+/// A board behind a socket: it answers hello, and every sample with the pose of a free body, until the client disconnects.
+/// Returns the number of samples received and the number of frames lost.
 fn board(listener: &TcpListener) -> (u32, u32) {
     let (mut line, _) = listener.accept().expect("a client");
     let (mut decoder, mut order) = (Decoder::<64>::new(), Sequence::new());
@@ -105,7 +105,7 @@ fn board(listener: &TcpListener) -> (u32, u32) {
                 frame::Command::Hello => Report::Info(INFO),
                 other => panic!("{other:?}"),
             };
-            // The client may have gone.
+            // The client may have disconnected.
             let _ = line.write_all(&encoded(&Frame {
                 sequence,
                 time: frame.time,
@@ -143,7 +143,7 @@ fn client_talks_with_a_board_behind_a_socket() {
     assert!(samples > 20 && lost == 0, "{samples} samples, {lost} lost");
 }
 
-/// Frames and what they say: the examples, and random ones.
+/// Frames and their content: the examples, and random ones.
 fn frames() -> (Vec<String>, Vec<Said>) {
     let mut random = Random(4);
     let mut frames: Vec<_> = examples()
@@ -186,7 +186,7 @@ fn client_sends_what_this_crate_sends() {
     let (lines, said) = frames();
     let json = said.iter().map(|said| said.to_json().to_string()).collect();
     if let Some(answers) = client("--encode", json) {
-        // Where a frame ends with a block of 254 bytes, COBS may end it with a code byte or without.
+        // If a frame ends with a block of 254 bytes, COBS may end it with or without a code byte.
         let same =
             |a: &str, b: &str| a == b || a.replace(" 01 00", " 00") == b.replace(" 01 00", " 00");
         assert_eq!(answers.len(), lines.len());
@@ -215,7 +215,7 @@ fn client_finds_the_same_faults() {
             1 => raw[place] = random.byte(),
             _ => raw.insert(place, random.byte()),
         }
-        // A type of the other direction is a fault of a board's reports, and none of this client.
+        // A message type of the other direction is a fault in a board's reports, but not for this client.
         if raw.get(1).is_some_and(|kind| *kind < 0x80) || raw.is_empty() {
             continue;
         }
@@ -240,7 +240,7 @@ fn client_finds_the_same_faults() {
     }
 }
 
-/// The head and payload of a frame.
+/// The header and payload of a frame.
 fn cobs_undone(wire: &[u8]) -> Vec<u8> {
     let mut raw = wire[..wire.len() - 1].to_vec();
     let length = cobs::decode_in_place(&mut raw).expect("COBS");

@@ -41,7 +41,8 @@ impl Random {
     fn word(&mut self) -> u32 {
         self.bits() as u32
     }
-    /// Of every kind: whole, small, large, any bits, not finite. A NaN is the quiet one: other programs change its bits.
+    /// Of every kind: whole, small, large, arbitrary bits, not finite. A NaN is the quiet one, because other programs
+    /// change the bits of others.
     pub(crate) fn float(&mut self) -> f32 {
         let any = match self.below(6) {
             0 => self.below(3) as f32 - 1.0,
@@ -113,7 +114,7 @@ impl Random {
     }
 }
 
-/// What the lists of a message point to.
+/// The storage that the lists of a message borrow from.
 #[derive(Default)]
 pub(crate) struct Store {
     vertices: Vec<[f32; 2]>,

@@ -1,4 +1,4 @@
-//! Every message arrives as it was sent, bit for bit, and takes as many bytes as FRAME.md says.
+//! Every message arrives as it was sent, bit for bit, and takes as many bytes as FRAME.md states.
 
 use crate::random::{Random, Store};
 use crate::said::Said;
@@ -93,7 +93,7 @@ fn length_on_the_wire_has_its_bound() {
             wire.len()
         );
     }
-    // A payload without a 0 byte needs all of it; FRAME 2.
+    // A payload without a 0 byte needs all of the capacity; FRAME 2.
     for n in sampled(0..2000, 253) {
         let longest = wire_bytes(n);
         assert_eq!(longest, n + 13 + (n + 11) / 254);

@@ -1,4 +1,4 @@
-//! What a frame says, with the field names of FRAME.md.
+//! The content of a frame, with the field names of FRAME.md.
 
 mod among;
 
@@ -13,7 +13,7 @@ use stiction_core::{
     Contact, Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench,
 };
 
-/// The value of a field. Floats are told apart by their bits.
+/// The value of a field. Floats are compared by their bits.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
     Int(i64),
@@ -96,7 +96,7 @@ impl Said {
         }
         self
     }
-    /// A flag and a number that is 0 without it.
+    /// A flag and a number, which is 0 if the flag is not set.
     fn option(&mut self, name: &str, value: Option<f32>) -> &mut Self {
         self.int(&format!("has_{name}"), value.is_some())
             .float(name, value.unwrap_or_default())

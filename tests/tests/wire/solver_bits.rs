@@ -1,4 +1,4 @@
-//! A solver behind the wire gives the bits of one beside it.
+//! A solver at the other end of the wire returns the same bits as a local one.
 
 use crate::{Either, decoded, encoded};
 use stiction_core::frame::{Command, EventSet, Forces, Frame, List, Pose, Report};
@@ -29,7 +29,7 @@ fn scene<R: Real<Si = f32>>() -> Scene<R, 4, 1> {
     .expect("a scene")
 }
 
-/// Over the floor, down to it, along it, turning slowly, letting go now and then.
+/// Over the floor, down to it, along it, turning slowly, letting go from time to time.
 fn hand(frame: u32) -> Hand<f32> {
     let t = frame as f32 / 1000.0;
     let hand = Hand::new(
@@ -48,7 +48,7 @@ fn hand(frame: u32) -> Hand<f32> {
     }
 }
 
-/// The sample as it comes out of a line.
+/// The sample after it has passed the line.
 fn through(sample: Hand<f32>, number: u32) -> Hand<f32> {
     let frame = Frame {
         sequence: number as u8,
@@ -66,7 +66,7 @@ fn through(sample: Hand<f32>, number: u32) -> Hand<f32> {
 
 fn poses_carry_the_bits<R: Real<Si = f32>>(evolution: Evolution) {
     let solver = Solver::new(scene::<R>(), evolution);
-    // Each hand is made once: the sines of the standard library need not be the same twice.
+    // Each hand is computed only once: the sines of the standard library may differ between two calls.
     let first = hand(0);
     let (mut there, _) = solver.start(through(first, 0));
     let (mut here, _) = solver.start(first);

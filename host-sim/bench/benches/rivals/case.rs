@@ -9,10 +9,10 @@ use stiction_scene::{Motion, Sample, SceneFile};
 /// x, y (m), angle (rad), of the body or of the hand, world frame.
 pub(crate) type Pose = [f64; 3];
 
-/// A scene and the way of the hand through it.
+/// A scene and the path of the hand through it.
 #[derive(Clone)]
 pub(crate) struct Case {
-    /// What it is called in the table.
+    /// Its name in the table.
     pub(crate) name: &'static str,
     /// Body, springs and surfaces, SI units.
     pub(crate) scene: SceneFile,
@@ -49,7 +49,7 @@ impl Case {
         }
     }
 
-    /// The same with the static coefficient for both.
+    /// The same case with the static coefficient for both.
     pub(crate) fn with_one_coefficient(&self) -> Self {
         let mut case = self.clone();
         for surface in &mut case.scene.written.surfaces {
@@ -58,7 +58,7 @@ impl Case {
         case
     }
 
-    /// The coefficients of friction in words.
+    /// The coefficients of friction as text.
     pub(crate) fn friction(&self) -> String {
         let surface = &self.scene.surfaces[0];
         let (stick, slip) = (surface.friction_static, surface.friction_dynamic);
@@ -69,7 +69,7 @@ impl Case {
         }
     }
 
-    /// The hand when the body is first seen.
+    /// The hand when the body first appears.
     pub(crate) fn first(&self) -> &Sample {
         &self.press[0]
     }
@@ -79,12 +79,12 @@ impl Case {
         self.drag.last().expect("the path has more than one leg")
     }
 
-    /// Where the holding point is, body frame (m).
+    /// The holding point, body frame (m).
     pub(crate) fn holding_point(&self) -> [f64; 2] {
         (self.scene.holding_point).expect("the scenes of the comparison start held")
     }
 
-    /// Vertex and surface of all that are nearer to each other than `gap` (m).
+    /// Vertex and surface of all pairs that are closer to each other than `gap` (m).
     pub(crate) fn touching(&self, pose: Pose, gap: f64) -> Vec<(usize, usize)> {
         let mut pairs = Vec::new();
         for (v, &vertex) in self.scene.vertices.iter().enumerate() {
@@ -99,7 +99,7 @@ impl Case {
         pairs
     }
 
-    /// The largest distance of two vertices (m).
+    /// The largest distance between two vertices (m).
     pub(crate) fn size(&self) -> f64 {
         let vertices = &self.scene.vertices;
         let apart = |a: &[f64; 2]| {
@@ -120,7 +120,7 @@ impl Case {
         self.scene.vertices.iter().map(apart).fold(0.0, f64::max)
     }
 
-    /// How far the foot, the vertex that is next to the first surface, goes along it between two poses (m).
+    /// How far the foot, the vertex closest to the first surface, moves along it between two poses (m).
     pub(crate) fn foot_moves(&self, from: Pose, to: Pose) -> f64 {
         let [nx, ny] = self.scene.surfaces[0].normal;
         let height = |&vertex: &[f64; 2]| {
@@ -141,7 +141,7 @@ pub(crate) fn hand_pose(sample: &Sample) -> Pose {
     [x, y, sample.hand.angle.radians()]
 }
 
-/// A point of the body in the world (m).
+/// A point of the body in the world frame (m).
 fn place([x, y, theta]: Pose, [vx, vy]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [x + cos * vx - sin * vy, y + sin * vx + cos * vy]

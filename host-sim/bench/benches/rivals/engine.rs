@@ -1,5 +1,5 @@
-//! What is compared: an engine takes the hand's pose once per frame and gives the body's pose. Here the trait, and this
-//! repository's solver behind it.
+//! The compared engines: an engine takes the hand's pose once per frame and returns the body's pose. This file contains
+//! the trait, and its implementation for this repository's solver.
 
 use std::hint::black_box;
 

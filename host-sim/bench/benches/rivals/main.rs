@@ -1,8 +1,8 @@
-//! stiction beside a physics engine: the same scenes, the same hand, in one run; a table on the terminal.
+//! Compares stiction with a physics engine: the same scenes and the same hand, in one run; prints a table.
 //!
 //! ```sh
 //! cargo bench -p stiction-bench --bench rivals               # the table
-//! cargo bench -p stiction-bench --bench rivals -- --write    # and puts it into the README
+//! cargo bench -p stiction-bench --bench rivals -- --write    # also writes it into the README
 //! ```
 //!
 //! Under `cargo test --benches` a short run shows that everything works.
@@ -31,11 +31,11 @@ const SCENES: [(&str, &str); 3] = [
     ("edge", "box-flat"),
 ];
 
-/// How much is run.
+/// The amount of work in a run.
 #[derive(Clone, Copy)]
 struct Effort {
     repeats: usize,
-    /// At most this many frames are dragged.
+    /// The drag has at most this many frames.
     frames: usize,
 }
 
@@ -48,7 +48,7 @@ const SHORT: Effort = Effort {
     frames: 100,
 };
 
-/// An engine in a case, still to be run.
+/// An engine in a case that has not run yet.
 struct Entry {
     case: Case,
     engine: String,
@@ -84,7 +84,8 @@ impl Entry {
     }
 }
 
-/// Every engine in every case. The runs of one entry are spread over the whole time, so that a disturbance meets all alike.
+/// Every engine in every case. The runs of one entry are spread over the whole time, so that a disturbance affects all
+/// entries alike.
 fn rows(effort: Effort) -> Vec<Row> {
     let mut entries = Vec::new();
     for (name, file) in SCENES {
@@ -109,7 +110,7 @@ fn rows(effort: Effort) -> Vec<Row> {
     rows.map(|(entry, best)| entry.row(best)).collect()
 }
 
-/// Whether the names to run, if the command line has any, are part of this one.
+/// Whether this entry's name contains one of the names on the command line, if there are any.
 fn is_asked_for(arguments: &[String]) -> bool {
     let mut names = arguments
         .iter()
@@ -128,7 +129,7 @@ fn main() -> std::io::Result<()> {
     if !is_asked_for(&arguments) {
         return Ok(());
     }
-    // cargo says --bench under `cargo bench` only.
+    // cargo passes --bench only under `cargo bench`.
     let full = has("--bench") && !has("--test");
     let effort = if full { FULL } else { SHORT };
     let setting = Setting {

@@ -1,4 +1,4 @@
-//! What is measured of an engine in a case: the time of a frame, the held pose against the statics, creep, slips and allocations.
+//! The measurements of an engine in a case: the time of a frame, the held pose compared with statics, creep, slips and allocations.
 
 use std::time::{Duration, Instant};
 
@@ -9,23 +9,23 @@ use stiction_scene::SurfaceInfo;
 use crate::case::{Case, Pose, hand_pose};
 use crate::engine::Engine;
 
-/// Frames that are timed together.
+/// The number of frames that are timed together.
 const STRETCH: usize = 100;
-/// A vertex this near to a surface touches it (m).
+/// A vertex this close to a surface touches it (m).
 const TOUCHES: f64 = 1e-4;
-/// A foot that moves less than this in a frame stands (m): 1 mm/s at 1 kHz.
+/// A foot that moves less than this in a frame is at rest (m): 1 mm/s at 1 kHz.
 const STANDS: f64 = 1e-6;
-/// A shorter motion of the foot is no slip (m); the slips of the statics are longer than 1 mm here.
+/// A shorter motion of the foot is not a slip (m); the slips of the statics are longer than 1 mm here.
 const SETTLES: f64 = 1e-4;
 
-/// What a run shows.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Findings {
     /// The pose after the first leg.
     pub(crate) pressed: Pose,
     /// The last pose of the first second of holding.
     pub(crate) held: Pose,
-    /// The farthest that a vertex moves in the next second (m).
+    /// The largest displacement of a vertex in the next second (m).
     pub(crate) creep: f64,
     /// Slips of the foot: motions that end while the hand still moves, each with its length (m).
     pub(crate) slips: Vec<f64>,
@@ -63,8 +63,8 @@ pub(crate) fn observe<E: Engine>(case: &Case) -> Findings {
     }
 }
 
-/// The time of every stretch of the drag. The work is the same in every run, so the shortest time of many runs is the one
-/// without interruption.
+/// The time of every stretch of the drag. The work is the same in every run, so the shortest time over many runs is the
+/// one without interruption.
 pub(crate) fn time<E: Engine>(case: &Case) -> Vec<Duration> {
     let (mut engine, drag) = pressed::<E>(case);
     let stretch = |hands: &[E::Hand]| {
@@ -78,10 +78,10 @@ pub(crate) fn time<E: Engine>(case: &Case) -> Vec<Duration> {
     drag.chunks(STRETCH).map(stretch).collect()
 }
 
-/// Where the statics has the body when the hand has stopped: followed from a pressed pose by the slow reference of the tests,
-/// which shares no code with the solver. From there, so that where an engine has set the body down is no error of its drag.
-/// There the hand turns from pressing to dragging, so nothing slides; and where friction at rest is more than friction of slips,
-/// the normal force is far beyond what stiction takes.
+/// The pose of the body according to statics when the hand has stopped: followed from a pressed pose by the slow reference of
+/// the tests, which shares no code with the solver. It starts from the pressed pose, so that the position where an engine has
+/// set the body down does not count as an error of its drag. There the hand turns from pressing to dragging, so nothing slides;
+/// and if static friction exceeds dynamic friction, the normal force is far above what stiction needs.
 pub(crate) fn statics(case: &Case, pressed: Pose) -> Pose {
     let scene = reference_scene(case);
     let start = case.press.last().unwrap_or(case.first());
@@ -123,7 +123,7 @@ fn reference_scene(case: &Case) -> Scene {
     }
 }
 
-/// The engine after the first leg, and the hand's frames to come.
+/// The engine after the first leg, and the remaining frames of the hand.
 fn pressed<E: Engine>(case: &Case) -> (E, Vec<E::Hand>) {
     let mut engine = E::new(case);
     for sample in &case.press {
@@ -132,7 +132,7 @@ fn pressed<E: Engine>(case: &Case) -> (E, Vec<E::Hand>) {
     (engine, case.drag.iter().map(E::hand).collect())
 }
 
-/// Tells slips from the motion of the foot, frame by frame.
+/// Detects slips from the motion of the foot, frame by frame.
 #[derive(Default)]
 struct Slips {
     sliding: f64,

@@ -1,6 +1,6 @@
-//! The same scene in rapier2d, set up for one light body at a high frame rate: from a case to poses. Tried were the hand as a
-//! joint with motors and as a force, one to eight solver iterations, contacts from 60 Hz to 5 kHz, masses from 2 g to 0.3 kg and
-//! damping from one to four times critical; what is here holds the pose best and is as fast as any.
+//! The same scene in rapier2d, set up for one light body at a high frame rate: from a case to poses. The variants tried were the
+//! hand as a joint with motors and as a force, one to eight solver iterations, contacts from 60 Hz to 5 kHz, masses from 2 g to
+//! 0.3 kg and damping from one to four times critical; this variant holds the pose best and is as fast as any.
 
 use rapier2d::prelude::*;
 use stiction_scene::{Sample, SurfaceInfo};
@@ -8,25 +8,26 @@ use stiction_scene::{Sample, SurfaceInfo};
 use crate::case::{self, Case, hand_pose};
 use crate::engine::Engine;
 
-/// The lock file of the workspace: what is linked.
+/// The lock file of the workspace, for the version that is linked.
 const LOCK: &str = include_str!("../../../../Cargo.lock");
 
-/// Statics knows no mass (kg), so it is free. A heavier body slides on when the hand stops; with a lighter one the contacts,
-/// whose stiffness in rapier follows the mass, give way, and at 10 g the hand's damping is unstable.
+/// Statics does not depend on mass (kg), so it is free. A heavier body slides on when the hand stops; with a lighter one,
+/// the contacts yield, whose stiffness in rapier scales with the mass, and at 10 g the hand's damping is unstable.
 const MASS: f64 = 0.02;
 
-/// Damping of the hand, of the critical one. At 1 the body overshoots, for the springs act off its centre; at 4 it is unstable.
+/// Damping of the hand, relative to critical damping. At 1 the body overshoots, because the springs act off its centre; at 4 it
+/// is unstable.
 const DAMPING: f64 = 3.0;
 
-/// Iterations of the solver per frame. rapier's default of 4 divides a frame of 1/60 s; one of 1 ms needs no division, and more
-/// iterations cost time and hold no better.
+/// Iterations of the solver per frame. rapier's default of 4 subdivides a frame of 1/60 s; a frame of 1 ms needs no
+/// subdivision, and more iterations cost time without holding better.
 const ITERATIONS: usize = 1;
 
-/// How fast contacts with fixed surfaces push a body out (Hz), at rapier's own damping ratio. The default of 60 Hz, again for
-/// frames of 1/60 s, lets this light body sink in by millimetres.
+/// How fast contacts with fixed surfaces push a body out (Hz), at rapier's own damping ratio. The default of 60 Hz, which is
+/// also meant for frames of 1/60 s, lets this light body sink in by millimetres.
 const CONTACT_FREQUENCY: f32 = 5000.0;
 
-/// The size of things here beside rapier's metre: tolerances follow it.
+/// The size of objects here relative to rapier's metre, which scales its tolerances.
 const LENGTH_UNIT: f32 = 0.1;
 
 /// The hand in one frame.
@@ -96,8 +97,8 @@ impl Engine for Rapier {
         }
     }
 
-    /// The hand's springs as a force and a torque, taken where the body will be after the frame and damped relative to the moving
-    /// hand. A joint with motors needs the 4 iterations, takes half as long again and holds no better.
+    /// The hand's springs as a force and a torque, evaluated at the pose of the body after the frame and damped relative to the
+    /// moving hand. A joint with motors needs the 4 iterations, takes 50 % longer and holds no better.
     fn step(&mut self, hand: Target) {
         let speed = (hand.position - self.last.position) * self.rate;
         let turning = (hand.angle - self.last.angle) * self.rate;
@@ -140,7 +141,8 @@ fn world(case: &Case) -> PhysicsWorld {
     world
 }
 
-/// A half-plane, as exact as the scene's. Its friction is that of the contact: there is one coefficient, the static one.
+/// A half-plane, as exact as the scene's. Its friction is that of the contact: rapier has one coefficient, which gets
+/// the static one.
 fn insert_surface(world: &mut PhysicsWorld, surface: &SurfaceInfo) {
     let normal = vector(surface.normal);
     let collider = ColliderBuilder::halfspace(rapier2d::na::Unit::new_unchecked(normal))
@@ -167,7 +169,7 @@ fn insert_body(world: &mut PhysicsWorld, case: &Case, inertia: f64) -> RigidBody
     world.insert(body, shape.density(0.0).friction(0.0)).0
 }
 
-/// Of a rectangle or a rod about its middle, the origin of its frame (kg·m²).
+/// The moment of inertia of a rectangle or a rod about its middle, the origin of its frame (kg·m²).
 fn moment_of_inertia(vertices: &[[f64; 2]]) -> f64 {
     let extent = |k: usize| {
         let size = |far: f64, v: &[f64; 2]| v[k].abs().max(far);

@@ -1,4 +1,4 @@
-//! The table and the words below it: from what was measured to text, for the terminal and for the README.
+//! The table and the text below it: from measurements to text, for the terminal and for the README.
 
 use stiction_tools::table::aligned;
 
@@ -11,7 +11,7 @@ pub(crate) struct Row {
     pub(crate) scene: &'static str,
     /// Name and version of the engine.
     pub(crate) engine: String,
-    /// It is the other engine, not this repository's.
+    /// Whether it is the other engine, not this repository's.
     pub(crate) is_rival: bool,
     /// The coefficients of friction.
     pub(crate) friction: String,
@@ -19,15 +19,15 @@ pub(crate) struct Row {
     pub(crate) time: f64,
     /// Distance of the held pose from the statics (m).
     pub(crate) error: f64,
-    /// What else was seen.
+    /// The other results.
     pub(crate) findings: Findings,
 }
 
-/// How it was measured.
+/// The conditions of the measurement.
 pub(crate) struct Setting {
     /// The processor's name.
     pub(crate) processor: String,
-    /// Runs of which the best time counts.
+    /// The number of runs, of which the best time counts.
     pub(crate) repeats: usize,
 }
 
@@ -42,12 +42,12 @@ const HEAD: [&str; 9] = [
     "mean slip (mm)",
     "allocations per frame",
 ];
-/// Columns of words; the others hold numbers.
+/// Columns of text; the others contain numbers.
 const WORDS: usize = 3;
 /// Width of the text on a terminal.
 const WIDTH: usize = 118;
 
-/// For the terminal: aligned columns, a blank line after each scene.
+/// The version for the terminal: aligned columns, a blank line after each scene.
 pub(crate) fn plain(rows: &[Row], setting: &Setting) -> String {
     let header = HEAD.map(str::to_owned).to_vec();
     let cells = rows.iter().map(|row| row.cells().to_vec());
@@ -73,7 +73,7 @@ pub(crate) fn plain(rows: &[Row], setting: &Setting) -> String {
     text
 }
 
-/// For the README.
+/// The version for the README.
 pub(crate) fn markdown(rows: &[Row], setting: &Setting) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let mut text =
@@ -112,25 +112,25 @@ impl Row {
     }
 }
 
-/// What the table shows, and what it does not.
+/// What the table shows, and what it does not show.
 fn words(rows: &[Row], setting: &Setting) -> [String; 4] {
     [
         how(rows, setting),
-        "rapier2d has one coefficient of friction; it gets mu_s. With one coefficient the statics has no stick-slip: the body breaks \
+        "rapier2d has one coefficient of friction; it gets mu_s. With one coefficient, statics has no stick-slip: the body breaks \
          away once and slides along. rapier2d is tuned, as the comments in \
-         host-sim/bench/benches/rivals/rapier.rs tell; what is left of its pose error is mostly momentum: a body with mass slides on when \
+         host-sim/bench/benches/rivals/rapier.rs describe; its remaining pose error is mostly due to momentum: a body with mass slides on when \
          the hand stops, as a real one does."
             .to_owned(),
         format!(
-            "What rapier2d does well: many bodies that move, collide and stack; any shape; joints; impacts and free flight; two and \
-             three dimensions; years of use. Tuned, it holds a pose: the most it creeps here is {} mm in a second (stiction: {}). For \
-             a world of things it is the right tool, and stiction is none: one held convex body between fixed half-planes.{}",
+            "Strengths of rapier2d: many bodies that move, collide and stack; any shape; joints; impacts and free flight; two and \
+             three dimensions; years of use. Tuned, it holds a pose: its largest creep here is {} mm in a second (stiction: {}). For \
+             a world of many bodies it is the right tool, and stiction is not: it simulates one held convex body between fixed half-planes.{}",
             most_creep(rows, true),
             most_creep(rows, false),
             slower(rows),
         ),
-        "What stiction does that rapier2d does not: two coefficients of friction, so slips of the right number and length; a balance \
-         without mass, damping, contact stiffness and iterations to choose, in which a body at rest stays to the last bit without being \
+        "Strengths of stiction over rapier2d: two coefficients of friction, so slips of the right number and length; a balance \
+         that needs no choice of mass, damping, contact stiffness and iterations, in which a body at rest stays to the last bit without being \
          tuned; no heap."
             .to_owned(),
     ]
@@ -144,8 +144,8 @@ fn how(rows: &[Row], setting: &Setting) -> String {
         "Measured in one run on {}, one thread: {}, both in f32. The scenes are the bundled vertex-stick-slip, ladder and box-flat: \
          the hand presses the body down, drags it at 1 kHz (this is timed: the hand's pose in, the body's pose and the contact \
          forces out; each stretch of 100 frames at its best of {} runs) and stops. Pose error: one second later, the largest distance \
-         of a vertex from where the statics with the same friction has it, followed from the pressed pose by the slow reference in \
-         `tests`. Creep: how far a vertex moves in the second after. A slip is a motion of the foot along the floor that ends while \
+         of a vertex from its position according to statics with the same friction, followed from the pressed pose by the slow reference in \
+         `tests`. Creep: the largest displacement of a vertex in the following second. A slip is a motion of the foot along the floor that ends while \
          the hand still moves.",
         setting.processor,
         engines.join(" and "),
@@ -158,7 +158,7 @@ fn most_creep(rows: &[Row], of_rival: bool) -> String {
     scientific(1e3 * those.map(|row| row.findings.creep).fold(0.0, f64::max))
 }
 
-/// A sentence about where the rival needs less time; nothing if it never does.
+/// A sentence about the cases in which the rival needs less time; empty if there are none.
 fn slower(rows: &[Row]) -> String {
     let beaten = |row: &&Row| {
         let mut rivals = rows.iter().filter(|rival| rival.is_rival);
@@ -170,7 +170,7 @@ fn slower(rows: &[Row]) -> String {
     if places.is_empty() {
         String::new()
     } else {
-        format!(" It is also the faster one here: {}.", places.join(", "))
+        format!(" It is also the faster engine for: {}.", places.join(", "))
     }
 }
 

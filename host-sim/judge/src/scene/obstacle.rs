@@ -1,4 +1,4 @@
-//! Obstacles of a scene file: fixed convex polygons, thin walls and pins, read and refused.
+//! Obstacles of a scene file: fixed convex polygons, thin walls and pins, read and validated.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -19,7 +19,7 @@ pub struct Obstacle {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
-    /// D_c (m), as given: 0 for the shortest length that is told apart, `None` for the default.
+    /// D_c (m), as given: 0 for the shortest length that is resolved, `None` for the default.
     pub memory: Option<f64>,
 }
 
@@ -69,7 +69,7 @@ impl Text<'_> {
     }
 }
 
-/// What is wrong with the corners of an obstacle, and what is allowed.
+/// The fault in an obstacle's corners, and what is allowed.
 fn fault(vertices: &[Vec2]) -> Option<String> {
     let finite = vertices.iter().flatten().all(|x| x.is_finite());
     if vertices.is_empty() || !finite {
@@ -97,7 +97,7 @@ fn fault(vertices: &[Vec2]) -> Option<String> {
         .then(|| "it goes round more than once, allowed: a convex polygon".to_owned())
 }
 
-/// Corners that all turn to the left do so by one whole turn, or more.
+/// Whether corners that all turn to the left do so by more than one full turn.
 fn winds_twice(vertices: &[Vec2]) -> bool {
     let corner = |k: usize| vertices[k % vertices.len()];
     let turns = (0..vertices.len()).map(|k| {

@@ -1,5 +1,5 @@
-//! Slips one after another in a frame, of a vertex or an edge: how many lead from the old place to the new one. Each begins where
-//! static friction gives way and ends at the first place where |T| = mu_d N, the hand frozen (STATICS 3.2, 4).
+//! Consecutive slips in a frame, of a vertex or an edge: how many lead from the old position to the new one. Each begins where
+//! static friction gives way and ends at the first position where |T| = mu_d N, with the hand frozen (STATICS 3.2, 4).
 
 use super::vertex::PLACES;
 use super::{Step, drive, static_excess};
@@ -10,17 +10,17 @@ use crate::pin::{Foot, Spot, follow};
 use crate::touch::Face;
 use crate::vector::between;
 
-/// The way from the old place of a contact (0) to the new one (1).
+/// The path from the old position of a contact (0) to the new one (1).
 struct Chain<'a> {
     step: &'a Step<'a>,
     foot: Foot<'a>,
-    /// Both places of the contact of a vertex.
+    /// Both positions of the contact of a vertex.
     spots: [Spot; 2],
     face: Face,
     sign: f64,
 }
 
-/// Where a chain has come to: place, part of the hand's way, angle.
+/// The current end of a chain: position, fraction of the hand's path, angle.
 #[derive(Clone, Copy)]
 struct Link {
     place: f64,
@@ -28,7 +28,7 @@ struct Link {
     turn: f64,
 }
 
-/// How many slips it takes; `None` where they do not lead there.
+/// The number of slips; `None` if they do not lead there.
 pub(super) fn count(step: &Step<'_>, contact: &Contact) -> Option<u32> {
     let before = step.last.contact(contact.touch)?;
     let chain = Chain {
@@ -55,7 +55,7 @@ pub(super) fn count(step: &Step<'_>, contact: &Contact) -> Option<u32> {
 }
 
 impl Chain<'_> {
-    /// The reaction at a place with the hand at a part of its way, and the angle, continued from a link.
+    /// The reaction at a position with the hand at a fraction of its path, and the angle, continued from a link.
     fn reaction(&self, from: Link, place: f64, part: f64) -> Option<((f64, f64), f64)> {
         let step = self.step;
         if step.next.state == State::Edge {
@@ -72,7 +72,7 @@ impl Chain<'_> {
         Some((pin(1.0).reaction(turn), turn))
     }
 
-    /// Where the next slip begins, if there is one.
+    /// The start of the next slip, if there is one.
     fn begins(&self, link: Link, jumps: bool) -> Option<Option<Link>> {
         let part = |u: f64| link.part + (1.0 - link.part) * u;
         let excess = |u: f64| {
@@ -84,7 +84,7 @@ impl Chain<'_> {
         if excess.reaches(-allowed, first).is_err() {
             return Some(None);
         }
-        // A slip that hardly begins has, where the contact has not yet come to its new place, and has not where it has.
+        // A marginal slip has happened if the contact has not reached its new position yet, and has not happened if it has.
         if link.place >= 1.0 && excess.reaches(allowed, first).is_err() {
             return Some(None);
         }
@@ -96,7 +96,7 @@ impl Chain<'_> {
         Some(Some(Link { part, turn, ..link }))
     }
 
-    /// Where a slip ends.
+    /// The end of a slip.
     fn ends(&self, begin: Link) -> Option<Link> {
         let along = |from: Link, place: f64| {
             let (reaction, turn) = self.reaction(from, place, begin.part)?;

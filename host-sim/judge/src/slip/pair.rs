@@ -1,4 +1,4 @@
-//! Slips of two contacts (STATICS 4, 5): in one line, where only the sums of both count, and off it.
+//! Slips of two contacts (STATICS 4, 5): on one line, where only the sums of both count, and off it.
 
 use super::{Onset, Step, drive, static_excess};
 use crate::brace::Brace;
@@ -33,7 +33,7 @@ impl<'a> Step<'a> {
         self.ends(Way(&fixed), Way(&sliding), false).0
     }
 
-    /// The friction of an edge: of two that differ, that which both give together.
+    /// The friction of an edge: if the two differ, their combined friction.
     fn shared(&self, pose: [f64; 3], part: f64, (touches, of): ([Touch; 2], Onset)) -> f64 {
         let faces = touches.map(|touch| self.model.face(pose, touch));
         if faces[0].rubs_as(&faces[1]) {

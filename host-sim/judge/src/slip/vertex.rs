@@ -1,13 +1,13 @@
-//! The slip of a single contact (STATICS 3.2): it sticks at its old place while the hand goes on, slides to the new one while the
-//! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
+//! The slip of a single contact (STATICS 3.2): it sticks at its old position while the hand moves on, slides to the new one while
+//! the hand is frozen, and sticks there. Throughout, the body turns in balance of moments, with the angle on its branch.
 
 use super::{Step, drive, static_excess};
 use crate::pin::{Foot, Pin, Spot, follow};
 
-/// Places that are looked at on the way of a slip.
+/// Points on the path of a slip at which the balance is evaluated.
 pub(super) const PLACES: u32 = 64;
 
-/// A contact that slid from a place to another one, along `sign`·t.
+/// A contact that slid from one position to another, along `sign`·t.
 pub(super) struct Slide<'a> {
     pub(super) step: &'a Step<'a>,
     pub(super) foot: Foot<'a>,
@@ -21,7 +21,7 @@ pub(super) struct Slide<'a> {
 }
 
 impl<'a> Slide<'a> {
-    /// Pinned at the old place, and at the new one, with the hand at a part of its way.
+    /// The contact pinned at its old position, with the hand at a fraction of its path; `after`: at its new one.
     fn before(&self, part: f64) -> Pin<'a> {
         self.foot.pinned(self.from, self.step.hand(part))
     }
@@ -30,13 +30,13 @@ impl<'a> Slide<'a> {
         self.foot.pinned(self.to, self.step.hand(part))
     }
 
-    /// The angle at the old place: the one of the frame before, continued.
+    /// The angle at the old position: that of the previous frame, continued.
     fn angle_before(&self, part: f64) -> Option<f64> {
         let theta = self.step.last.pose[2];
         follow(|part| self.before(part), theta, part)
     }
 
-    /// The angle at the new place: the one of this frame, followed back.
+    /// The angle at the new position: that of this frame, followed backwards.
     fn angle_after(&self, part: f64) -> Option<f64> {
         follow(
             |back| self.after(1.0 - back),
@@ -45,13 +45,13 @@ impl<'a> Slide<'a> {
         )
     }
 
-    /// By how much static friction falls short at the old place (N).
+    /// The amount by which static friction falls short at the old position (N).
     pub(super) fn fixed(&self, part: f64) -> Option<f64> {
         let reaction = self.before(part).reaction(self.angle_before(part)?);
         Some(static_excess(reaction, self.onset))
     }
 
-    /// What drives the slip on at the new place (N).
+    /// The drive of the slip at the new position (N).
     pub(super) fn sliding(&self, part: f64) -> Option<f64> {
         Some(self.drive(&self.after(part), self.angle_after(part)?))
     }
@@ -60,8 +60,8 @@ impl<'a> Slide<'a> {
         drive(pin.reaction(theta), self.dynamic, self.sign)
     }
 
-    /// By how much the drive falls short somewhere on the way from the old place to the new one (N). `None` where the
-    /// balance is lost on the way, or leads to another angle than the one at the new place.
+    /// The amount by which the drive falls short somewhere on the path from the old position to the new one (N). `None`
+    /// if the balance is lost on the path, or leads to a different angle from that at the new position.
     pub(super) fn undriven(&self, part: f64) -> Option<f64> {
         let hand = self.step.hand(part);
         let at = |u: f64| self.foot.pinned(self.from.towards(self.to, u), hand);

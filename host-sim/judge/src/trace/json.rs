@@ -1,4 +1,4 @@
-//! JSON Lines: an object per line. A number that is not finite is `null`, as JSON writers put it.
+//! JSON Lines: one object per line. A number that is not finite is `null`, as JSON writers output it.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -123,7 +123,7 @@ fn frame(text: &[u8], names: &Names) -> Result<Frame, String> {
     })
 }
 
-/// What is wrong with a line, and after which key.
+/// The problem in a line, and the key after which it occurs.
 fn problem(text: &[u8], error: &serde_json::Error) -> String {
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or_default();

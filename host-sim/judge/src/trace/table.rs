@@ -1,5 +1,5 @@
-//! CSV: a header and a row per frame, up to four contacts in it. Where a row says in its column `contacts` that there were
-//! more, or has four and no such column, the frame is marked as not complete.
+//! CSV: a header and one row per frame, with up to four contacts. If the column `contacts` of a row reports more, or a row
+//! has four contacts and no such column, the frame is marked as incomplete.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -15,7 +15,7 @@ use crate::frame::{Contact, Frame, State};
 /// Contacts in a row.
 const CONTACTS: usize = 4;
 
-/// Where a column is; `None` where it is absent and may be.
+/// The index of a column; `None` if an optional column is absent.
 type Column = Option<usize>;
 
 struct Columns {
@@ -26,7 +26,7 @@ struct Columns {
     contacts: [Option<Places>; CONTACTS],
 }
 
-/// Where the columns of a contact are.
+/// The indices of a contact's columns.
 struct Places {
     /// In the order of [`CONTACT`].
     all: [usize; CONTACT.len()],
@@ -57,10 +57,10 @@ const SCALARS: [&str; 15] = [
 const CONTACT: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
 const OF_OBSTACLES: [&str; 4] = ["obstacle", "side", "corner", "body_side"];
 
-/// A file of which no more is read for one row than a record may be long, also where a row does not end.
+/// A file of which no more is read for one row than a record may be long, even if the row does not end.
 struct Bounded {
     file: BufReader<File>,
-    /// What may still be read for this row (bytes).
+    /// How much may still be read for this row (bytes).
     left: Rc<Cell<usize>>,
 }
 
@@ -158,7 +158,7 @@ impl Rows {
     }
 }
 
-/// The message without the line, which is said already.
+/// The message without the line number, which is reported already.
 fn plain(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
@@ -220,7 +220,7 @@ impl Columns {
 }
 
 impl Places {
-    /// Contact `k` of a row, if it has so many.
+    /// Contact `k` of a row, if it has that many.
     fn contact(
         &self,
         k: usize,

@@ -1,5 +1,5 @@
 //! A bar on a pin, in closed form (the slip of a vertex with body and world exchanged): a corner of an obstacle on a side of the body,
-//! whose normal turns with it. The pin is at the origin; the bar lies on it with its lower side.
+//! whose normal turns with it. The pin is at the origin; the lower side of the bar rests on it.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use crate::write::{broken, frame, scene};
 
 const K: f64 = 500.0;
 const K_THETA: f64 = 8.0;
-/// From the lower side to the holding point, across it and from its middle along it (m).
+/// Distances of the holding point (m): across the bar from its lower side, and along the bar from its middle.
 const ACROSS: f64 = 0.04;
 const ALONG: f64 = 0.02;
 const NONE: BTreeSet<&str> = BTreeSet::new();
@@ -22,19 +22,19 @@ fn on_pin([mu_s, mu_d]: [f64; 2]) -> Scene {
     ))
 }
 
-/// The hand in the directions of the body.
+/// The hand in the body frame's directions.
 fn seen([x, y, _]: [f64; 3], theta: f64) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [cos * x + sin * y, cos * y - sin * x]
 }
 
-/// How far the holding point is from the pin, along the side, where the moments balance at an angle.
+/// Distance of the holding point from the pin, along the side, at which the moments balance at an angle.
 fn balanced(hand: [f64; 3], theta: f64) -> f64 {
     let [x, y] = seen(hand, theta);
     (ACROSS * x - K_THETA / K * (hand[2] - theta)) / y
 }
 
-/// N and T at an angle, the holding point `lever` along the side from the pin.
+/// N and T at an angle, with the holding point at `lever` along the side from the pin.
 fn reaction(hand: [f64; 3], theta: f64, lever: f64) -> [f64; 2] {
     let [x, y] = seen(hand, theta);
     [K * (ACROSS - y), -K * (x - lever)]
@@ -68,7 +68,7 @@ fn lying(hand: [f64; 3], theta: f64, lever: f64, sliding: i8) -> Frame {
     }
 }
 
-/// The zero of a function between two places.
+/// The zero of a function between two points.
 fn zero(f: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
     let sign = f(from).signum();
     assert_ne!(sign, f(to).signum());
@@ -92,7 +92,7 @@ fn stuck(hand: [f64; 3], lever: f64) -> f64 {
     )
 }
 
-/// The laws that frames break, a second between each and the next.
+/// The laws that frames break, one second apart.
 fn laws(scene: &Scene, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
     for (i, frame) in frames.iter_mut().enumerate() {
         frame.t = i as f64;
@@ -100,7 +100,7 @@ fn laws(scene: &Scene, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
     broken(scene, Evolution::Path, &frames)
 }
 
-/// The hand turns and goes along: the bar turns about the pin, which sticks on it but for `creep` (m) in a frame.
+/// The hand turns and moves along: the bar turns about the pin, which sticks to it except for `creep` (m) per frame.
 fn turning(creep: f64) -> Vec<Frame> {
     let at = |i: u32| {
         let part = f64::from(i) / 20.0;
@@ -116,7 +116,7 @@ fn bar_that_turns_about_a_pin_is_lawful() {
     assert_eq!(laws(&on_pin([0.9, 0.9]), turning(0.0)), NONE);
 }
 
-/// Far below what is seen in a frame, and in balance.
+/// Far below what a single frame reveals, and in balance.
 #[test]
 fn corner_that_creeps_along_a_body_is_found() {
     for creep in [-2e-7, 2e-7] {
@@ -136,13 +136,13 @@ fn direction_that_stays_behind_is_found() {
 const FROZEN: [f64; 3] = [0.004, 0.02, 0.1];
 const DYNAMIC: f64 = 0.1;
 
-/// What drives the bar on, in the direction in which T opposes it.
+/// The drive of the bar, in the direction in which T opposes it.
 fn driven(theta: f64) -> f64 {
     let [normal, friction] = reaction(FROZEN, theta, balanced(FROZEN, theta));
     friction.abs() - DYNAMIC * normal
 }
 
-/// A slip under a hand at rest, from one angle to another one, with the static friction that gives way at the first of them.
+/// A slip under a hand at rest, from one angle to another, with the static friction that gives way at the first.
 fn slip(from: f64, to: f64) -> BTreeSet<&'static str> {
     let [normal, friction] = reaction(FROZEN, from, balanced(FROZEN, from));
     let [before, after] = [from, to].map(|theta| lying(FROZEN, theta, balanced(FROZEN, theta), 0));
@@ -157,7 +157,7 @@ fn slip(from: f64, to: f64) -> BTreeSet<&'static str> {
     )
 }
 
-/// Where a slip begins, and where it ends.
+/// The start and the end of a slip.
 fn ends() -> [f64; 2] {
     let begin = 0.06;
     let step = (1..4000).map(|i| 1e-4 * f64::from(i));
@@ -186,7 +186,7 @@ fn sliding() -> Vec<Frame> {
     let mu = DYNAMIC;
     let at = |i: u32| {
         let hand = [0.02 + 0.001 * f64::from(i), 0.02, 0.0];
-        // It goes along t, friction against it.
+        // It moves along t, with friction against it.
         let excess = |theta: f64| {
             let [normal, friction] = reaction(hand, theta, balanced(hand, theta));
             friction + mu * normal

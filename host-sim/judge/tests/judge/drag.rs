@@ -1,6 +1,6 @@
-//! A box with weight that is pressed on the floor and dragged along: an edge contact, whose every frame is known in closed form
-//! (STATICS 4): it breaks away where the hand leads by mu_s N / k_h, and stops where it leads by mu_d N / k_h. Then the hand
-//! lets go, comes back to another place and takes hold again.
+//! A box with weight that is pressed on the floor and dragged along: an edge contact, of which every frame is known in closed
+//! form (STATICS 4): it breaks away when the hand leads by mu_s N / k_h, and stops when the hand leads by mu_d N / k_h. Then
+//! the hand lets go, returns to another position and grasps again.
 
 use stiction_judge::{Contact, Event, Frame, Scene, State};
 
@@ -47,14 +47,14 @@ pub(crate) fn drag_scene() -> Scene {
     scene(SCENE)
 }
 
-/// The hand's lead at which the box breaks away, of what it should be, and the length of the slip, of what it should be.
+/// The hand's lead at which the box breaks away, and the length of the slip, relative to the correct values.
 #[derive(Clone, Copy)]
 pub(crate) struct Drag {
     pub(crate) breaks_at: f64,
     pub(crate) slides: f64,
-    /// The hand's way in a frame (m).
+    /// The hand's displacement per frame (m).
     pub(crate) stride: f64,
-    /// The hand jumps.
+    /// Whether the hand jumps.
     pub(crate) jumps: bool,
 }
 
@@ -65,7 +65,7 @@ pub(crate) const LAWFUL: Drag = Drag {
     jumps: false,
 };
 
-/// A frame with the box at `x`, the hand at `hand`, held at `grip` (body frame).
+/// A frame with the box at `x` and the hand at `hand`, holding it at `grip` (body frame).
 pub(crate) fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
     let force = [K * (hand[0] - x - grip[0]), K * (hand[1] - grip[1])];
     let normal = WEIGHT - force[1];
@@ -116,7 +116,7 @@ pub(crate) fn drag(how: Drag) -> Vec<Frame> {
     frames
 }
 
-/// The hand lets go, goes to where the box's centroid is 10 mm to its left, takes hold, turned by 0.2 rad, and presses.
+/// The hand lets go, moves until the box's centroid is 10 mm to its left, grasps, turned by 0.2 rad, and presses.
 fn regrasped(t: f64, x: f64) -> Vec<Frame> {
     let place = [x + 0.01, CENTROID, 0.2];
     let mut frames = Vec::new();
@@ -138,7 +138,7 @@ fn regrasped(t: f64, x: f64) -> Vec<Frame> {
     frames
 }
 
-/// Where the box first slips, in the list of frames.
+/// The index of the frame in which the box first slips.
 pub(crate) fn first_slip(frames: &[Frame]) -> usize {
     let slip = frames.iter().position(|frame| frame.slips > 0);
     slip.expect("a slip")

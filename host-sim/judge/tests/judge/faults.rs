@@ -1,4 +1,4 @@
-//! Faults in a lawful trace: each is found, by the name of its law.
+//! Faults in a lawful trace: each is found, under the name of its law.
 
 use std::collections::BTreeSet;
 
@@ -9,14 +9,14 @@ use stiction_judge::{Event, Evolution, Frame, Scene, State, Status, law};
 use crate::drag::{Drag, LAWFUL, drag, drag_scene, first_slip};
 use crate::write::{broken, judged, lines, on};
 
-/// The laws that the dragged box breaks after something was done to one of its frames.
+/// The laws that the dragged box breaks after a fault in one of its frames.
 fn after(frame: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
     let mut frames = drag(LAWFUL);
     fault(&mut frames[frame]);
     broken(&drag_scene(), Evolution::Path, &frames)
 }
 
-/// A frame in which the box sticks, and where the release begins.
+/// A frame in which the box sticks, and the frame in which the release begins.
 const STICKS: usize = 5;
 const RELEASED: usize = 42;
 
@@ -72,7 +72,7 @@ fn wrench_that_is_not_the_springs_is_found() {
         after(STICKS, |frame| frame.wrench[2] += 1e-4),
         only(law::WRENCH)
     );
-    // The hand took hold anew, at another point and turned.
+    // The hand grasped again, at another point and turned.
     assert_eq!(
         after(RELEASED + 3, |frame| frame.wrench[0] += 1e-3),
         only(law::WRENCH)
@@ -130,7 +130,7 @@ fn contact_that_moves_without_an_event_is_found() {
     assert_eq!(silent, only(law::STICKS));
 }
 
-/// As engines with regularised friction do: far below the bound in a frame, but never back.
+/// As in engines with regularised friction: far below the bound per frame, but never back.
 #[test]
 fn contact_that_creeps_is_found() {
     let mut frames = drag(LAWFUL);
@@ -182,7 +182,7 @@ fn slip_that_begins_early_is_found() {
         });
         let laws = broken(&drag_scene(), evolution, &frames);
         assert_eq!(laws, only(law::SLIP_BEGINS), "{jumps}");
-        // In the right frame, but not where it should.
+        // In the right frame, but not at the right position.
         let frames = drag(Drag {
             breaks_at: 0.99,
             stride: 0.0011,
@@ -193,8 +193,8 @@ fn slip_that_begins_early_is_found() {
     }
 }
 
-/// With path evolution a slip begins on the way; one that begins at the end of a jump is another one. With frame evolution it may
-/// be either.
+/// With path evolution, a slip begins on the path; one that begins at the end of a jump is a different slip. With frame
+/// evolution, it may be either.
 #[test]
 fn jumps_are_not_the_path() {
     let jumps = Drag {
@@ -214,7 +214,7 @@ fn jumps_are_not_the_path() {
 
 #[test]
 fn last_slip_of_several_is_judged() {
-    // One frame that leads over two slips and more: the second one, or a later one, ends at mu_d N somewhere on its way.
+    // One frame that contains more than two slips: the second or a later one ends at mu_d N somewhere on its path.
     let (scene, whole) = (drag_scene(), drag(LAWFUL));
     let slips: Vec<usize> = (0..RELEASED).filter(|&i| whole[i].slips > 0).collect();
     let mut frames = whole[..slips[0]].to_vec();
@@ -222,7 +222,7 @@ fn last_slip_of_several_is_judged() {
     end.slips = 3;
     frames.push(end);
     assert_eq!(broken(&scene, Evolution::Path, &frames), BTreeSet::new());
-    // 3 mm short of where a third slip could have ended.
+    // 3 mm before a position at which a third slip could have ended.
     let mut short = whole[..slips[0]].to_vec();
     let mut end = whole[slips[0] - 1].clone();
     (end.slips, end.events, end.t) = (2, vec![Event::Slip], end.t + 1.0);
@@ -260,7 +260,7 @@ fn body_that_moves_by_itself_is_found() {
     let released = after(RELEASED + 1, away);
     assert!(released.contains(law::RESTS), "{released:?}");
     for status in [Status::HeldLast, Status::Saturated] {
-        // The frame before again: a hand that is not used, a body that nothing can balance.
+        // The previous frame again: a hand that is not used, or a body that nothing can balance.
         let again = |moves: bool| {
             let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
             let mut frame = frames[STICKS].clone();
@@ -274,7 +274,7 @@ fn body_that_moves_by_itself_is_found() {
         assert_eq!(again(false), BTreeSet::new());
         assert!(again(true).contains(law::RESTS), "{status:?}");
     }
-    // Out of balance is what `ambiguous` says, but not of a body that could stay or move.
+    // `ambiguous` means out of balance, but not for a body that could stay or move.
     let unbalanced = |status| {
         after(STICKS, |frame| {
             (frame.status, frame.contacts[0].normal) = (status, 0.1);
@@ -282,7 +282,7 @@ fn body_that_moves_by_itself_is_found() {
     };
     assert!(unbalanced(Status::Ambiguous).contains(law::STATUS));
     assert!(unbalanced(Status::EventLimit).contains(law::FORCES));
-    // As long as the hand is not used nothing changes about that.
+    // As long as the hand is not used, this does not change.
     let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
     let mut frame = frames[STICKS].clone();
     frame.contacts[0].normal = 0.1;
@@ -296,7 +296,7 @@ fn body_that_moves_by_itself_is_found() {
     );
 }
 
-/// Number `which` of a frame, and what makes a difference to it (m, N).
+/// Number `which` of a frame, and a change of it that matters (m, N).
 fn number(frame: &mut Frame, which: usize) -> (&mut f64, f64) {
     match which {
         0..3 => (&mut frame.pose[which], 0.1),
@@ -322,7 +322,7 @@ proptest! {
         ..ProptestConfig::with_cases(200)
     })]
 
-    /// Any number of any frame that the hand holds, off by a part in 10⁴ and more.
+    /// Any number of any frame in which the hand holds, off by a part in 10⁴ or more.
     #[test]
     fn any_number_that_is_off_is_found(
         frame in 0..RELEASED,
@@ -338,7 +338,7 @@ proptest! {
     }
 }
 
-/// A scene says less than it could.
+/// A scene that gives less than it could.
 #[test]
 fn holding_point_comes_from_the_hand_where_the_scene_has_none() {
     let scene = Scene {
@@ -346,14 +346,14 @@ fn holding_point_comes_from_the_hand_where_the_scene_has_none() {
         ..drag_scene()
     };
     let mut frames = drag(LAWFUL);
-    // Taken where it is: the first hand is at the point that the scene would name.
+    // The body is grasped where it is: the first hand is at the point that the scene would name.
     frames[0].events = vec![Event::Grasp];
     assert_eq!(broken(&scene, Evolution::Path, &frames), BTreeSet::new());
     frames[0].events.clear();
     assert_eq!(broken(&scene, Evolution::Path, &frames), only(law::HOLD));
 }
 
-/// A row of CSV has room for four contacts: what more there may be is not held against the balance.
+/// A row of CSV has columns for four contacts: further contacts are not held against the balance.
 #[test]
 fn contacts_that_a_row_has_no_room_for_are_not_held_against_it() {
     let mut scene = drag_scene();

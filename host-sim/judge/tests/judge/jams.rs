@@ -1,5 +1,5 @@
-//! A rod of length 1 upright between a floor and a ceiling, both tilted so that the gap opens towards +x: a wedge that holds it by
-//! friction. Reactions are chosen, and the hand is where they balance it.
+//! A rod of length 1, upright between a floor and a ceiling that are both tilted so that the gap opens towards +x: a wedge that
+//! holds it by friction. The reactions are chosen, and the hand is placed so that they balance it.
 
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
@@ -19,7 +19,8 @@ fn wedge(slope: f64) -> Scene {
     ))
 }
 
-/// The rod where it fits, with N of floor and ceiling, and both frictions `ratio` times as large, towards the narrow end.
+/// The rod in the position where it fits, with N of floor and ceiling, and both frictions `ratio` times as large, towards
+/// the narrow end.
 fn held(scene: &Scene, normals: [f64; 2], ratio: f64, sliding: Option<i8>) -> Frame {
     let (mut force, mut moment) = ([0.0; 2], 0.0);
     let mut contacts = Vec::new();
@@ -51,7 +52,7 @@ fn held(scene: &Scene, normals: [f64; 2], ratio: f64, sliding: Option<i8>) -> Fr
     }
 }
 
-/// The rod was let go: it is where the hand of `last` is.
+/// The rod was let go: it moves to the hand of `last`.
 fn let_go(last: &Frame) -> Frame {
     Frame {
         events: vec![Event::Lift],
@@ -107,19 +108,19 @@ fn jam_that_is_pulled_apart_may_open() {
     }
 }
 
-/// The reactions have to be outside the cones of mu_d, between which and mu_s the wedge needs stiction to hold.
+/// The reactions must lie outside the cones of mu_d and inside those of mu_s: there the wedge needs stiction to hold.
 #[test]
 fn jam_that_needs_stiction_holds_where_it_has_it() {
     let scene = wedge(0.4);
     let next = held(&scene, [0.06, 0.12], 0.48, Some(0));
     let after = |first: Frame| laws(&scene, [first, let_go(&next)]).contains(law::HOLDS);
     assert!(after(held(&scene, [0.05, 0.1], 0.48, Some(0))));
-    // Pressed inwards before: whether it has stiction is not known; in an older trace it has.
+    // Pressed inwards before: whether it has stiction is unknown; in an older trace it has.
     assert!(!after(held(&scene, [0.05, 0.05], 0.0, Some(0))));
     assert!(after(held(&scene, [0.05, 0.05], 0.0, None)));
 }
 
-/// Nothing holds a rod that is pressed inwards less than friction pushes it out, or lifted out of one contact.
+/// Nothing holds a rod that is pressed inwards by less than friction pushes it out, or lifted out of one contact.
 #[test]
 fn contacts_that_cannot_hold_may_open() {
     let scene = wedge(0.6);
@@ -131,7 +132,7 @@ fn contacts_that_cannot_hold_may_open() {
     }
 }
 
-/// Friction of 0.5 on slopes of 0.495: a pull of 1 asks for reactions of 100 and more.
+/// Friction of 0.5 on slopes of 0.495: a pull of 1 needs reactions of 100 and more.
 #[test]
 fn jammed_is_what_reactions_within_the_limit_cannot_hold() {
     let jammed = |slope: f64, normal: f64, ratio: f64, status: Status| {
@@ -148,7 +149,7 @@ fn jammed_is_what_reactions_within_the_limit_cannot_hold() {
         assert_eq!(jammed(0.495, normal, 0.5, Status::Ok), only(law::JAMMED));
     }
     assert_eq!(jammed(0.495, 50.0, 0.5, Status::Ok), BTreeSet::new());
-    // As long as it lasts.
+    // It holds as long as the pull lasts.
     let scene = wedge(0.495);
     let then = |status: Status, normal: f64, ratio: f64| {
         let start = held(&scene, [1.0; 2], 0.0, Some(0));
@@ -171,7 +172,7 @@ fn jammed_body_stays_and_keeps_its_contacts() {
     let jammed = |change: &dyn Fn(&mut Frame)| {
         let mut next = held(&scene, [200.0; 2], 0.5, Some(0));
         next.status = Status::Jammed;
-        // What is told of the reactions is no balance.
+        // The reported reactions need not balance.
         next.contacts.iter_mut().for_each(|c| c.normal = 128.0);
         change(&mut next);
         laws(&scene, [first.clone(), next])
@@ -189,7 +190,7 @@ fn jammed_body_stays_and_keeps_its_contacts() {
     assert_eq!(dropped, BTreeSet::from([law::JAMMED, law::COME_AND_GO]));
 }
 
-/// Where the hand's way is not followed to its end the hand that is told is not the one that the body balances.
+/// If the hand's path is not followed to its end, the reported hand is not the one that balances the body.
 #[test]
 fn body_that_is_behind_is_not_asked_for_balance() {
     let scene = wedge(0.2);

@@ -1,5 +1,5 @@
-//! Slips with known answers (STATICS 11, and whole evolutions to 12 digits): lawful where they end at the first root, found
-//! where they end at another one.
+//! Slips with known answers (STATICS 11, and whole evolutions to 12 digits): lawful if they end at the first root, unlawful
+//! if they end at another one.
 
 use std::collections::BTreeSet;
 
@@ -35,7 +35,7 @@ fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
     }
 }
 
-/// The laws that a slip breaks which begins at one place and angle and ends at another, the hand at rest.
+/// The laws broken by a slip from one position and angle to another, with the hand at rest.
 fn slip(scene: &Scene, hand: [f64; 3], ends: [[f64; 2]; 2]) -> BTreeSet<&'static str> {
     let [before, after] = ends.map(|[x, theta]| standing(scene, hand, x, theta));
     let after = Frame {
@@ -51,7 +51,7 @@ fn slip(scene: &Scene, hand: [f64; 3], ends: [[f64; 2]; 2]) -> BTreeSet<&'static
 }
 
 /// STATICS 11: k_h 500, k_theta 0.5, D 0.06, mu_d 0.3, the hand 0.02 above the floor, Phi = 1.2. A slip that begins where the
-/// lever is at `psi`, which mu_s is made for, and ends at another angle.
+/// lever is at `psi`, for which mu_s is chosen, and ends at another angle.
 fn of_section_11(begin: f64, end: f64) -> BTreeSet<&'static str> {
     const HAND: [f64; 3] = [0.0, 0.02, 1.2];
     let place = |psi: f64| (0.02 * psi.cos() + (1.2 - psi) / 60.0) / psi.sin();
@@ -72,7 +72,7 @@ fn slips_of_section_11_end_at_the_first_root() {
     assert_eq!(of_section_11(2.6, 2.385_415_897_0), BTreeSet::new());
 }
 
-/// At all three roots |T| = mu_d N against the motion, in balance: only the way there tells them apart.
+/// At all three roots |T| = mu_d N against the motion, in balance: they differ only in the path to them.
 #[test]
 fn slip_that_ends_at_a_wrong_root_is_found() {
     for wrong in [1.335_960_925_5, 0.624_560_421_9] {
@@ -82,7 +82,7 @@ fn slip_that_ends_at_a_wrong_root_is_found() {
 
 #[test]
 fn slip_of_a_vertex_that_ends_a_hundredth_off_is_found() {
-    // In balance all the way, so that nothing but the end is wrong.
+    // In balance along the whole path, so that only the end is wrong.
     let (begin, end) = (2.6, 2.385_415_897_0_f64);
     for part in [0.99, 1.01] {
         let laws = of_section_11(begin, begin + part * (end - begin));
@@ -90,8 +90,8 @@ fn slip_of_a_vertex_that_ends_a_hundredth_off_is_found() {
     }
 }
 
-/// A point that is held at itself, or next to it by less than a trace tells, without a rotational stiffness: whatever its angle, it
-/// breaks away where the pull is mu_s N and stops where it is mu_d N.
+/// A point that is held at itself, or so close to itself that a trace does not show it, without rotational stiffness: whatever its
+/// angle, it breaks away when the pull is mu_s N and stops when it is mu_d N.
 #[test]
 fn slip_of_a_point_with_any_angle_is_known() {
     for lever in [0.0, 1e-17] {
@@ -175,7 +175,7 @@ fn leaning(theta: f64) -> Frame {
     };
     let moment = |mu: f64| {
         let [foot, head] = reactions(mu);
-        // The feet are at ∓(cos, sin) from the middle, where it is held.
+        // The feet are at ∓(cos, sin) from the middle, where the hand holds.
         4.0 * (hand[2] - theta) + (-cos * foot + sin * mu * foot) + (cos * mu * head + sin * head)
     };
     let (mut low, mut high) = (-0.5, 0.5);

@@ -1,5 +1,5 @@
-//! The judge against traces that are lawful by closed forms, and against the same with a fault in them: each must be found,
-//! by the name of its law, in both formats.
+//! The judge against traces that are lawful according to closed forms, and against the same traces with a fault: each fault
+//! must be found, under the name of its law, in both formats.
 
 mod bar;
 mod drag;

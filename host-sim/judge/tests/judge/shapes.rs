@@ -1,4 +1,5 @@
-//! Obstacles of scene files and contacts with them in traces: what is read, and what is refused, by name, with what is allowed.
+//! Obstacles of scene files and contacts with them in traces: what is accepted, and what is refused, with a message that names
+//! it and what is allowed.
 
 use std::path::Path;
 
@@ -129,7 +130,7 @@ fn touching(touch: Touch) -> Frame {
     }
 }
 
-/// The message about a contact in a format after a change.
+/// The message about a contact in one format after a change.
 fn message(format: &str, touch: Touch, from: &str, to: &str) -> String {
     let line = lines(format, &scene(), &[touching(touch)]).join("\n");
     let changed = line.replacen(from, to, 1);
@@ -207,7 +208,7 @@ fn contacts_that_cannot_be_are_refused() {
     assert!(error.contains("contact 0: allowed: "), "{error}");
 }
 
-/// What a contact without its vertex says in a row is read as in a line.
+/// A contact without a vertex is read in a row as it is in a line.
 #[test]
 fn contacts_with_obstacles_are_read_in_both_formats() {
     for touch in [SIDE, CORNER] {
@@ -223,7 +224,7 @@ fn contacts_with_obstacles_are_read_in_both_formats() {
     }
 }
 
-/// Frames that do not come from a file may name anything.
+/// Frames that do not come from a file may refer to any feature.
 #[test]
 fn contact_of_what_there_is_not_is_found() {
     let side_of_a_pin = Touch::Side {

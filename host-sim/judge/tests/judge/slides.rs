@@ -1,5 +1,5 @@
-//! Contacts that slide with the hand, in closed form: a tool with a point, a box on its edge, a rod between floor and wall. What is
-//! lawful is found so, and every fault in it by the name of its law.
+//! Contacts that slide with the hand, in closed form: a tool with a point, a box on its edge, a rod between floor and wall. Lawful
+//! traces are accepted, and every fault is found under the name of its law.
 
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
@@ -12,7 +12,7 @@ use crate::write::{broken, frame, on, scene};
 const K: f64 = 500.0;
 const DYNAMIC: f64 = 0.3;
 
-/// N* = k_h D_c / (mu_s - mu_d) is 25 N: as much as the tool bears 50 mm below the floor.
+/// N* = k_h D_c / (mu_s - mu_d) is 25 N: the load on the tool 50 mm below the floor.
 const TOOL: &str = "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.01, 0.0]\n[grasp]\npoint = [0.0, 0.0]\n\
     [spring]\ntranslation = 500.0\nrotation = 0.5\n[friction]\nstatic = 0.5\ndynamic = 0.3\nmemory = 0.01\n\
     [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\n";
@@ -55,7 +55,7 @@ fn with(events: &[Event], frame: Frame) -> Frame {
     }
 }
 
-/// It touches obliquely and slides, turns back, slides back, is pressed until it sticks, slips and lifts.
+/// The tool touches obliquely and slides, turns back, slides back, is pressed until it sticks, slips and lifts.
 fn tour() -> Vec<Frame> {
     vec![
         free([0.0, 0.01]),
@@ -66,17 +66,17 @@ fn tour() -> Vec<Frame> {
         standing([0.035, -0.01], 0.037, Some(0)),
         with(&[Event::Slide], sliding([0.03, -0.01], -1)),
         sliding([0.02, -0.01], -1),
-        // N reaches N* where the hand is at (-0.004, -0.05).
+        // N reaches N* when the hand is at (-0.004, -0.05).
         with(&[Event::Stop], standing([-0.01, -0.06], 0.011, Some(0))),
         with(&[Event::Slip], standing([-0.02, -0.06], -0.001, Some(0))),
         standing([-0.008, -0.02], -0.001, Some(0)),
-        // Pressed less than N*, it slips where its lead is 10 mm, and slides on.
+        // Pressed with less than N*, it slips when its lead is 10 mm, and slides on.
         with(&[Event::Slip, Event::Slide], sliding([-0.04, -0.02], -1)),
         with(&[Event::Lift], free([-0.04, 0.01])),
     ]
 }
 
-/// Places in it: where it slides, turns back, rests, slides again, slips and slips again.
+/// Frames in the tour: where it slides, turns back, rests, slides again, slips and slips again.
 const SLIDES: usize = 2;
 const TURNS: usize = 4;
 const RESTS: usize = 5;
@@ -105,7 +105,7 @@ fn tool_that_slides_sticks_and_slips_is_lawful() {
     assert_eq!(laws(TOOL, tour()), BTreeSet::new());
 }
 
-/// A slide is reported whatever led to it.
+/// A slide is reported, whatever led to it.
 #[test]
 fn slide_that_begins_unreported_beside_another_event_is_found() {
     let touched = after(1, |frame| frame.events = vec![Event::Touch]);
@@ -123,7 +123,7 @@ fn slide_beside_its_friction_is_found() {
         frames[SLIDES] = standing([hand[0], hand[1]], x, Some(1));
         assert_eq!(laws(TOOL, frames), only(law::SLIDES));
     }
-    // Against the motion, that is.
+    // With the sign reversed: against the motion.
     let turned = after(SLIDES, |frame| frame.contacts[0].sliding = Some(-1));
     assert!(turned.contains(law::SLIDES), "{turned:?}");
 }
@@ -134,7 +134,7 @@ fn slide_that_goes_back_is_found() {
     frames.truncate(TURNS);
     frames.push(sliding([0.039, -0.01], 1));
     assert_eq!(laws(TOOL, frames), only(law::FORWARD));
-    // Far below the bound in a frame, but never forth.
+    // Far below the bound per frame, but never forward.
     let mut frames = tour();
     frames.truncate(TURNS);
     frames.extend((0..40).map(|i| sliding([0.04 - 1e-7 * f64::from(i), -0.01], 1)));
@@ -154,10 +154,10 @@ fn slide_and_stop_that_are_not_told_are_found() {
     let ended = after(BEGINS, |frame| {
         frame.events = vec![Event::Slide, Event::Stop];
     });
-    // Nor do such events lead to what is there.
+    // Nor do such events lead to the actual state.
     let both = BTreeSet::from([law::SLIDE_TOLD, law::COME_AND_GO]);
     assert_eq!(ended, both);
-    // From one way to the other, in one frame: both.
+    // From one direction to the other in one frame: both events.
     let turned = |events: &[Event]| {
         let mut frames = tour();
         frames.truncate(TURNS);
@@ -185,12 +185,12 @@ fn slide_that_is_pressed_beyond_its_threshold_is_found() {
 fn slip_that_slides_on_begins_where_static_friction_gives_way() {
     let mut frames = tour();
     frames.truncate(SLIPS_ON);
-    // A lead of 9 mm, where 10 are borne.
+    // A lead of 9 mm, although 10 mm are borne.
     frames.push(with(&[Event::Slip], sliding([-0.0105, -0.02], -1)));
     assert!(laws(TOOL, frames).contains(law::SLIP_BEGINS));
 }
 
-/// With mu_s = mu_d contacts of an older trace slide and do not say so.
+/// With mu_s = mu_d, contacts of an older trace slide without reporting it.
 #[test]
 fn equal_frictions_stick_too() {
     let equal = TOOL.replace("static = 0.5", "static = 0.3");
@@ -202,7 +202,7 @@ fn equal_frictions_stick_too() {
     assert_eq!(moved(None), BTreeSet::new());
 }
 
-/// Nothing holds the angle of a rod, held at its upper end: its foot swings out of the way without force.
+/// Nothing holds the angle of a rod that is held at its upper end: its foot swings out of the way without force.
 #[test]
 fn foot_without_force_goes_as_it_likes() {
     let scene = "[body]\nvertices = [[0.0, 0.0], [0.0, -1.0]]\nstart = [0.0, 1.0, 0.0]\n[grasp]\npoint = [0.0, 0.0]\n\
@@ -249,14 +249,14 @@ fn edge_slides_with_both_vertices() {
     assert_eq!(slide(&|c| c[1].sliding = Some(0)), only(law::ONE_MOTION));
     let against = BTreeSet::from([law::ONE_MOTION, law::SLIDES]);
     assert_eq!(slide(&|c| c[1].sliding = Some(-1)), against);
-    // N* is 6 N; by default, with D_c = L / 4096, far less: in a slide of 5 N it must have stuck before.
+    // N* is 6 N; the default, with D_c = L / 4096, is far less: in a slide of 5 N the box would have to stick before.
     let beyond = vec![box_slides(5.9, 0.0), box_slides(6.1, 0.001)];
     assert_eq!(laws(&scene, beyond.clone()), only(law::SLIDE_STOPS));
     assert_eq!(laws(SCENE, beyond), BTreeSet::new());
 }
 
-/// The threshold by default, where `memory` is 0 or shorter than 2^-19 L, and where a surface has its own: 71 mN, 0.56 mN and 71 N of a
-/// box without weight.
+/// The default threshold, the thresholds for a `memory` of 0 or shorter than 2^-19 L, and for a surface with its own: 71 mN, 0.56 mN
+/// and 71 N for a box without weight.
 #[test]
 fn thresholds_of_memory_lengths() {
     let light = SCENE.replace("weight = 1", "weight = 0");
@@ -275,7 +275,7 @@ fn thresholds_of_memory_lengths() {
         let normal = |part: f64, x: f64| {
             let parsed = self::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
-            // The same without the weight of 1 N, and the friction of it.
+            // The same without the weight of 1 N and its friction.
             lighten(&parsed, &mut frame, part * threshold);
             frame
         };
@@ -285,12 +285,12 @@ fn thresholds_of_memory_lengths() {
     }
 }
 
-/// What is less than 2^-19 of a body's size counts as that: 1.9 um of a point, which is counted in metres.
+/// Less than 2^-19 of a body's size counts as that: 1.9 um for a point, whose size is 1 m.
 #[test]
 fn threshold_of_a_point_is_not_known_where_its_memory_is_shorter_than_all() {
     let pressed = |memory: f64| {
         let scene = TOOL.replace("memory = 0.01", &format!("memory = {memory}"));
-        // From less than N* to more.
+        // N rises from less than N* to more.
         let depth = memory / 0.2;
         let frames = [0.9, 1.1].map(|part| sliding([part, -part * depth], 1));
         laws(&scene, frames.to_vec())
@@ -299,13 +299,13 @@ fn threshold_of_a_point_is_not_known_where_its_memory_is_shorter_than_all() {
     assert_eq!(pressed(1.8e-6), BTreeSet::new());
 }
 
-/// A box without weight that slides under `normal`: both vertices bear their part.
+/// A box without weight that slides under `normal`: each vertex bears its part.
 fn lighten(scene: &Scene, frame: &mut Frame, normal: f64) {
     assert!(scene.weight == 0.0);
     let friction = -DYNAMIC * normal;
     frame.hand[0] = frame.pose[0] - friction / K;
     frame.wrench = [-friction, -normal, 0.0];
-    // The holding point is 50 mm above the floor, and in the middle.
+    // The holding point is 50 mm above the floor and centred.
     let shift = -0.05 * friction / 0.10;
     for (contact, side) in frame.contacts.iter_mut().zip([-1.0, 1.0]) {
         contact.normal = normal / 2.0 + side * shift;

@@ -1,5 +1,5 @@
-//! A box with weight on a table that ends, in closed form: two contacts in one line, of which the outer one is the box's vertex before
-//! the table's edge and the table's corner beyond it. And what does not touch: points and boxes beside thin walls and pins.
+//! A box with weight on a table that ends, in closed form: two contacts on one line, of which the outer one is the box's vertex before
+//! the table's edge and the table's corner beyond it. Also features that do not touch: points and boxes next to thin walls and pins.
 
 use std::collections::BTreeSet;
 
@@ -38,11 +38,11 @@ fn table() -> Scene {
     )
 }
 
-/// The box at `x`, flat, pressed and drawn by `pull` (N) along x; it slides along t where that is as much as friction gives.
+/// The box at `x`, flat, pressed and pulled by `pull` (N) along x; it slides along t if the pull equals the friction.
 fn flat(x: f64, pull: f64) -> Frame {
     let [first, second] = [x - 0.05, (x + 0.05).min(0.0)];
     let normal = WEIGHT + K * DOWN;
-    // About the left end: the load acts at the middle, the pull 30 mm above the table.
+    // Moments about the left end: the load acts at the middle, the pull 30 mm above the table.
     let about_first = normal * (x - first) + 0.03 * pull;
     let right = about_first / (second - first);
     let slides = pull >= MU * normal * (1.0 - 1e-12);
@@ -66,7 +66,7 @@ fn flat(x: f64, pull: f64) -> Frame {
     }
 }
 
-/// Pushed over the edge: the outer contact changes from vertex to corner, and nothing else happens.
+/// The box pushed over the edge: the outer contact changes from vertex to corner, and nothing else happens.
 fn pushed() -> Vec<Frame> {
     let slides = (0..12).map(|i| flat(-0.055 + 0.001 * f64::from(i), MU * (WEIGHT + K * DOWN)));
     let rests = flat(-0.055, 1.0);
@@ -86,7 +86,7 @@ fn laws(frames: Vec<Frame>) -> BTreeSet<&'static str> {
     laws_of(&table(), frames)
 }
 
-/// The frames in which the vertex is the outer end for the last time, and the corner for the first.
+/// The last frame in which the vertex is the outer end, and the first in which the corner is.
 const BEFORE: usize = 6;
 const BEYOND: usize = 7;
 
@@ -98,7 +98,7 @@ fn box_that_is_pushed_over_an_edge_is_lawful() {
     assert_eq!(laws(frames), NONE);
 }
 
-/// A table in two pieces is one, and so are the names of its side.
+/// A table in two pieces is one, and each name of its side is valid.
 #[test]
 fn edge_of_a_table_in_two_pieces_is_lawful() {
     let mut scene = table();
@@ -119,7 +119,7 @@ fn edge_of_a_table_in_two_pieces_is_lawful() {
 #[test]
 fn vertex_beyond_the_edge_is_found() {
     let mut frames = pushed();
-    // Where the vertex would be if the table went on, with the forces that balance so.
+    // Where the vertex would be if the table continued, with the forces that balance there.
     let x = frames[BEYOND + 2].pose[0];
     let normal = WEIGHT + K * DOWN;
     let right = (normal * 0.05 + 0.03 * MU * normal) / 0.1;
@@ -148,7 +148,7 @@ fn box_that_is_let_down_or_turned_into_the_table_is_found() {
 #[test]
 fn contact_that_changes_elsewhere_than_at_an_end_is_found() {
     let mut frames = pushed();
-    // The other end of the table, with nothing told.
+    // The other end of the table, without an event.
     frames[BEYOND].contacts[1].touch = Touch::Corner {
         obstacle: 0,
         corner: 3,
@@ -156,7 +156,7 @@ fn contact_that_changes_elsewhere_than_at_an_end_is_found() {
     };
     let broken = laws(frames);
     assert!(broken.contains(law::PASSED_ON), "{broken:?}");
-    // A contact that sticks is not passed on.
+    // A sticking contact is not replaced.
     let mut frames = vec![flat(-0.0501, 1.0), flat(-0.0499, 1.0)];
     assert!(laws(frames.clone()).contains(law::PASSED_ON));
     frames[1].events = vec![Event::Slip];
@@ -188,7 +188,7 @@ fn contact_that_is_told_as_two_is_found() {
     assert!(laws(frames).contains(law::ONCE));
 }
 
-/// What touches without a force is a contact, too: found in the second frame.
+/// Touching features without a force are a contact, too: found in the second frame.
 #[test]
 fn end_that_is_left_out_is_found() {
     let bears_right = (WEIGHT + K * DOWN) * 0.05 / 0.03;
@@ -268,10 +268,10 @@ fn point_behind_a_thin_wall_is_found() {
     assert_eq!(laws_of(&scene, down(0.11)), NONE);
     let touched = vec![free([0.0, 0.05]), with(Event::Touch, pressed(0.0))];
     assert_eq!(laws_of(&scene, touched), NONE);
-    // Pressed from above, it is below without having slid to an end.
+    // Pressed from above, it is below the wall without having slid to an end.
     let through = vec![pressed(0.0), with(Event::Lift, free([0.002, -0.012]))];
     assert_eq!(laws_of(&scene, through), BTreeSet::from([law::HOLDS]));
-    // On the lower side it would have to be drawn down.
+    // On the lower side, the point would have to be pulled down.
     let mut below = vec![free([0.0, 0.05]), with(Event::Touch, pressed(0.0))];
     let contact = &mut below[1].contacts[0];
     contact.touch = Touch::Side {

@@ -1,4 +1,4 @@
-//! Scenes and traces that cannot be judged: the message names the line, what is wrong there and what is allowed.
+//! Scenes and traces that cannot be judged: the message names the line, the problem there and what is allowed.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use stiction_judge::{Evolution, Scene};
 use crate::drag::{LAWFUL, SCENE, drag, drag_scene};
 use crate::write::{FORMATS, judged, lines};
 
-/// The message about a trace one line of which was changed; lines are counted from 1, the header not.
+/// The message about a trace in which one line was changed; lines are counted from 1, without the header.
 fn message(format: &str, record: usize, change: impl Fn(&str) -> String) -> String {
     let scene = drag_scene();
     let mut lines = lines(format, &scene, &drag(LAWFUL));
@@ -201,7 +201,7 @@ fn scene_that_lacks_what_is_needed() {
     }
 }
 
-/// What only the program that runs a scene needs is not looked at.
+/// Keys that only the program that runs a scene needs are ignored.
 #[test]
 fn keys_that_a_judge_does_not_need_are_passed_over() {
     let text = format!("{SCENE}\n[hand]\nrate = \"often\"\n[more]\nkey = 1\n");

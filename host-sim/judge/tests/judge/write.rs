@@ -1,4 +1,4 @@
-//! Frames as text of a trace, and what the judge says of it.
+//! Frames as the text of a trace, and the judge's answer to it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -80,7 +80,7 @@ fn status(status: Status) -> &'static str {
     }
 }
 
-/// A number as JSON has it: one that is not finite is null.
+/// A number in JSON: one that is not finite is null.
 fn digits(x: f64) -> String {
     if x.is_finite() {
         format!("{x:?}")
@@ -94,7 +94,7 @@ fn list(numbers: &[f64]) -> String {
     format!("[{}]", numbers.join(","))
 }
 
-/// What touches what, by its key in JSON and its place among the columns of CSV.
+/// The touching features, by JSON key and in the order of the CSV columns.
 fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
     let index = |index: usize| Some(index.to_string());
     let (mut vertex, mut surface, mut obstacle) = (None, None, None);
@@ -278,7 +278,7 @@ pub(crate) fn lines(format: &str, scene: &Scene, frames: &[Frame]) -> Vec<String
     }
 }
 
-/// A file of a folder that lasts as long as it.
+/// A file in a temporary folder, which lives as long as the returned handle.
 pub(crate) fn file(format: &str, text: &str) -> (TempDir, PathBuf) {
     let folder = TempDir::new().expect("a temporary folder");
     let file = folder.path().join(format!("trace.{format}"));
@@ -286,7 +286,7 @@ pub(crate) fn file(format: &str, text: &str) -> (TempDir, PathBuf) {
     (folder, file)
 }
 
-/// What the judge says of the text of a trace.
+/// The judge's answer to the text of a trace.
 pub(crate) fn judged(
     scene: &Scene,
     evolution: Evolution,
@@ -303,7 +303,7 @@ pub(crate) fn judged(
     Ok(survey)
 }
 
-/// The laws that frames break, the same in both formats.
+/// The laws that frames break, equal in both formats.
 pub(crate) fn broken(
     scene: &Scene,
     evolution: Evolution,

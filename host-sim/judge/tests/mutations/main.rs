@@ -1,5 +1,5 @@
-//! True traces of the solver before the judge, which finds nothing, and the same with a fault in them, which it finds: of laws, of events,
-//! and faults that a status is to excuse, on all bundled scenes and on random ones, in every number type and both evolutions.
+//! True traces of the solver, in which the judge finds no fault, and the same with a fault, which it must find: faults against laws, in
+//! events, and excused by a status, on all bundled scenes and on random ones, in every number type and both evolutions.
 
 mod mutants;
 mod physics;
@@ -16,34 +16,34 @@ use truth::{EVOLUTIONS, Number, Truth, truth};
 /// Random scenes of each kind.
 const RANDOM: usize = 4;
 
-/// What two frames do not decide (see the documentation of the crate): kinds of mutants of which some may pass, and why.
+/// Kinds of mutants that two frames do not decide (see the documentation of the crate): some may pass, for the reason given.
 const UNDECIDED: [&str; 12] = [
-    // What happened beside it.
+    // The other events of the frame may explain it.
     BESIDE,
-    // How many slips there were: of two contacts, and of one that slid in the same frame.
+    // The number of slips of two contacts, and of one that slid in the same frame.
     "slips of several",
     "1 slip counted as",
     // A fold of two contacts that slide, or of one at a corner.
     "invented Snap in sliding",
-    // Whether there was stiction.
+    // Whether the body had stiction.
     "slip called a slide",
-    // Whether reactions bear a load that is near to what they bear.
+    // Whether reactions bear a load that is close to their limit.
     "Jammed: ",
-    // Where static friction gives way so gradually that its place, and so the end of the slip, is uncertain by as much.
+    // If static friction gives way so gradually that its position, and so the end of the slip, is uncertain by that amount.
     "a slip 1 % short",
-    // What happens at the very frame, within the rounding.
+    // Events exactly at the end of the frame, within rounding.
     "a slip a frame late",
     "a slip a frame early",
-    // Where a slide began that has no friction.
-    "Slide not told",
-    ": nothing told",
-    // Which of two contacts opened that are at one place.
+    // The start of a slide without friction.
+    "Slide not reported",
+    ": nothing reported",
+    // Which of two contacts at the same place opened.
     "Tip called Lift",
 ];
-/// The part of all mutants that may pass.
+/// The fraction of all mutants that may pass.
 const PASSING: f64 = 0.02;
 
-/// Every scene once, with the number types and evolutions in turn.
+/// Every scene once, cycling through number types and evolutions.
 fn traces() -> impl Iterator<Item = Truth> {
     let scenes = scenes::bundled()
         .into_iter()
@@ -67,7 +67,7 @@ fn true_traces_are_lawful() {
     }
 }
 
-/// How many mutants there were of a kind, how many passed, and where.
+/// How many mutants of a kind there were, how many passed, and where.
 #[derive(Debug, Default)]
 struct Kind {
     made: usize,

@@ -1,4 +1,4 @@
-//! True traces with a fault: of laws, of events, and faults that a status is to excuse.
+//! True traces with a fault: against laws, in events, and excused by a status.
 
 mod events;
 mod laws;
@@ -8,7 +8,7 @@ use stiction_judge::{Frame, Scene, State, Status};
 
 use crate::truth::Truth;
 
-/// What a fault is one of.
+/// The category of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Of {
     Laws,
@@ -20,20 +20,20 @@ pub(crate) enum Of {
 #[derive(Clone, Debug)]
 pub(crate) struct Mutant {
     pub(crate) of: Of,
-    /// What was done, and to what.
+    /// What was changed, and where.
     pub(crate) kind: String,
     /// The first frame that differs.
     pub(crate) from: usize,
-    /// The trace from there on, as far as it is looked at.
+    /// The trace from there on, as far as it is judged.
     pub(crate) frames: Vec<Frame>,
 }
 
-/// Of an event that is not the only one of its frame.
-pub(crate) const BESIDE: &str = " beside others";
+/// The suffix for an event that is not the only one of its frame.
+pub(crate) const BESIDE: &str = " with others";
 
-/// Frames that are looked at after a fault.
+/// Frames that are judged after a fault.
 const TAIL: usize = 60;
-/// Places of a trace at which a fault is made.
+/// Positions in a trace at which a fault is introduced.
 const PLACES: usize = 2;
 
 /// All faults of a true trace.
@@ -54,7 +54,7 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// Some frames for which something is true, spread over the trace.
+    /// Some frames that satisfy a condition, spread over the trace.
     fn places(&self, is: impl Fn(&[Frame], usize) -> bool) -> Vec<usize> {
         let frames = &self.truth.frames;
         let all: Vec<usize> = (2..frames.len().saturating_sub(2))
@@ -67,7 +67,7 @@ impl Maker<'_> {
         some
     }
 
-    /// The frames from one on, with a change of that one.
+    /// The frames from `at` on, with that frame changed.
     fn add(&mut self, of: Of, kind: &str, at: usize, change: impl FnOnce(&mut Vec<Frame>)) {
         let frames = &self.truth.frames;
         let mut tail = frames[at..frames.len().min(at + TAIL)].to_vec();
@@ -89,7 +89,7 @@ fn largest(frame: &Frame) -> f64 {
     forces.fold(frame.wrench[0].hypot(frame.wrench[1]), f64::max)
 }
 
-/// Nothing happens, as before and after.
+/// Whether nothing happens in a frame, before and after it.
 fn is_quiet(frames: &[Frame], i: usize) -> bool {
     let quiet = |frame: &Frame| frame.events.is_empty() && frame.held && frame.status == Status::Ok;
     quiet(&frames[i - 1])

@@ -1,4 +1,4 @@
-//! Frames that are moved, with all that follows for springs and reactions, so that nothing but the place is wrong.
+//! Frames with a displaced body and consistent springs and reactions, so that only the position is wrong.
 
 use stiction_judge::{Contact, Frame, State, Touch, centroid};
 
@@ -19,11 +19,11 @@ fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-/// n of a contact of a vertex.
+/// n at the contact of a vertex.
 pub(crate) fn normal(truth: &Truth, contact: &Contact) -> Vec2 {
     match contact.touch {
         Touch::Surface { surface, .. } => truth.scene.surfaces[surface].normal,
-        _ => contact.direction.expect("among obstacles it is told"),
+        _ => contact.direction.expect("reported among obstacles"),
     }
 }
 
@@ -33,7 +33,7 @@ pub(crate) fn tangent(truth: &Truth, contact: &Contact) -> Vec2 {
     [y, -x]
 }
 
-/// The hand of a frame on a body that is where it was.
+/// The hand of a frame, with the body where it was.
 pub(crate) fn frozen(last: &Frame, next: &Frame) -> Frame {
     Frame {
         pose: last.pose,
@@ -44,7 +44,7 @@ pub(crate) fn frozen(last: &Frame, next: &Frame) -> Frame {
     }
 }
 
-/// A frame whose body is farther along the tangent of its first contact (m), with its reactions.
+/// A frame whose body is displaced along the tangent of its first contact (m), with its reactions.
 pub(crate) fn moved(truth: &Truth, frame: &Frame, by: f64) -> Frame {
     let way = tangent(truth, &frame.contacts[0]).map(|x| by * x);
     let mut frame = frame.clone();
@@ -55,7 +55,7 @@ pub(crate) fn moved(truth: &Truth, frame: &Frame, by: f64) -> Frame {
     loaded(truth, &frame)
 }
 
-/// A frame with the wrench of the springs as it should be, and reactions that bear it, of a vertex or an edge.
+/// A frame of a vertex or an edge with the correct wrench of the springs, and reactions that bear it.
 pub(crate) fn loaded(truth: &Truth, frame: &Frame) -> Frame {
     let scene = &truth.scene;
     let Some(grip) = scene.holding_point else {

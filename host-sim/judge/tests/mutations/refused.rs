@@ -1,11 +1,11 @@
-//! What the judge says of mutants.
+//! The judge's verdicts on mutants.
 
 use stiction_judge::Judge;
 
 use crate::mutants::{Mutant, mutants};
 use crate::truth::Truth;
 
-/// The laws that each mutant of a true trace breaks: none of one that passes.
+/// The laws that each mutant of a true trace breaks: none for one that passes.
 pub(crate) fn verdicts(truth: &Truth) -> Vec<(Mutant, Vec<&'static str>)> {
     let mut all = mutants(truth);
     all.sort_by_key(|mutant| mutant.from);

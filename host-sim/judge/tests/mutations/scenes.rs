@@ -30,7 +30,7 @@ pub(crate) fn bundled() -> Vec<(String, String)> {
     scenes
 }
 
-/// Of bodies among half-planes: 4 legs of 250 frames.
+/// Scenes of bodies among half-planes: 4 legs of 250 frames.
 pub(crate) fn random(count: usize) -> Vec<(String, String)> {
     let scene = |(i, scenario): (usize, stiction_tests::random::Scenario)| {
         let legs = scenario.keyframes.iter().enumerate();
@@ -46,7 +46,7 @@ pub(crate) fn random(count: usize) -> Vec<(String, String)> {
     scenarios(count, 4).enumerate().map(scene).collect()
 }
 
-/// Of bodies among obstacles.
+/// Scenes of bodies among obstacles.
 pub(crate) fn among(count: u64) -> Vec<(String, String)> {
     let scene = |i| (format!("world {i}"), world(i).toml());
     (0..count).map(scene).collect()

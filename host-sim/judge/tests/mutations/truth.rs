@@ -1,4 +1,4 @@
-//! True traces: the solver's answers, as a trace has them, number by number.
+//! True traces: the solver's answers as they appear in a trace, number by number.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -32,7 +32,7 @@ impl Number {
 
 pub(crate) const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 
-/// A true trace, and what it is of.
+/// A true trace, and its origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Truth {
     pub(crate) name: String,
@@ -100,7 +100,7 @@ fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
     path.frames(file.hand.rate).map(frame).collect()
 }
 
-/// A number as it is read from a trace.
+/// A number as read back from a trace.
 fn printed(x: impl Display) -> f64 {
     x.to_string().parse().expect("a number")
 }

@@ -1,4 +1,4 @@
-"""Tables of pandas as files of Parquet, with what they are of in their metadata."""
+"""Tables of pandas as Parquet files, with their scene and solver in the metadata."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ KEY = b"stiction"
 def write(
     folder: str | os.PathLike[str], tables: tuple[pandas.DataFrame, ...], about: dict[str, str]
 ) -> None:
-    """Writes tables into a folder, which is made."""
+    """Writes tables into a folder, which is created."""
     import pyarrow
     import pyarrow.parquet
 
@@ -31,13 +31,13 @@ def write(
 def read(
     folder: str | os.PathLike[str],
 ) -> tuple[tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame], dict[str, str]]:
-    """The tables of a folder, and what they are of."""
+    """The tables in a folder, and their metadata."""
     import pyarrow.parquet
 
     paths = [os.path.join(folder, f"{name}.parquet") for name in NAMES]
     frames, contacts, events = (pyarrow.parquet.read_table(path) for path in paths)
     metadata = frames.schema.metadata or {}
     if KEY not in metadata:
-        raise ValueError(f"{paths[0]}: has no scene in its metadata, allowed: a file of `Run.to_parquet`")
+        raise ValueError(f"{paths[0]}: has no scene in its metadata, allowed: a file written by `Run.to_parquet`")
     about: dict[str, str] = json.loads(metadata[KEY])
     return (frames.to_pandas(), contacts.to_pandas(), events.to_pandas()), about

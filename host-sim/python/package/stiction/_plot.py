@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from ._run import Run
 
-#: Snapshots of a strip.
+#: The number of snapshots in a strip.
 SNAPSHOTS = 5
 
 
@@ -38,7 +38,7 @@ def surroundings(run: Run, axes: Axes) -> None:
 
 
 def trajectory(run: Run, axes: Axes) -> None:
-    """The path of the hand, that of the body, and the body at a few times, between surfaces and obstacles."""
+    """The paths of the hand and of the body, and the body at a few times, among surfaces and obstacles."""
     hand, pose = run.frames["hand"], run.frames["pose"]
     axes.plot(hand[:, 0], hand[:, 1], color="tab:gray", linewidth=1, label="hand")
     axes.plot(pose[:, 0], pose[:, 1], color="tab:blue", linewidth=1, label="body")
@@ -51,7 +51,7 @@ def trajectory(run: Run, axes: Axes) -> None:
 
 
 def forces(run: Run, axes: Axes) -> None:
-    """Normal force and friction of all contacts together, and the hand's force, over time."""
+    """Total normal force and friction of all contacts, and the hand's force, over time."""
     t, contacts = run.frames["t"], run.contacts
     for name, label in (("normal", "normal forces"), ("friction", "friction")):
         total = np.bincount(contacts["frame"], weights=contacts[name], minlength=len(run))
@@ -86,13 +86,13 @@ def strip(run: Run, axes: npt.NDArray[Any]) -> None:
 
 
 def figure(run: Run) -> Figure:
-    """All of them in one figure."""
+    """All pictures in one figure."""
     from matplotlib.figure import Figure
 
     if len(run) == 0:
         raise ValueError("the run has no frames to plot")
     made = Figure(figsize=(10, 9), layout="constrained")
-    # Typed as one figure, whatever their number.
+    # Typed as a single figure, whatever their number.
     halves: Any = made.subfigures(2, 1, height_ratios=(3, 1))
     left, right = halves[0].subfigures(1, 2)
     upper, lower = left.subplots(2, 1)

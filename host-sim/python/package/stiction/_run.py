@@ -1,4 +1,4 @@
-"""Runs: what a solver gave, as tables, judged, drawn, and taken elsewhere."""
+"""Runs: the answers of a solver as tables; judged, drawn and exported."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _read_only(words: npt.NDArray[np.uint64], dtype: np.dtype[np.void]) -> Table
 
 
 class Report(NamedTuple):
-    """What the judge found."""
+    """The judge's findings."""
 
     #: Frames that break a law.
     unlawful: int
@@ -33,12 +33,12 @@ class Report(NamedTuple):
 
     @property
     def lawful(self) -> bool:
-        """No frame breaks a law."""
+        """Whether no frame breaks a law."""
         return self.unlawful == 0
 
 
 class Run:
-    """What a solver gave for a hand, as tables that cannot be written.
+    """The answers of a solver to a hand, as read-only tables.
 
     Attributes:
         scene: the scene.
@@ -52,7 +52,7 @@ class Run:
     _run: _stiction.Run
 
     def __init__(self, scene: Scene, run: _stiction.Run) -> None:
-        """Made by `Solver.run` and `Run.from_...`."""
+        """Called by `Solver.run` and `Run.from_...`."""
         self.scene = scene
         self._run = run
         self.frames = _read_only(run.frames, FRAME)
@@ -62,7 +62,7 @@ class Run:
     def contacts(self) -> Table:
         """A structured array of type `CONTACT`, one row for each contact of each frame, in the order of frames.
 
-        Of `Solver.run`, it is made when it is asked for first, by the same run again: that takes longer than the run.
+        After `Solver.run`, it is computed on first access by repeating the run, which takes longer than the run itself.
         """
         return _read_only(self._run.contacts, CONTACT)
 
@@ -73,17 +73,17 @@ class Run:
 
     @property
     def evolution(self) -> str:
-        """How frames were evolved: "path" or "frame"."""
+        """The evolution of frames: "path" or "frame"."""
         return self._run.evolution
 
     @property
     def pose(self) -> npt.NDArray[np.float64]:
-        """The body, (N, 3): x, y (m), theta (rad)."""
+        """The poses of the body, (N, 3): x, y (m), theta (rad)."""
         return self.frames["pose"]
 
     @property
     def wrench(self) -> npt.NDArray[np.float64]:
-        """The hand's springs on the body, (N, 3): force x, y (N), moment about the holding point (N m)."""
+        """The wrench of the hand's springs on the body, (N, 3): force x, y (N), moment about the holding point (N m)."""
         return self.frames["wrench"]
 
     def __len__(self) -> int:
@@ -102,7 +102,7 @@ class Run:
         number: str = "f32",
         evolution: str = "path",
     ) -> Run:
-        """Of structured arrays as a run has them, which are copied. Rows that no run has are a ValueError."""
+        """A run from structured arrays like those of a run, which are copied. Rows that cannot be those of a run raise a ValueError."""
         tables = (frames, FRAME), (contacts, CONTACT), (events, EVENT)
         copies = [_tables.words(table, dtype) for table, dtype in tables]
         return cls(scene, _stiction.Run.of(scene._scene, (number, evolution), *copies))
@@ -116,7 +116,7 @@ class Run:
         return Report(*self._run.judge())
 
     def write_trace(self, path: str | os.PathLike[str]) -> None:
-        """Writes a trace, `.jsonl` or `.csv`, to the byte that of `stiction run --out`."""
+        """Writes a trace, `.jsonl` or `.csv`, identical byte for byte to that of `stiction run --out`."""
         self._run.write_trace(path)
 
     @classmethod
@@ -127,7 +127,7 @@ class Run:
         number: str = "f32",
         evolution: str = "path",
     ) -> Run:
-        """A trace of `stiction run --out`, `.jsonl`, of this scene. Traces do not have `longest_slip`: it is nan."""
+        """A run from a trace of `stiction run --out`, `.jsonl`, of this scene. Traces do not contain `longest_slip`: it is nan."""
         return cls.from_tables(scene, *_trace.tables(scene, path, number), number, evolution)
 
     def figures(self) -> dict[str, str]:
@@ -139,7 +139,7 @@ class Run:
         return _plot.figure(self)
 
     def to_pandas(self) -> tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame]:
-        """Three data frames: frames, contacts, events; units as in `FRAME` and `CONTACT`, names in place of the numbers of states."""
+        """Three data frames: frames, contacts, events; units as in `FRAME` and `CONTACT`, names instead of the numbers of states."""
         import pandas
 
         frames = pandas.DataFrame(_tables.columns(self.frames))
@@ -160,7 +160,7 @@ class Run:
         number: str = "f32",
         evolution: str = "path",
     ) -> Run:
-        """The reverse of `to_pandas`. A missing column or an unknown name is a ValueError."""
+        """The inverse of `to_pandas`. A missing column or an unknown name raises a ValueError."""
         taken: list[dict[str, Any]] = [dict(given.items()) for given in (frames, contacts, events)]  # type: ignore[arg-type]
         coded = (taken[0], "state", STATES), (taken[0], "status", STATUSES), (taken[2], "event", EVENTS)
         for columns, name, known in coded:
@@ -175,13 +175,13 @@ class Run:
         return cls.from_tables(scene, made[0], made[1], made[2], number, evolution)
 
     def to_parquet(self, folder: str | os.PathLike[str]) -> None:
-        """Writes `frames.parquet`, `contacts.parquet` and `events.parquet`, as of `to_pandas`, into a folder; the scene is in their metadata."""
+        """Writes `frames.parquet`, `contacts.parquet` and `events.parquet`, as from `to_pandas`, into a folder; the scene is in their metadata."""
         about = {"scene": self.scene.text, "number": self.number, "evolution": self.evolution}
         _parquet.write(folder, self.to_pandas(), about)
 
     @classmethod
     def from_parquet(cls, folder: str | os.PathLike[str]) -> Run:
-        """The reverse of `to_parquet`."""
+        """The inverse of `to_parquet`."""
         tables, about = _parquet.read(folder)
         scene = Scene.from_text(about["scene"])
         return cls.from_pandas(scene, *tables, about["number"], about["evolution"])

@@ -13,22 +13,22 @@ from . import _stiction, _toml
 
 
 class Scene:
-    """A body, the springs that hold it, and what it may touch. It does not change.
+    """A body, the springs that hold it, and what it may touch. It is immutable.
 
     Args:
-        vertices: of the body (m), counter-clockwise, in its own frame, (N, 2): one is a point, two are a rod.
+        vertices: of the body (m), counter-clockwise, in the body frame, (N, 2): one is a point, two are a rod.
         translation: stiffness of the springs against displacement, k_h (N/m), above 0.
         rotation: stiffness of the spring against rotation, k_theta (N m/rad), 0 or more.
         start: x, y (m) and theta (rad) of the body before the first sample of a hand.
         weight: at the centroid, along world -y (N); None: 0.
-        holding_point: where the hand holds the body (m, body frame); None: where it takes hold.
-        reach: how far outside the body a hand may be and still take hold (m); None: 0.
-        surfaces: half-planes, dictionaries with `normal` (towards the body), `offset` of the surface along it (m), `static` and `dynamic`
-            (coefficients of friction), and, if you like, `name` and `memory` (m).
+        holding_point: where the hand holds the body (m, body frame); None: where it grasps.
+        reach: how far outside the body a hand may be and still grasp (m); None: 0.
+        surfaces: half-planes, dictionaries with `normal` (towards the body), `offset` of the surface along the normal (m), `static` and `dynamic`
+            (coefficients of friction), and optionally `name` and `memory` (m).
         obstacles: the same with `vertices` (m, world) instead of `normal` and `offset`.
 
     Raises:
-        ValueError: a value cannot be used; it is said which one, and what is allowed.
+        ValueError: a value is unusable; the message names it and what is allowed.
     """
 
     _scene: _stiction.Scene
@@ -63,17 +63,17 @@ class Scene:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Scene:
-        """A scene file. What cannot be used in it is a ValueError that names file, line and key."""
+        """A scene file. Unusable input raises a ValueError that names file, line and key."""
         return cls._of(_stiction.Scene.from_toml(path))
 
     @classmethod
     def from_text(cls, text: str, name: str = "scene.toml") -> Scene:
-        """The text of a scene file; `name` is that of the file in messages."""
+        """A scene from the text of a scene file; `name` is the file's name in messages."""
         return cls._of(_stiction.Scene.from_text(text, name))
 
     @classmethod
     def bundled(cls, name: str) -> Scene:
-        """A scene that comes with stiction, as "box-flat"; an unknown name is a ValueError that lists them."""
+        """A bundled scene, for example "box-flat"; an unknown name raises a ValueError that lists them."""
         return cls._of(_stiction.Scene.bundled(name))
 
     @property
@@ -104,17 +104,17 @@ class Scene:
     def hand_array(self, rate: float | None = None) -> npt.NDArray[np.float64]:
         """The path of the hand in the scene file: (N, 3) x, y (m), phi (rad), world frame.
 
-        rate: samples per second (Hz); None: that of the scene. A scene without a path is a ValueError.
+        rate: samples per second (Hz); None: that of the scene. A scene without a path raises a ValueError.
         """
         return np.ascontiguousarray(self._scene.hand(None, rate)[:, 1:4])
 
     def recorded(
         self, path: str | os.PathLike[str] | None = None, rate: float | None = None
     ) -> dict[str, npt.NDArray[Any]]:
-        """A recorded hand (csv, tum, txt), placed as the scene's [hand] says, for `Solver.run(**scene.recorded(path))`.
+        """A recorded hand (csv, tum, txt), placed as in the scene's [hand], for `Solver.run(**scene.recorded(path))`.
 
-        path: the file; None: the path of the scene file. rate: samples per second (Hz); None: those of the record, or that of the scene.
-        Gives `hand`, (N, 3) x, y (m), phi (rad); `t` (s); `held`. A file that cannot be used is a ValueError.
+        path: the file; None: the path of the scene file. rate: samples per second (Hz); None: those of the recording, or that of the scene.
+        Returns `hand`, (N, 3) x, y (m), phi (rad); `t` (s); `held`. An unusable file raises a ValueError.
         """
         samples = self._scene.hand(path, rate)
         return {

@@ -13,7 +13,7 @@ from ._scene import Scene
 from ._tables import EVENTS, STATES, STATUSES, Table
 
 
-#: Samples per second where no times are given (Hz).
+#: Samples per second if no times are given (Hz).
 RATE = 1000.0
 
 
@@ -28,13 +28,13 @@ class Frame(NamedTuple):
     state: str
     #: What limited the answer: "ok", or another of `STATUSES`.
     status: str
-    #: What happened, in order: of `EVENTS`.
+    #: The events of the frame, in order, from `EVENTS`.
     events: tuple[str, ...]
     #: Slips that ended in this frame.
     slips: int
     #: A structured array of type `CONTACT`.
     contacts: Table
-    #: The part of the hand's displacement that is left to follow, 0 to 1; nan without a budget.
+    #: The fraction of the hand's displacement that is left to follow, 0 to 1; nan without a budget.
     behind: float
 
 
@@ -42,13 +42,13 @@ class Solver:
     """A solver with its run.
 
     Args:
-        scene: what it solves.
-        number: "f32"; "f64", the reference; or "fixed", as chips without a floating point unit have it.
+        scene: the scene to solve.
+        number: "f32"; "f64", the reference; or "fixed", as on chips without a floating-point unit.
         evolution: "path", with exact events along the straight path of the hand, or "frame", cheaper.
-        budget: the most work of a frame (units, 1 or more); None: as much as it takes.
+        budget: the most work of a frame (units, 1 or more); None: unlimited.
 
     Raises:
-        ValueError: an argument cannot be used, or the scene in this number type.
+        ValueError: an argument is unusable, or the scene is in this number type.
     """
 
     scene: Scene
@@ -70,10 +70,10 @@ class Solver:
         depth: float = 0.0,
         t: float | None = None,
     ) -> Frame:
-        """One frame: the hand goes to x, y (m), phi (rad), world frame; the first one starts the scene.
+        """One frame: the hand moves to x, y (m), phi (rad), world frame; the first one starts the scene.
 
-        held: whether the hand holds the body. depth: a coordinate that is handed through (m). t: the time (s), which changes nothing; None: at 1000 Hz. A hand
-        that is not finite is no error: the status is "held-last", and the body stays.
+        held: whether the hand holds the body. depth: a coordinate that is passed through (m). t: the time (s), which affects nothing;
+        None: at 1000 Hz. A hand that is not finite is not an error: the status is "held-last", and the body stays.
         """
         time = len(self) / RATE if t is None else t
         run = Run(self.scene, self._solver.step(x, y, phi, held=held, depth=depth, t=time))
@@ -97,11 +97,11 @@ class Solver:
         held: npt.ArrayLike | None = None,
         rate: float = RATE,
     ) -> Run:
-        """All rows of an array, from the scene's start.
+        """Runs all rows of an array, from the scene's start.
 
-        hand: (N, 3) x, y (m), phi (rad), world frame; or (N, 7), poses of a tracker: position (m) and quaternion (x, y, z, w), placed as the
-        scene's [hand] says. t: times (s); None: by `rate` (Hz). held: whether the hand holds the body; None: always. An array of f64 is
-        read where it is, and other threads run meanwhile: do not write to it.
+        hand: (N, 3) x, y (m), phi (rad), world frame; or (N, 7), poses of a tracker: position (m) and quaternion (x, y, z, w), placed as in the
+        scene's [hand]. t: times (s); None: by `rate` (Hz). held: whether the hand holds the body; None: always. An array of f64 is
+        read in place, and other threads run meanwhile: do not write to it.
         """
         array = np.require(hand, np.float64, ["A"])
         if array.ndim != 2:
@@ -114,7 +114,7 @@ class Solver:
         return Run(self.scene, self._solver.run(array, t=times, held=holds, rate=rate))
 
     def snapshot(self) -> Solver:
-        """A copy that goes on from here by itself."""
+        """A copy that continues independently from here."""
         copy = Solver.__new__(Solver)
         copy.scene = self.scene
         copy._solver = self._solver.snapshot()
@@ -123,15 +123,15 @@ class Solver:
     __copy__ = snapshot
 
     def restore(self, snapshot: Solver) -> None:
-        """Back to a snapshot of this solver; one of another solver is a ValueError."""
+        """Returns to a snapshot of this solver; one of another solver raises a ValueError."""
         self._solver.restore(snapshot._solver)
 
     def reset(self) -> None:
-        """Back to the scene's start."""
+        """Returns to the scene's start."""
         self._solver.reset()
 
     def __len__(self) -> int:
-        """Frames since the start."""
+        """The number of frames since the start."""
         return len(self._solver)
 
     def __bool__(self) -> bool:
@@ -139,7 +139,7 @@ class Solver:
 
     def __reduce__(self) -> tuple[Any, ...]:
         if len(self) > 0:
-            raise ValueError("a solver in a run cannot be pickled, allowed: one at its start; a Run can")
+            raise ValueError("a solver in the middle of a run cannot be pickled, allowed: one at its start; a Run can")
         settings = {
             "number": self._solver.number,
             "evolution": self._solver.evolution,

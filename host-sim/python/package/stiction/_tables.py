@@ -1,4 +1,4 @@
-"""The tables of a run: numpy's structured arrays with the fields of `src/rows.rs`, and the same as pandas and Parquet have them."""
+"""The tables of a run: numpy's structured arrays with the fields of `src/rows.rs`, and the same tables for pandas and Parquet."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ Table = npt.NDArray[np.void]
 
 #: The contact states, in the order of their numbers.
 STATES: tuple[str, ...] = tuple(_stiction.STATES)
-#: What limited an answer, in the order of their numbers; the first one is "ok".
+#: The statuses, which state what limited an answer, in the order of their numbers; the first one is "ok".
 STATUSES: tuple[str, ...] = tuple(_stiction.STATUSES)
-#: What happens in a frame, in the order of their numbers.
+#: The events of a frame, in the order of their numbers.
 EVENTS: tuple[str, ...] = tuple(_stiction.EVENTS)
 
 #: A frame: time `t` (s); `hand` x, y (m), phi (rad); `pose` of the body, x, y (m), theta (rad); `depth` coordinate (m); `wrench` of the
-#: hand on the body, force x, y (N) and moment about the holding point (N m); the longest slip that ended in it (m); the part of the hand's
+#: hand on the body, force x, y (N) and moment about the holding point (N m); the longest slip that ended in it (m); the fraction of the hand's
 #: displacement that is left to follow, `behind`, 0 to 1, nan without a budget; how many slips ended; whether the hand held; numbers of
 #: `STATES` and `STATUSES`.
 FRAME = np.dtype(
@@ -43,9 +43,9 @@ FRAME = np.dtype(
     align=True,
 )
 #: A contact: the `point` (m, world frame); the unit normal towards the body, `direction`, nan in scenes without obstacles, where it is the
-#: surface's; the `normal` force, 0 or more, and the `friction` along t = (n_y, -n_x), on the body (N); the number of its `frame`; what
-#: touches what, by numbers from 0, -1 where there is none: vertex on surface, vertex on a side of an obstacle, or corner of an obstacle on a
-#: side of the body; `sliding` 0 where it sticks, 1 or -1 along t or against it.
+#: surface's normal; the `normal` force, 0 or more, and the `friction` along t = (n_y, -n_x), on the body (N); the number of its `frame`; the
+#: touching features, by numbers from 0, -1 if absent: vertex on surface, vertex on a side of an obstacle, or corner of an obstacle on a
+#: side of the body; `sliding` 0 while it sticks, 1 or -1 along t or against it.
 CONTACT = np.dtype(
     [
         ("point", "f8", 2),
@@ -66,7 +66,7 @@ CONTACT = np.dtype(
 #: An event: the number of its `frame`, and a number of `EVENTS`.
 EVENT = np.dtype([("frame", "u4"), ("event", "u1")], align=True)
 
-#: The columns into which a field with several numbers is taken apart, named as in a CSV trace.
+#: The columns into which a field with several numbers is split, named as in a CSV trace.
 PARTS = {
     "hand": ("hand_x", "hand_y", "hand_phi"),
     "pose": ("pose_x", "pose_y", "pose_theta"),
@@ -94,7 +94,7 @@ def columns(table: Table) -> dict[str, npt.NDArray[Any]]:
 
 
 def table(dtype: np.dtype[Any], taken: Mapping[str, Any], length: int) -> Table:
-    """The table of a type from columns, the reverse of `columns`; a column that is missing is an error that names it."""
+    """The table of a type from columns, the inverse of `columns`; the error about a missing column names it."""
     made = np.zeros(length, dtype)
     for name in names(dtype):
         for i, part in enumerate(PARTS.get(name, (name,))):
@@ -113,7 +113,7 @@ def named(given: npt.NDArray[Any], known: tuple[str, ...]) -> pandas.Categorical
 
 
 def numbers(column: str, known: tuple[str, ...], given: Any) -> list[int]:
-    """Names as their numbers; one that is unknown is an error."""
+    """Names as their numbers; an unknown name is an error."""
     unknown = set(given) - set(known)
     if unknown:
         raise ValueError(f"`{column}` has {sorted(map(str, unknown))}, allowed: {', '.join(known)}")
@@ -121,6 +121,6 @@ def numbers(column: str, known: tuple[str, ...], given: Any) -> list[int]:
 
 
 def words(table: Table, dtype: np.dtype[Any]) -> npt.NDArray[np.uint64]:
-    """A copy of a table as the compiled half takes it."""
+    """A copy of a table in the layout of the compiled half."""
     copy = np.array(table, dtype, ndmin=1)
     return copy.view(np.uint64)

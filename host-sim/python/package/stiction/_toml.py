@@ -1,4 +1,4 @@
-"""The text of a scene file from Python's values: what is wrong with them is said by what reads scene files, and nowhere else."""
+"""The text of a scene file from Python's values; only the reader of scene files validates them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 
 
 def value(given: Any) -> str:
-    """A value as TOML has it."""
+    """A value in TOML."""
     if isinstance(given, str):
-        # A string of JSON is one of TOML, but for one character.
+        # A JSON string is a TOML string, except for one character.
         return json.dumps(given, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(given, (bool, np.bool_)):
         return "true" if given else "false"
@@ -22,17 +22,17 @@ def value(given: Any) -> str:
     try:
         elements = list(given)
     except TypeError:
-        raise ValueError(f"{given!r} is in the scene, allowed: numbers, text, and sequences of them") from None
+        raise ValueError(f"the scene contains {given!r}, allowed: numbers, text, and sequences of them") from None
     return "[" + ", ".join(value(element) for element in elements) + "]"
 
 
 def key(given: object) -> str:
-    """A key, which need not be one of a scene: that is said by what reads it."""
+    """A key, which the reader of scene files validates."""
     return value(str(given))
 
 
 def section(header: str, entries: Mapping[str, Any]) -> str:
-    """A section with all entries that are not None; nothing where there are none."""
+    """A section with all entries that are not None; empty if there are none."""
     lines = [f"{key(name)} = {value(given)}" for name, given in entries.items() if given is not None]
     return "\n".join([header, *lines, "", ""]) if lines else ""
 

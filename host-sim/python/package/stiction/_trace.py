@@ -46,7 +46,7 @@ def tables(
 
 
 def frame(record: dict[str, Any]) -> tuple[Any, ...]:
-    """The row of a record; its longest slip is not in it."""
+    """The row of a record, which does not contain the longest slip."""
     return (
         record["t"],
         tuple(record["hand"]),
@@ -73,7 +73,7 @@ def contact(frame: int, given: dict[str, Any], places: dict[str, list[str]]) -> 
 
 
 def as_printed(table: Table) -> None:
-    """Numbers with the digits of f32 are that f32; a time is printed as f64."""
+    """Numbers printed with the digits of f32 as that f32; times are printed as f64."""
     for name in table.dtype.names or ():
         if table[name].dtype.base == np.float64 and name != "t":
             table[name] = table[name].astype(np.float32)

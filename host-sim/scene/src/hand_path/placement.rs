@@ -1,5 +1,5 @@
-//! How the hand's motion lies in the scene: the plane that six degrees of freedom are projected onto, the scale, the
-//! origin.
+//! How the hand's motion is placed in the scene: the plane onto which six degrees of freedom are projected, the scale,
+//! and the origin.
 
 use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
 
@@ -11,11 +11,11 @@ use super::{HandPath, Sample, turned};
 pub struct Placement {
     /// The axes of a 6-DOF path that become x and y of the scene.
     pub axes: [Axis; 2],
-    /// Factor > 0 on positions, the depth included.
+    /// Factor > 0 on positions, including the depth.
     pub scale: f64,
     /// Added after scaling: x, y (m), phi (rad).
     pub origin: [f64; 3],
-    /// The largest size of a coordinate in the scene (m).
+    /// The largest magnitude of a coordinate in the scene (m).
     pub limit: f64,
 }
 
@@ -35,7 +35,7 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// For samples that are placed as they come.
+    /// For samples that are placed as they arrive.
     pub fn live(&self) -> Option<LivePlacement> {
         Some(LivePlacement {
             placement: *self,
@@ -63,17 +63,17 @@ impl Placement {
     }
 }
 
-/// Rows of numbers, placed one after the other.
+/// Rows of numbers, placed one after another.
 pub(crate) struct Placed {
     live: LivePlacement,
     pub(crate) samples: Vec<Sample>,
 }
 
 impl Placed {
-    /// None yet.
+    /// An empty list.
     ///
     /// # Errors
-    /// There is no such plane.
+    /// The plane is invalid.
     pub(crate) fn new(placement: &Placement) -> Result<Self, &'static str> {
         let live = placement.live();
         Ok(Self {
@@ -85,7 +85,7 @@ impl Placed {
     /// Adds the sample of a row.
     ///
     /// # Errors
-    /// The pose cannot be used: what is wrong and what is allowed.
+    /// The pose is unusable: the error states the problem and what is allowed.
     pub(crate) fn add(&mut self, row: &Row) -> Result<(), String> {
         let LivePlacement {
             placement,
@@ -117,7 +117,7 @@ impl Placed {
     }
 }
 
-/// Places samples of a tracker as they come; the angle is unwrapped from one to the next.
+/// Places samples of a tracker as they arrive; the angle is unwrapped from one to the next.
 #[derive(Clone, Debug)]
 pub struct LivePlacement {
     placement: Placement,
@@ -125,7 +125,7 @@ pub struct LivePlacement {
 }
 
 impl LivePlacement {
-    /// The hand of a sample; one that is not finite where there is none, or where it is out of range.
+    /// The hand of a sample; not finite if there is no sample, or if it is out of range.
     pub fn hand(&mut self, sample: Option<&TrackerSample<f64>>) -> Hand<f64> {
         let recorded = sample.and_then(|sample| self.projection.planar(sample));
         match recorded.map(|hand| self.placement.placed(&hand)) {

@@ -1,5 +1,5 @@
-//! Recorded paths as files: CSV with a header, or the TUM trajectory format. Read line by line to rows of numbers, checked for their
-//! number, their times and the switch; a pose that is not finite passes.
+//! Recorded paths as files: CSV with a header, or the TUM trajectory format. Read line by line to rows of numbers, of which the
+//! number, the times and the switch are checked; a pose that is not finite is accepted.
 
 use std::io::BufRead;
 use std::path::Path;
@@ -13,8 +13,8 @@ const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];
 const HELD: &str = "held";
 
-/// A line may be so long (bytes). The longest that an f64 is written without an exponent is 345 characters: nine of them with their
-/// commas take 3.1 KB. A comment may follow.
+/// The longest allowed line (bytes). The longest f64 without an exponent takes 345 characters: nine of them with their commas take
+/// 3.1 KB. A comment may follow.
 const LONGEST_LINE: usize = 4096;
 
 /// The pose of a row.
@@ -43,7 +43,7 @@ pub(super) enum Format {
 }
 
 impl Format {
-    /// By the file's extension.
+    /// The format given by the file's extension.
     pub(super) fn of(file: &Path) -> Result<Self, InputError> {
         let extension = file.extension().unwrap_or_default().to_string_lossy();
         match extension.to_ascii_lowercase().as_str() {
@@ -69,7 +69,7 @@ impl Format {
     }
 }
 
-/// What the columns of a file mean.
+/// The meaning of a file's columns.
 #[derive(Clone, Copy, Debug)]
 struct Columns {
     pose: &'static [&'static str],
@@ -82,7 +82,7 @@ impl Columns {
         held: false,
     };
 
-    /// From the header of a CSV file.
+    /// The columns named in the header of a CSV file.
     fn of(header: &[&str]) -> Option<Self> {
         let (pose, held) = match header {
             [pose @ .., HELD] => (pose, true),
@@ -139,24 +139,24 @@ impl Columns {
     }
 }
 
-/// What a line holds; a `#` starts a comment.
+/// The content of a line; a `#` starts a comment.
 fn content(line: &str) -> &str {
     line.split('#').next().unwrap_or("").trim()
 }
 
-/// The records of a file one after the other, their times increasing.
+/// The records of a file in order; their times increase.
 pub(super) struct Records<'a, R> {
     file: &'a Path,
     lines: Lines<R>,
     format: Format,
-    /// Known from the header on.
+    /// Known once the header is read.
     columns: Option<Columns>,
-    /// The time of the record before (s).
+    /// The time of the previous record (s).
     before: Option<f64>,
 }
 
 impl<'a, R: BufRead> Records<'a, R> {
-    /// Those of a reader; `file` is its name in messages.
+    /// The records from a reader; `file` is its name in messages.
     pub(super) fn new(file: &'a Path, reader: R, format: Format) -> Self {
         Self {
             file,
@@ -167,10 +167,10 @@ impl<'a, R: BufRead> Records<'a, R> {
         }
     }
 
-    /// The next record and its line; nothing behind the last one, of which there is at least one.
+    /// The next record and its line; `None` after the last one. There is at least one.
     ///
     /// # Errors
-    /// The line cannot be used, or there is no record at all.
+    /// The line is unusable, or there is no record at all.
     pub(super) fn next(&mut self) -> Result<Option<(Row, &str)>, InputError> {
         loop {
             let number = self.lines.number() + 1;
@@ -188,12 +188,12 @@ impl<'a, R: BufRead> Records<'a, R> {
         }
     }
 
-    /// The line that was read last; it is text.
+    /// The last line read; it is text.
     fn text(&self) -> &str {
         str::from_utf8(self.lines.text()).unwrap_or_default()
     }
 
-    /// The record in the line that was read last; nothing in a comment and in the header.
+    /// The record in the last line read; `None` for a comment and for the header.
     fn row(&mut self, number: usize) -> Result<Option<Row>, InputError> {
         let Ok(line) = str::from_utf8(self.lines.text()) else {
             return Err(InputError::of_file(self.file, not_text(number)));
@@ -239,7 +239,7 @@ impl<'a, R: BufRead> Records<'a, R> {
 /// The line of the last record and its number.
 pub(super) fn last_line(reader: impl BufRead) -> (usize, String) {
     let (mut lines, mut last) = (Lines::new(reader, LONGEST_LINE), (1, String::new()));
-    // What cannot be read was refused before.
+    // Unreadable lines were refused before.
     while let Ok(Some(bytes)) = lines.advance() {
         let line = String::from_utf8_lossy(bytes).into_owned();
         if !content(&line).is_empty() {

@@ -1,4 +1,4 @@
-//! The folders: of the page, and of the npm package.
+//! The folders of the page and of the npm package.
 
 use std::fs;
 use std::path::Path;
@@ -11,25 +11,25 @@ use crate::{BuildError, of};
 /// A name and bytes.
 pub(crate) type File = (String, Vec<u8>);
 
-/// What is for the tools of the page, and not of it.
+/// Whether a file is for the tools of the page, and not part of it.
 fn is_of_tools(name: &str) -> bool {
     name.ends_with(".json") || name.ends_with(".d.ts")
 }
 
-/// In the `package.json` of the npm package.
+/// A placeholder in the `package.json` of the npm package.
 const NO_VERSION: &str = "\"version\": \"0.0.0\"";
-/// What the scripts of wasm-bindgen define.
+/// The global name that the scripts of wasm-bindgen define.
 const PART: &str = "wasm_bindgen";
 const WHOLE: &str = "stiction_whole";
-/// What tells the page that it has the solver itself.
+/// A mark that tells the page that it contains the solver itself.
 const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 
-/// What the page is made of.
+/// The parts of the page.
 #[derive(Debug)]
 pub(crate) struct Page {
-    /// Of `host-sim/web`.
+    /// The files of `host-sim/web`.
     pub(crate) web: Vec<File>,
-    /// What the worker does with the solver.
+    /// The worker's script.
     worker: Vec<u8>,
     part: Bound,
     pub(crate) whole: Bound,
@@ -56,7 +56,7 @@ impl Bound {
 }
 
 impl Page {
-    /// With both modules.
+    /// The page with both modules.
     pub(crate) fn new(part: &Module, whole: &Module) -> Result<Self, BuildError> {
         let folder = workspace().join("host-sim/web");
         let mut web = Vec::new();
@@ -98,9 +98,9 @@ impl Page {
         files
     }
 
-    /// A worker that begins with the whole solver.
+    /// A worker that starts with the whole solver.
     pub(crate) fn whole_worker(&self) -> Vec<u8> {
-        // `worker.js` knows its solver by the name of the part.
+        // `worker.js` refers to its solver by the name of the part.
         let name = format!("\nlet {PART} = {WHOLE};\n");
         [&*self.whole.script, name.as_bytes(), &self.worker].concat()
     }
@@ -137,14 +137,14 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
     }
     for (name, bytes) in &mut files {
         if name == "stiction.d.ts" {
-            // Who compiles for es2022 has no such symbol.
+            // Code compiled for es2022 has no such symbol.
             let text = String::from_utf8_lossy(bytes);
             *bytes = text
                 .replace("    [Symbol.dispose](): void;\n", "")
                 .into_bytes();
         }
         if name == "package.json" {
-            // As text: the first of the conditions that holds counts, so that their order has to stay.
+            // The file is edited as text: the first matching condition counts, so their order has to stay.
             let text = String::from_utf8_lossy(bytes);
             let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
             if !text.contains(NO_VERSION) {

@@ -1,6 +1,6 @@
-//! Builds what a browser needs to have the solver itself: from `host-sim/wasm` and `host-sim/web` to
+//! Builds everything that a browser needs to run the solver itself. From `host-sim/wasm` and `host-sim/web` it builds
 //!
-//! * a folder that any web host serves, and in it `stiction.html`, the same page in one file, for `file://`,
+//! * a folder that any web host can serve, with `stiction.html`, the same page in one file, for `file://`,
 //! * the folder of the npm package `stiction`.
 //!
 //! ```sh
@@ -32,31 +32,29 @@ struct Arguments {
     npm: Option<PathBuf>,
 }
 
-/// Why it is not built.
+/// Why the build failed.
 #[derive(Debug, thiserror::Error)]
 enum BuildError {
-    /// The compiler failed, and said why.
-    #[error(
-        "cargo failed, allowed: where the target is there, rustup target add wasm32-unknown-unknown"
-    )]
+    /// The compiler failed and printed the reason.
+    #[error("cargo failed; if the target is missing: rustup target add wasm32-unknown-unknown")]
     Cargo,
-    /// wasm-bindgen does not take what the compiler made.
+    /// wasm-bindgen rejects the compiler's output.
     #[error("wasm-bindgen: {0}")]
     Bindgen(String),
     /// A file cannot be read or written.
     #[error("{}: {error}", .place.display())]
     File {
-        /// Which one.
+        /// Its path.
         place: PathBuf,
-        /// What the system says.
+        /// The system's error.
         error: io::Error,
     },
-    /// A file of the page is not as this program takes it apart.
+    /// A file of the page does not have the form that this program expects.
     #[error("{0}")]
     Page(String),
 }
 
-/// Says which file it was.
+/// Adds the path of the file.
 fn of(place: &Path) -> impl Fn(io::Error) -> BuildError + '_ {
     |error| BuildError::File {
         place: place.to_owned(),

@@ -1,4 +1,4 @@
-//! `stiction-wasm` compiled, and what wasm-bindgen makes of it.
+//! Compiles `stiction-wasm` and runs wasm-bindgen on it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,28 +9,28 @@ use wasm_bindgen_cli_support::Bindgen;
 use crate::{BuildError, of};
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// Of the workspace.
+/// A profile of the workspace.
 const PROFILE: &str = "wasm";
 
-/// What the compiler made.
+/// The compiled module.
 #[derive(Debug)]
 pub(crate) struct Module {
     file: PathBuf,
 }
 
-/// How much of the solver is in it.
+/// How much of the solver it contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
     /// For scenes without obstacles.
     Part,
-    /// All of it.
+    /// The whole solver.
     Whole,
 }
 
-/// For whom it is: both have the same code.
+/// The environment it is for; the code is the same for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum For {
-    /// A classic script of a worker, with the name of what it defines.
+    /// A classic script of a worker, with the global name that it defines.
     Worker(&'static str),
     /// A module, with types.
     Package,
@@ -42,7 +42,7 @@ pub(crate) fn workspace() -> PathBuf {
 }
 
 impl Module {
-    /// Compiles it.
+    /// Compiles the module.
     pub(crate) fn compile(extent: Extent) -> Result<Self, BuildError> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);
@@ -62,13 +62,13 @@ impl Module {
             return Err(BuildError::Cargo);
         }
         let folder = target.join(TARGET).join(PROFILE);
-        // The next one is made in the same place.
+        // The next one is built at the same path.
         let (made, file) = (folder.join("stiction_wasm.wasm"), folder.join(name));
         fs::copy(&made, &file).map_err(of(&made))?;
         Ok(Self { file })
     }
 
-    /// The files of wasm-bindgen for somebody: names and bytes.
+    /// The files that wasm-bindgen writes for an environment: names and bytes.
     pub(crate) fn bound(&self, whom: For) -> Result<Vec<(String, Vec<u8>)>, BuildError> {
         let refused = |error: &dyn std::fmt::Display| BuildError::Bindgen(error.to_string());
         let mut bindgen = Bindgen::new();
@@ -89,7 +89,7 @@ impl Module {
             For::Worker(_) => "worker",
             For::Package => "package",
         });
-        // What an earlier version left there would be taken for new.
+        // Files of an earlier version would be taken for new ones.
         let _ = fs::remove_dir_all(&folder);
         bindgen
             .generate(&folder)

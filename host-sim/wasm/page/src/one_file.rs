@@ -1,5 +1,5 @@
-//! The page in one file: a browser that opens a file loads no module, no worker and no wasm beside it. The modules are in an import
-//! map, as `data:` URLs; the worker and the wasm are packed into a script that the browser does not run.
+//! The page in one file: a browser that opens a local file loads no separate module, worker or wasm. The modules are in an import
+//! map, as `data:` URLs; the worker and the wasm are packed into a script element that the browser does not run.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use crate::BuildError;
 use crate::folder::{File, Page};
 
-/// What stands before a name of a module in the import map.
+/// The prefix of a module's name in the import map.
 const BARE: &str = "stiction/";
 
 /// The page.
@@ -72,7 +72,7 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
     Ok(page)
 }
 
-/// The modules, by their names, which ask for each other by bare names.
+/// The modules by name; they import each other by bare names.
 fn modules(files: &[File]) -> Result<std::collections::BTreeMap<String, String>, BuildError> {
     let scripts = files
         .iter()
@@ -95,7 +95,7 @@ fn text(files: &[File], name: &str) -> Result<String, BuildError> {
     Ok(String::from_utf8_lossy(find(files, name)?).into_owned())
 }
 
-/// Puts something in the place of a part of the page.
+/// Replaces a part of the page.
 fn put(page: &mut String, part: &str, other: &str) -> Result<(), BuildError> {
     if !page.contains(part) {
         return Err(BuildError::Page(format!("index.html has no {part}")));
@@ -108,7 +108,7 @@ fn element(name: &str, content: &str) -> Result<String, BuildError> {
     Ok(format!("<{name}>{}</{name}>", closed(content)?))
 }
 
-/// Content of an element that does not end it.
+/// Content of an element, checked not to end it.
 fn closed(content: &str) -> Result<&str, BuildError> {
     match content.contains("</s") {
         true => Err(BuildError::Page(
@@ -118,10 +118,10 @@ fn closed(content: &str) -> Result<&str, BuildError> {
     }
 }
 
-/// Compressed, as text.
+/// The compressed bytes, as text.
 fn packed(bytes: &[u8]) -> String {
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
-    // Writing into memory does not fail.
+    // Writing to memory cannot fail.
     let _ = packer.write_all(bytes);
     STANDARD.encode(packer.finish().unwrap_or_default())
 }

@@ -1,4 +1,4 @@
-//! Where a contact is: the line of its side, its ends, what is behind it. World frame, m.
+//! Where a contact is: the line of its side, its ends, and whatever is behind it. World frame, m.
 
 use super::super::shape::{Point, dot, ends, length, neighbours, outward, sides, sub};
 use super::Laws;
@@ -8,16 +8,16 @@ use crate::reference::Touch;
 pub(super) struct Line {
     pub(super) point: Point,
     pub(super) normal: Point,
-    /// From the contact's line to its point, along the normal (m).
+    /// Distance of the contact's point from the contact's line, along the normal (m).
     pub(super) gap: f64,
-    /// How far the point is beyond the nearer end of its side (m).
+    /// How far the point is past the nearer end of its side (m).
     pub(super) beyond: f64,
     /// The deepest neighbour behind the line (m).
     pub(super) behind: f64,
 }
 
 impl Laws {
-    /// `None` where there is no such contact.
+    /// `None` if there is no such contact.
     pub(super) fn line(&self, body: &[Point], touch: Touch) -> Option<Line> {
         let behind = |normal: Point, point: Point, others: &[Point], sign: f64| {
             let depth = others.iter().map(|&p| -sign * dot(normal, sub(p, point)));
@@ -73,8 +73,8 @@ impl Laws {
         }
     }
 
-    /// How far a point is beyond the end of a side, or of what makes one line with it: the first of several coplanar sides is told
-    /// for all of them, if they meet and have the same friction.
+    /// How far a point is past the end of a side, or of the line that several coplanar sides form: if they meet and have the same
+    /// friction, the solver reports the first of them for all.
     fn past(&self, obstacle: usize, side: usize, point: Point) -> f64 {
         let all = &self.among.obstacles;
         let normal = outward(&all[obstacle].vertices, side);
@@ -96,7 +96,7 @@ impl Laws {
     }
 }
 
-/// Normal and gap of a point over a side of a shape, and how far it is beyond the side's ends; `None` where there is no such side.
+/// Normal of a side of a shape, gap of a point above it, and how far the point is past the side's ends; `None` if there is no such side.
 fn side_of(shape: &[Point], side: usize, point: Point) -> Option<(Point, f64, f64)> {
     if side >= sides(shape) {
         return None;
@@ -110,7 +110,7 @@ fn side_of(shape: &[Point], side: usize, point: Point) -> Option<(Point, f64, f6
     ))
 }
 
-/// How far a point is beyond the ends of a side, along it; negative between them.
+/// How far a point is past the ends of a side, along it; negative between them.
 fn beyond([from, to]: [Point; 2], point: Point) -> f64 {
     let along = sub(to, from);
     let long = length(along);

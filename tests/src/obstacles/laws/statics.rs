@@ -40,8 +40,8 @@ impl Laws {
         findings.add(WRENCH, off, self.residual);
     }
 
-    /// What residuals are relative to, N: the largest force, and of moments over L the larger of it and the couple; none finer than
-    /// what a rounding of the coordinates makes.
+    /// The scale of the residuals (N): the largest force, and, for moments divided by L, the larger of that force and the couple;
+    /// neither is smaller than the effect of rounding the coordinates.
     fn scale(&self, frame: &Frame, grip: Point, (spring, couple): (Point, f64)) -> Scale {
         let setup = &self.among.setup;
         let reactions = frame.contacts.iter().map(|c| c.normal.hypot(c.friction));
@@ -54,7 +54,7 @@ impl Laws {
         let force = largest.max(floor).max(f64::MIN_POSITIVE);
         let levers = frame.contacts.iter().map(|c| length(sub(c.point, grip)));
         let lever = levers.fold(0.0, f64::max) / self.size;
-        // A contact is rounded as a coordinate, and its force acts there.
+        // The position of a contact is rounded like any coordinate, and its force acts there.
         let moment = (couple.abs() / self.size)
             .max(carried * setup.stiffness_rotation * turns / self.size)
             .max(floor * lever)
@@ -66,7 +66,7 @@ impl Laws {
     }
 }
 
-/// Forces that residuals are relative to (N).
+/// The forces that residuals are relative to (N).
 struct Scale {
     force: f64,
     moment: f64,

@@ -1,10 +1,10 @@
-//! Bodies of about size 1, and obstacles: pins, thin walls, boxes, triangles, pentagons, and what several of them make together: steps,
-//! tables, holes, angles of two walls.
+//! Bodies of about size 1, and obstacles: pins, thin walls, boxes, triangles, pentagons, and combinations of them: steps, tables,
+//! holes, corners of two walls.
 
 use super::super::shape::Point;
 use crate::draw::Draw;
 
-/// Cosine and sine of an angle that grows with `part`, a whole turn from 0 to 4: by division alone.
+/// Cosine and sine of an angle that grows with `part`, a full turn from 0 to 4, computed by division alone.
 pub(crate) fn circle(part: f64) -> Point {
     let quarter = part.rem_euclid(4.0);
     let t = quarter.fract();
@@ -27,7 +27,7 @@ fn polygon(draw: &mut Draw, corners: usize, size: f64) -> Vec<Point> {
     (0..corners).map(corner).collect()
 }
 
-/// From the lower left to the upper right corner.
+/// An upright rectangle from its lower left to its upper right corner.
 fn block([x, y]: Point, [right, top]: Point) -> Vec<Point> {
     vec![[x, y], [right, y], [right, top], [x, top]]
 }
@@ -78,7 +78,7 @@ pub(crate) fn group(draw: &mut Draw, body: &[Point]) -> Vec<Vec<Point>> {
     pieces.iter().map(placed).collect()
 }
 
-/// Two boxes side by side, at times of one height: a seam.
+/// Two boxes next to each other, sometimes of the same height: a seam.
 fn step(draw: &mut Draw, size: f64) -> Vec<Vec<Point>> {
     let rise = draw.one(&[0.0, 0.1, 0.3]) * size;
     vec![
@@ -96,7 +96,7 @@ fn table(size: f64) -> Vec<Vec<Point>> {
     ]
 }
 
-/// Two boxes that leave a hole, a little wider than the body is high, or much.
+/// Two boxes that leave a hole, either slightly or much wider than the body is high.
 fn hole(draw: &mut Draw, body: &[Point]) -> Vec<Vec<Point>> {
     let highest = body.iter().map(|p| p[1]).fold(0.0, f64::max);
     let half = (highest * draw.one(&[1.001, 1.02, 1.3])).max(0.02);
@@ -106,7 +106,7 @@ fn hole(draw: &mut Draw, body: &[Point]) -> Vec<Vec<Point>> {
     ]
 }
 
-/// Two thin walls from one point on, or a wall with a pin at its end.
+/// Two thin walls that meet in a point, or a wall with a pin at its end.
 fn angle(draw: &mut Draw, size: f64) -> Vec<Vec<Point>> {
     let [x, y] = circle(draw.between(0.3, 3.7)).map(|x| x * size);
     vec![vec![[0.0, 0.0], [size, 0.0]], vec![[x, y], [0.0, 0.0]]]

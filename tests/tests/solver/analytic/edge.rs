@@ -23,12 +23,12 @@ fn slipped(frame: &Frame) -> bool {
 mod cases {
     use super::*;
 
-    /// The block 2 × 1 on the floor, held in its middle.
+    /// The block 2 × 1 on the floor, held at its centre.
     fn block(friction: [f64; 2]) -> Setup {
         Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor(friction)
     }
 
-    /// Case 1. In frame evolution each of the 48 slips is found up to one frame of the hand late.
+    /// Case 1. In frame evolution, each of the 48 slips is found up to one frame of the hand too late.
     pub(super) fn sawtooth<R: Number>(evolution: Evolution) {
         let setup = block([0.5, 0.3]).at([0.0, 0.3, 0.0]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.8, 0.0]);
@@ -79,7 +79,8 @@ mod cases {
         close("end", run.frame.pose[0], -0.09, late);
     }
 
-    /// Case 6a, mu_s below w / 2 y_g. At the hand's end 0.16 the next slip is exactly due, so it stops just before.
+    /// Case 6a, mu_s below w / 2 y_g. At the end of the hand's path, 0.16, the next slip is exactly due, so the path
+    /// stops just before.
     pub(super) fn a_low_block_slides_before_it_tips<R: Number>(evolution: Evolution) {
         let setup = Setup::block(1.0, 1.6).held_at([0.0, 0.8]).floor([0.6, 0.4]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.6, 0.0]);
@@ -123,7 +124,7 @@ mod cases {
         close("height", run.frame.pose[1], 0.1, R::ANALYTIC);
     }
 
-    /// A block that rises at 45 degrees slips infinitely often, each time by (1 + mu_d) / (1 + mu_s) of the last slip.
+    /// A block that rises at 45 degrees slips infinitely often; each slip is (1 + mu_d) / (1 + mu_s) of the last one.
     pub(super) fn slips_shrink_geometrically_towards_lift_off<R: Number>(evolution: Evolution) {
         let mut run = Run::<R>::start(&block([0.5, 0.3]), evolution, [0.0, 0.3, 0.0]);
         let mut last = None;
@@ -176,7 +177,7 @@ mod cases {
         close("end", run.frame.pose[0], 0.03, R::ANALYTIC);
     }
 
-    /// Held at the very contact, at depth e: lag mu_s e before a slip, mu_d e after it, period (mu_s - mu_d) e.
+    /// Held at the contact itself, at depth e: lag mu_s e before a slip, mu_d e after it, period (mu_s - mu_d) e.
     pub(super) fn translation_alone_breaks_away_at_its_lag<R: Number>(evolution: Evolution) {
         let (e, mu_s, mu_d) = (0.2, 0.5, 0.3);
         let mut run = Run::<R>::start(

@@ -1,8 +1,8 @@
 //! The fold of the single-vertex angle u + kappa sin u = delta, and where the body snaps to.
 //!
-//! The fold is a double root: an error e of delta moves the angle just before it by sqrt(2 e / (kappa |sin u|)), so that
-//! this one angle is bounded by 1e-6 in f64 and 5e-3 in f32. The hand's place of the fold, where the body lands and
-//! where it ends are simple roots.
+//! The fold is a double root: an error e of delta moves the angle just before it by sqrt(2 e / (kappa |sin u|)), so this
+//! one angle is bounded by 1e-6 in f64 and 5e-3 in f32. The hand's position at the fold, the angle at which the body
+//! lands and its final angle are simple roots.
 
 use std::f64::consts::PI;
 use stiction_core::{Event, Evolution, StateKind};
@@ -114,7 +114,7 @@ mod cases {
         close("end", run.frame.pose[2], -1.325_817_663_67, R::ANALYTIC);
     }
 
-    /// kappa, u and delta at the fold, u where it lands.
+    /// kappa, u and delta at the fold, and u where the body lands.
     const KEPLER: [[f64; 4]; 4] = [
         [1.05, 2.831_748_013_8, 3.151_904_225_7, 3.764_317_194_1],
         [1.5, 2.300_523_983_0, 3.418_557_971_8, 4.893_912_630_5],
@@ -123,7 +123,7 @@ mod cases {
     ];
 
     /// A point that hangs from the floor's height, pulled down by a hand twice as deep: u = theta - pi, delta = phi - pi,
-    /// kappa = 2 / k_theta, and N > 0 all the way round.
+    /// kappa = 2 / k_theta, and N > 0 during the whole turn.
     pub(super) fn fold_of_keplers_equation<R: Number>(evolution: Evolution) {
         let hand = |delta: f64| [0.0, -2.0, PI + delta];
         for [kappa, u, delta, lands] in KEPLER {

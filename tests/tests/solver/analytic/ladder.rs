@@ -16,8 +16,8 @@ test_each!(
 mod cases {
     use super::*;
 
-    /// A rod of length 2 that leans at `alpha` from the floor against a wall at x = 0, held at a part of its length
-    /// from its foot. Slips reach far (mu_d = mu_s / 2), so that stick and slip are told apart by the pose.
+    /// A rod of length 2 that leans at `alpha` from the floor against a wall at x = 0, held at a fraction of its length
+    /// from its foot. Slips are long (mu_d = mu_s / 2), so that the pose shows whether the rod sticks or slips.
     fn ladder(alpha: f64, held: f64, mu: f64) -> Setup {
         let friction = [mu, mu / 2.0];
         Setup::rod(2.0)
@@ -57,11 +57,11 @@ mod cases {
         close("critical part", highest, 0.674_968_180_915, R::ANALYTIC);
     }
 
-    /// Case 8: wrenches of size 1000, or as large as the number type has them, in all directions, evenly spread. Only
-    /// one whose free motion opens both gaps, which no friction can hold back, may take the rod away.
+    /// Case 8: wrenches of size 1000, or as large as the number type represents, in all directions, evenly spread. Only
+    /// a wrench whose free motion opens both gaps, which no friction can prevent, may move the rod.
     pub(super) fn jammed_rod_resists_every_wrench<R: Number>(evolution: Evolution) {
         let size = R::FARTHEST.min(1000.0);
-        // The dynamic friction jams it, too: a rod that nothing has pressed yet has no other.
+        // Dynamic friction alone jams the rod, too: a rod that has not been pressed yet has no other.
         let setup = ladder(FRAC_PI_4, 0.5, 2.4).springs(1.0, size);
         let ([x, y], theta) = (setup.grip(), setup.start[2]);
         let mut stays = 0;
@@ -86,7 +86,7 @@ mod cases {
         assert!(stays > 1000, "{stays} of 2000 stay");
     }
 
-    /// Case 12: floor and a wall at x = 0 on the other side, under a load of 2 and a falling moment. At first the
+    /// Case 12: floor and a wall at x = 0 on the other side, under a load of 2 and a decreasing moment. At first the
     /// moment holds the rod off the wall.
     pub(super) fn trammel_slip_ends_at_the_first_root<R: Number>(evolution: Evolution) {
         let (sin, cos) = 1f64.sin_cos();

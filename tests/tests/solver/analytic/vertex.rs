@@ -142,7 +142,7 @@ mod cases {
     }
 
     /// k_h 500, k_theta 0.5, D 0.06, mu_d 0.3, the hand 0.02 above the floor, phi 1.2: from an angle psi the vertex slips
-    /// to the nearest root of (E3) on its way. The three roots towards -t are 0.6245604219, 1.3359609255 (where slips
+    /// to the nearest root of (E3) on its path. The three roots towards -t are 0.6245604219, 1.3359609255 (where slips
     /// only start) and 2.3854158970. Columns: psi at the start, psi at the end, N at the end.
     const ENDS: [[f64; 3]; 3] = [
         [0.4, 0.540_336_797_9, 5.432_745_109],

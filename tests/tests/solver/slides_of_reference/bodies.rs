@@ -30,7 +30,7 @@ fn a_stiff_lever_slides_behind_the_hand_by_its_friction() {
     }
 }
 
-/// A block that stands on the floor, held at its middle, pressed to a depth.
+/// A block that stands on the floor, held at its middle and pressed to a depth.
 fn block(friction: [f64; 2], depth: f64) -> Reference {
     let corners = [[-0.5, -0.1], [0.5, -0.1], [0.5, 0.1], [-0.5, 0.1]];
     let start = [0.0, 0.2, 0.0];
@@ -90,7 +90,7 @@ fn a_ladder_slides_in_balance_at_dynamic_friction() {
     let mut rod = Reference::new(ladder([0.3, 0.3]), [0.6, 0.45, 0.0], [0.6, 0.45, 0.0]);
     let mut slides = 0;
     for i in 0..=100 {
-        // The pose of a rod that is in contact with both, and a little further in.
+        // The pose of a rod that is in contact with both, and slightly further in.
         let angle = 0.004 * f64::from(i);
         let (sin, cos) = angle.sin_cos();
         let hand = [
@@ -153,7 +153,7 @@ fn two_contacts_of_a_slot_slide_or_slip_by_the_length_of_the_slip() {
         obstacles: Vec::new(),
         ..held(&[[-0.3, -0.5], [0.3, 0.5]], 0.0, [0.5, 0.3])
     };
-    // Upright the rod is held by a couple of 0.6 N, so that a slip is 2 (mu_s - mu_d) N / k_h long: 0.0067 or 0.02 m.
+    // An upright rod is held by a couple of 0.6 N, so that a slip is 2 (mu_s - mu_d) N / k_h long: 0.0067 or 0.02 m.
     for (turn, slips, place) in [(0.02, 0, 0.99), (0.06, 48, 0.96)] {
         let start = [0.0, 0.5, -0.1];
         let mut rod = Reference::new(scene.clone(), start, start);

@@ -9,7 +9,7 @@ use stiction_core::frame::{
 use stiction_core::{ObstacleDescription, Parameter, Touch};
 
 impl Random {
-    /// A refusal that only boards with room for obstacles have.
+    /// A refusal that only boards with capacity for obstacles send.
     fn subject_among(&mut self) -> Subject {
         let (obstacle, index) = (self.below(256), self.below(256));
         Subject::Scene(self.one(&[
@@ -52,7 +52,7 @@ impl Random {
 }
 
 impl Store {
-    /// A frame of peers with room for obstacles.
+    /// A frame between peers with capacity for obstacles.
     pub(crate) fn frame_among(&self, random: &mut Random) -> Either<'_> {
         let (sequence, time) = (random.byte(), random.word());
         if random.flag() {
@@ -94,7 +94,7 @@ impl Store {
     }
 }
 
-/// Some, with at most so many corners together.
+/// Some obstacles, with a limit on the total number of corners.
 pub(super) fn obstacles(
     random: &mut Random,
     longest: usize,
@@ -106,7 +106,7 @@ pub(super) fn obstacles(
         left -= corners;
         let vertices: Vec<[f32; 2]> = (0..corners).map(|_| random.floats()).collect();
         obstacles.push(ObstacleDescription {
-            // As long as the tests run.
+            // They live as long as the tests run.
             vertices: vertices.leak(),
             friction_static: random.float(),
             friction_dynamic: random.float(),

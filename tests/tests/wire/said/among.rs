@@ -1,4 +1,4 @@
-//! What a frame about obstacles says.
+//! The content of a frame about obstacles.
 
 use super::{Said, Value, float, floats};
 use stiction_core::frame::{CommandAmong, ContactAmong, ReportAmong, SceneAmong};

@@ -1,4 +1,4 @@
-//! Events that did not happen, or are not reported, or otherwise.
+//! Events that did not happen, or that are omitted or misreported.
 
 use stiction_judge::{Event, Frame, State};
 
@@ -59,7 +59,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Something is told of a frame in which nothing happens.
+    /// An event is reported for a frame in which nothing happens.
     fn invented(&mut self, at: usize, state: State, slides: bool) {
         let how = if slides { "sliding " } else { "" };
         for event in EVENTS {
@@ -92,12 +92,12 @@ impl Maker<'_> {
         );
     }
 
-    /// What is told of an event differs.
+    /// An event is reported differently.
     fn changed(&mut self, at: usize, event: Event) {
         let alone = self.truth.frames[at].events.len() == 1;
         let beside = if alone { "" } else { BESIDE };
         let name = format!("{event:?}{beside}");
-        self.add(Of::Events, &format!("{name} not told"), at, |tail| {
+        self.add(Of::Events, &format!("{name} not reported"), at, |tail| {
             tail[0].events.retain(|&told| told != event);
             if event == Event::Slip {
                 tail[0].slips = 0;
@@ -141,11 +141,11 @@ impl Maker<'_> {
         }
     }
 
-    /// The one event of a frame is told at another time, or differently counted.
+    /// The only event of a frame is reported at another time, or counted differently.
     fn moved_event(&mut self, at: usize, event: Event) {
         self.add(
             Of::Events,
-            &format!("{event:?} told a frame late"),
+            &format!("{event:?} reported a frame late"),
             at,
             |tail| {
                 let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
@@ -156,7 +156,7 @@ impl Maker<'_> {
         );
         self.add(
             Of::Events,
-            &format!("{event:?} told a frame early"),
+            &format!("{event:?} reported a frame early"),
             at - 1,
             |tail| {
                 let (events, slips) = (std::mem::take(&mut tail[1].events), tail[1].slips);

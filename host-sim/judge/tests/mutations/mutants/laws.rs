@@ -55,9 +55,7 @@ impl Maker<'_> {
             ("inside by 10⁻⁴ L", &|frame| {
                 frame.pose[1] -= 1e-4 * size
             }),
-            ("beside by 10⁻⁴ L", &|frame| {
-                frame.pose[0] += 1e-4 * size
-            }),
+            ("aside by 10⁻⁴ L", &|frame| frame.pose[0] += 1e-4 * size),
             ("turned by 10⁻⁴", &|frame| frame.pose[2] += 1e-4),
             ("a point off by 10⁻⁵ L", &|frame| {
                 frame.contacts[0].point[0] += 1e-5 * size
@@ -85,7 +83,7 @@ impl Maker<'_> {
                 frame.contacts.push(again);
                 frame.state = by_count(frame);
             }),
-            ("slides told", &|frame| {
+            ("slides reported", &|frame| {
                 let rubs = |c: &&mut Contact| c.friction.abs() > told;
                 for contact in frame.contacts.iter_mut().filter(rubs) {
                     contact.sliding = contact
@@ -106,7 +104,7 @@ impl Maker<'_> {
         });
     }
 
-    /// A contact that sticks goes with the hand, by some roundings in a frame, and its springs are wound no more than before.
+    /// A sticking contact moves with the hand, by some roundings per frame, so that its springs are deflected no more than before.
     fn creeps(&mut self, at: usize) {
         let first = &self.truth.frames[at];
         let sticks = first.contacts.iter().all(|c| c.sliding == Some(0));
@@ -141,7 +139,7 @@ impl Maker<'_> {
         let stiffness = truth.scene.stiffness_translation;
         let reach = size(&truth.scene) + next.hand[0].hypot(next.hand[1]);
         let rounding = 64.0 * bounds.rounding * reach * stiffness;
-        // As the body turns, its contact gives way more than the springs alone.
+        // As the body turns, its contact yields more than the springs alone.
         let levers = next.contacts.iter().map(|c| {
             let [x, y] = c.point;
             (x - next.hand[0]).hypot(y - next.hand[1])
@@ -159,7 +157,7 @@ impl Maker<'_> {
             ("0.1 % long", 1e-3),
             ("1 % short", -1e-2),
         ] {
-            // What forces do not tell from rounding is none.
+            // A force that is no larger than rounding is no fault.
             let force = part * length * truth.scene.stiffness_translation;
             if force.abs() < told {
                 continue;
@@ -204,7 +202,7 @@ impl Maker<'_> {
     }
 }
 
-/// How far the first contact went along its tangent (m).
+/// How far the first contact moved along its tangent (m).
 fn slipped(truth: &Truth, last: &Frame, next: &Frame) -> f64 {
     let [a, b]: [&Contact; 2] = [&last.contacts[0], &next.contacts[0]];
     let tangent = crate::physics::tangent(truth, b);

@@ -1,4 +1,4 @@
-//! A body that does not move, or is out of balance, with a status that is to excuse it.
+//! A body that does not move, or is out of balance, with a status that should excuse it.
 
 use stiction_judge::{Frame, Status};
 
@@ -32,7 +32,7 @@ impl Maker<'_> {
             for at in self.places(|frames, i| !frames[i].events.is_empty() && frames[i].held) {
                 self.add(
                     Of::Statuses,
-                    &format!("{status:?}: nothing told"),
+                    &format!("{status:?}: nothing reported"),
                     at,
                     |tail| {
                         tail[0].status = status;
@@ -43,7 +43,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The body does not move any more, or is out of balance, and a status says why.
+    /// The body stops moving, or is out of balance, and a status gives the reason.
     fn excused(&mut self, at: usize, status: Status) {
         let truth = self.truth;
         let last = &truth.frames[at - 1];
@@ -90,7 +90,7 @@ impl Maker<'_> {
     }
 }
 
-/// How far the body gets from where it was (m).
+/// How far the body moves from where it was (m).
 fn distance(last: &Frame, frames: &[Frame]) -> f64 {
     let ways = frames
         .iter()
