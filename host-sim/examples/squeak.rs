@@ -272,10 +272,10 @@ mod tests {
         let at = |multiple: f64| power(&sound, multiple * HINGE.pitch(speed));
         for multiple in 1..=6 {
             let tone = at(f64::from(multiple));
-            let beside = at(f64::from(multiple) + 0.5);
+            let between = at(f64::from(multiple) + 0.5);
             assert!(
-                tone > 300.0 * beside,
-                "multiple {multiple}: {tone}, beside it {beside}"
+                tone > 300.0 * between,
+                "multiple {multiple}: {tone}, half a multiple higher {between}"
             );
         }
     }

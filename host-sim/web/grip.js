@@ -190,7 +190,10 @@ export class Grip {
     this.offset = [this.pose[0] - x, this.pose[1] - y];
   }
 
-  /** Goes where the pointer leads it: the place counts, not the displacement, so that nothing adds up. @param {Vec} point m @param {number} sent */
+  /**
+   * Goes where the pointer leads it: the place counts, not the displacement, so that nothing adds up.
+   * @param {Vec} point m @param {number} sent
+   */
   lead(point, sent) {
     if (!this.offset) this.anchor(point);
     const [x, y] = this.offset ?? [0, 0];

@@ -131,7 +131,10 @@ const stageSize = (live) =>
     return { width, height };
   });
 
-/** Presses a button, by mouse or by finger, and takes the file that comes. @param {Live} live @param {string} button @param {boolean} touches */
+/**
+ * Presses a button, by mouse or by finger, and takes the file that comes.
+ * @param {Live} live @param {string} button @param {boolean} touches
+ */
 async function fileOf(live, button, touches) {
   const coming = live.page.waitForEvent("download");
   await (touches ? live.page.tap(button) : live.page.click(button));
