@@ -35,6 +35,8 @@ export class Grip {
     this.place = [0, 0, 0];
     /** A pointer or a key is down. */
     this.active = false;
+    /** From the pointer that leads the hand to the hand (m); null: as they are at the pointer's next sample. @type {Vec | null} */
+    this.offset = null;
     /** It stays closed when the pointer lets go. */
     this.keep = false;
     this.lastSent = -Infinity;
@@ -70,6 +72,7 @@ export class Grip {
   /** After a reset or in another scene the hand is where the newest frame says, whatever this page wanted before. */
   startAnew() {
     this.phase = null;
+    this.offset = null;
     this.closedAt = Infinity;
     this.lastSent = -Infinity;
     this.follow();
@@ -160,21 +163,47 @@ export class Grip {
     if (!this.mayMove()) return;
     if (this.holding) {
       this.open(sent);
+      this.rest();
     } else {
       this.place = this.pose;
       this.reach(sent);
     }
   }
 
-  /** The pointer has let go. @param {number} sent */
-  end(sent) {
-    this.active = false;
-    if (!this.keep) this.open(sent);
+  /** The pointer has let go. @param {number} sent @param {boolean} stays the hand stays closed */
+  end(sent, stays) {
+    this.offset = null;
+    if (!stays) this.open(sent);
     else if (!this.phase) this.send(sent);
+    this.rest();
+  }
+
+  /** Nothing moves the hand any more; unless it holds, others may have it at once. */
+  rest() {
+    this.active = false;
+    // Without a connection there is nothing to be given up.
+    if (!this.held && !this.phase) this.feed().request({ type: "let-go" }).catch(() => {});
+  }
+
+  /** The pointer that leads the hand is here: from now on the hand stays as far from it. @param {Vec} point m */
+  anchor([x, y]) {
+    this.offset = [this.pose[0] - x, this.pose[1] - y];
+  }
+
+  /**
+   * Goes where the pointer leads it: the place counts, not the displacement, so that nothing adds up.
+   * @param {Vec} point m @param {number} sent
+   */
+  lead(point, sent) {
+    if (!this.offset) this.anchor(point);
+    const [x, y] = this.offset ?? [0, 0];
+    this.pose = [point[0] + x, point[1] + y, this.pose[2]];
+    if (!this.phase) this.send(sent);
   }
 
   /** Moves. @param {number} dx m @param {number} dy m @param {number} turn rad @param {number} sent */
   move(dx, dy, turn, sent) {
+    if (dx !== 0 || dy !== 0) this.offset = null;
     this.pose = [this.pose[0] + dx, this.pose[1] + dy, this.pose[2] + turn];
     if (!this.phase) this.send(sent);
   }

@@ -72,7 +72,7 @@ export class Keys {
     this.fine = fine;
     if (!this.down.delete(code) || this.down.size > 0) return;
     clearInterval(this.timer);
-    this.grip.active = false;
+    this.grip.rest();
   }
 
   /** The window lost the keyboard. */

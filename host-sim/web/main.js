@@ -34,6 +34,10 @@ let board = null;
 const server = { hello: null, state: null };
 /** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
+/** Sound and vibration, while they are wanted. @type {import("./felt.js").Felt | null} */
+let felt = null;
+/** Points to an object that is out of the window, once it has been. @type {Promise<import("./away.js").Away> | null} */
+let away = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -90,6 +94,8 @@ function showState(message) {
   controls.show(message);
   transport.show(message);
   readout.setState(message);
+  const { client } = message.hand;
+  byId("let-go", HTMLButtonElement).disabled = board !== null || client === null || client !== server.hello?.you;
   address?.setState(message);
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
@@ -109,6 +115,7 @@ function showFrame(received) {
   charts.take(message);
   transport.count();
   stage.setFrame(message);
+  if (stage.state) felt?.take(message, stage.state.scene);
   grip.take(message);
 }
 
@@ -134,8 +141,11 @@ function note(text) {
 let noteTimer = 0;
 
 stage.also.push(() => {
-  const { message } = stage;
-  if (!message) return;
+  const { message, state } = stage;
+  if (!message || !state) return;
+  if (!stage.view.shows(state.scene.body, message.frame.pose)) {
+    away ??= import("./away.js").then(({ Away }) => new Away(stage));
+  }
   diagram.show(message);
   transport.take(message);
   const words = readout.update(), lines = charts.draw(), peg = insertion?.draw() ?? false;
@@ -182,18 +192,11 @@ function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go"]) {
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene"]) {
     /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
   }
   byId("no-serial").hidden = canSerial();
   byId("baud-label").hidden = !canSerial();
-}
-
-/** @param {number} factor */
-function zoom(factor) {
-  stage.adjusted = true;
-  stage.view.zoom(factor);
-  stage.ask();
 }
 
 /** @param {boolean} keep the hand stays closed when the pointer lets go */
@@ -202,19 +205,29 @@ function setKeep(keep) {
   byId("keep", HTMLInputElement).checked = keep;
 }
 
+/** Sound and vibration, on or off. */
+async function toggleSound() {
+  const { toggle } = await import("./felt.js");
+  felt = toggle(felt, byId("sound"));
+}
+
 const help = byId("help", HTMLDialogElement);
 const toggleHelp = () => (help.open ? help.close() : help.showModal());
 new Pointers(stage, grip);
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
   "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(),
-  "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM),
-  "t": () => byId("theme").click(), "?": toggleHelp, "h": toggleHelp,
+  "+": () => stage.zoom(ZOOM), "=": () => stage.zoom(ZOOM), "-": () => stage.zoom(1 / ZOOM),
+  "t": () => byId("theme").click(), "m": () => toggleSound(), "?": toggleHelp, "h": toggleHelp,
 });
 byId("keep").addEventListener("change", () => setKeep(byId("keep", HTMLInputElement).checked));
-byId("zoom-in").addEventListener("click", () => zoom(ZOOM));
-byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
+byId("zoom-in").addEventListener("click", () => stage.zoom(ZOOM));
+byId("zoom-out").addEventListener("click", () => stage.zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
+byId("sound").addEventListener("click", () => toggleSound());
+byId("picture").addEventListener("click", async () => (await import("./shown.js")).takePicture(stage, note));
+byId("film").hidden = typeof MediaRecorder === "undefined";
+byId("film").addEventListener("click", async () => (await import("./shown.js")).toggleFilm(stage, byId("film"), note));
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));

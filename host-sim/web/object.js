@@ -33,7 +33,7 @@ function traceBody(ctx, view, body, pose) {
 export function drawBody(ctx, view, body, pose) {
   traceBody(ctx, view, body, pose);
   ctx.lineJoin = "round";
-  ctx.fillStyle = colors["body-fill"];
+  ctx.fillStyle = body.length === 1 ? colors.body : colors["body-fill"];
   ctx.fill();
   ctx.strokeStyle = colors.body;
   ctx.lineWidth = body.length === 2 ? 6 : 2.5;

@@ -4,7 +4,9 @@
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
+import { drawHandle } from "./handle.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
+import { placeOf } from "./reach.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
 import { View } from "./view.js";
@@ -39,6 +41,10 @@ export class Stage {
     /** The reader has zoomed or moved the window. */
     this.adjusted = false;
     this.fitted = false;
+    /** The pointer that leads or turns the hand: the window stays meanwhile, so that both stay together. @type {Spot | null} */
+    this.leading = null;
+    /** What the pointer is over. @type {"object" | "knob" | null} */
+    this.over = null;
     this.asked = false;
     this.lastEcho = -1;
     /** Signs and texts are so much larger on a large screen. */
@@ -88,6 +94,7 @@ export class Stage {
       this.sceneKey = key;
       // The newest frame is one of the scene before.
       this.message = null;
+      this.leading = null;
       this.clear();
       this.fit();
     }
@@ -155,8 +162,32 @@ export class Stage {
     }
   }
 
+  /** Zooms about a place, or about the pointer that leads the hand. @param {number} factor @param {Spot | null} at */
+  zoom(factor, at = this.leading) {
+    this.adjusted = true;
+    this.view.zoom(factor, at?.x, at?.y);
+    this.ask();
+  }
+
+  /** @param {"object" | "knob" | null} over what the pointer is over */
+  setOver(over) {
+    if (over === this.over) return;
+    this.over = over;
+    this.canvas.dataset.over = over ?? "";
+    this.ask();
+  }
+
+  /** The hand can be turned by its handle: it holds, or the pointer is at the object and it could. */
+  handleShown() {
+    const { state, message } = this;
+    if (!state || !message || state.replay) return false;
+    const [x, y] = message.frame.hand;
+    return message.holding !== null || (this.over !== null && placeOf(state.scene, message.frame.pose, [x, y], 0) !== null);
+  }
+
   /** Fits or follows; a window that the reader has chosen stays. @param {Scene} scene @param {TraceFrame} frame */
   aim(scene, frame) {
+    if (this.leading) return;
     if (!this.fitted) {
       this.view.fit(scene, frame.pose, frame.hand);
       this.fitted = true;
@@ -193,6 +224,7 @@ export class Stage {
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
     obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
+    if (this.handleShown()) drawHandle(ctx, view, frame.hand, this.over === "knob");
     if (layers.bars && layers.values) {
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
       obstacles?.nameCorners(ctx, view, frame.contacts, labels);

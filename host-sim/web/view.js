@@ -99,6 +99,15 @@ export class View {
     return zoom || Math.hypot(dx, dy) * this.scale > 0.5;
   }
 
+  /** True if the window shows something of the body. @param {Vec[]} body @param {Pose} pose */
+  shows(body, [x, y, theta]) {
+    const c = Math.cos(theta), s = Math.sin(theta);
+    const columns = body.map(([a, b]) => this.px(x + c * a - s * b));
+    const rows = body.map(([a, b]) => this.py(y + s * a + c * b));
+    return Math.max(...columns) >= 0 && Math.min(...columns) <= this.width
+      && Math.max(...rows) >= 0 && Math.min(...rows) <= this.height;
+  }
+
   /** Zooms about a pixel. @param {number} factor @param {number} px @param {number} py */
   zoom(factor, px = this.width / 2, py = (this.height + this.top) / 2) {
     const scale = Math.min(MOST_ZOOM * this.fitting, Math.max(LEAST_ZOOM * this.fitting, factor * this.scale));

@@ -1,5 +1,5 @@
-// The box is dragged with the mouse, recorded, downloaded and replayed: what the page shows, what `stiction run`
-// computes of the same path, and what the replay shows are one and the same.
+// The box is dragged with the mouse: the hand stays with the pointer. The drag is recorded, downloaded and replayed: what the
+// page shows, what `stiction run` computes of the same path, and what the replay shows are one and the same.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -11,6 +11,8 @@ import { recordsOf, transitionsOf } from "./trace.js";
 const SLIPS = 6;
 /** The box is pressed so deep below the height at which its edge touches (m). */
 const DEPTH = 0.01;
+/** The hand is drawn so near to the pointer (px). */
+const TOGETHER = 2;
 
 /** The transitions that the diagram shows. @param {import("./live.js").Live} live */
 function transitionsShown(live) {
@@ -215,4 +217,89 @@ liveTest("a recording, its download and its replay are the same", async (bench) 
     there.t,
   );
   assert.deepEqual((await live.frame()).frame.hand, there.hand);
+});
+
+/**
+ * Notes with every drawing how far the hand is from the line along which the pointer is led, from one place to another (px).
+ * @param {import("./live.js").Live} live @param {Spot} from @param {Spot} to
+ */
+function watchLine(live, from, to) {
+  return live.page.evaluate(
+    ([a, b]) => {
+      const page = /** @type {any} */ (window);
+      page.line = [a, b];
+      if (page.farthest !== undefined) return;
+      page.farthest = 0;
+      const look = () => {
+        const [p, q] = /** @type {Spot[]} */ (page.line);
+        const hand = window.stiction.frame?.frame.hand ?? [NaN, NaN];
+        const at = window.stiction.pixelOf(hand[0], hand[1]);
+        const [ex, ey] = [q.x - p.x, q.y - p.y];
+        const part = ((at.x - p.x) * ex + (at.y - p.y) * ey) / (ex * ex + ey * ey);
+        const along = Math.min(1, Math.max(0, part));
+        page.farthest = Math.max(page.farthest, Math.hypot(at.x - p.x - along * ex, at.y - p.y - along * ey));
+        requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    },
+    [from, to],
+  );
+}
+
+liveTest("the hand is drawn at the pointer, however fast and far it is dragged", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  const begin = (await live.frame()).frame.hand;
+  await live.grab();
+  const origin = await live.pixel(0, 0);
+  const box = await page.locator("#stage").boundingBox();
+  assert.ok(box && live.pointer);
+  const start = live.pointer;
+  const [left, right, top, bottom] = [box.x + 3, box.x + box.width - 3, box.y + 3, box.y + box.height - 3];
+  // The corners crosswise, out of the window on the right, and back; in as many moves as a slow mouse makes, or in two.
+  const places = [
+    { x: left, y: bottom },
+    { x: right, y: top },
+    { x: left, y: top },
+    { x: right, y: bottom },
+    { x: right + 150, y: (top + bottom) / 2 },
+    { x: left, y: (top + bottom) / 2 },
+    start,
+  ];
+  for (const steps of [2, 12]) {
+    for (const place of places) {
+      await watchLine(live, live.pointer, place);
+      live.pointer = place;
+      await page.mouse.move(place.x, place.y, { steps });
+      // The frame that has the last sample of the pointer, and the hand there.
+      const apart = await live.until(
+        ([x, y, near]) => {
+          const [hx, hy] = window.stiction.frame?.frame.hand ?? [NaN, NaN];
+          const hand = window.stiction.pixelOf(hx, hy);
+          const distance = Math.hypot(hand.x - x, hand.y - y);
+          return distance <= near && { distance };
+        },
+        [place.x, place.y, TOGETHER],
+      );
+      assert.ok(apart);
+      await live.fresh();
+      const [hx, hy] = (await live.frame()).frame.hand;
+      const hand = await live.pixel(hx, hy);
+      assert.ok(Math.hypot(hand.x - place.x, hand.y - place.y) <= TOGETHER, `${hand.x}, ${hand.y} at ${place.x}, ${place.y}`);
+    }
+  }
+  const farthest = await page.evaluate(() => /** @type {any} */ (window).farthest);
+  assert.ok(farthest <= TOGETHER, `${farthest} px off the line on the way`);
+  assert.deepEqual(await live.pixel(0, 0), origin, "the window moved");
+  // After some 15 windows of displacement it is where it began: nothing has added up.
+  const { hand } = (await live.frame()).frame;
+  const pixel = await live.metresPerPixel();
+  assert.ok(Math.hypot(hand[0] - begin[0], hand[1] - begin[1]) < pixel, String(hand));
+  // A zoom while it is led is about the pointer.
+  await page.keyboard.press("+");
+  await live.drawn();
+  assert.ok((await live.metresPerPixel()) < 0.9 * pixel);
+  const zoomed = await live.pixel(hand[0], hand[1]);
+  assert.ok(Math.hypot(zoomed.x - start.x, zoomed.y - start.y) <= TOGETHER);
+  await page.mouse.up();
 });

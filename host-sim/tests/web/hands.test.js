@@ -1,6 +1,7 @@
 // The page without a mouse: by the keyboard alone, and by fingers.
 
 import assert from "node:assert/strict";
+import { Fingers, PHONE } from "./fingers.js";
 import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
@@ -245,36 +246,10 @@ liveTest("a brisk grab holds where the press was: the body goes as far as the po
   assert.ok(Math.abs(pose[0] - before[0] - way * pixel) < 0.1 * pixel, `${pose[0] - before[0]} m of ${way * pixel} m`);
 });
 
-liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
-  const live = await bench.open({
-    viewport: { width: 412, height: 800 },
-    hasTouch: true,
-    isMobile: true,
-    deviceScaleFactor: 2,
-  });
+liveTest("one finger drags, two turn it as they turn, two off the object zoom", async (bench) => {
+  const live = await bench.open(PHONE);
   const { page } = live;
-  const devtools = await page.context().newCDPSession(page);
-  /** @type {Spot[]} */
-  let fingers = [];
-  const touch = async (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {Spot[]} */ points) => {
-    fingers = points;
-    await devtools.send("Input.dispatchTouchEvent", {
-      type,
-      touchPoints: points.map((point, id) => ({ ...point, id })),
-    });
-  };
-  const glide = async (/** @type {Spot[]} */ to, steps = 20) => {
-    const from = fingers;
-    for (let k = 1; k <= steps; k++) {
-      await touch(
-        "touchMove",
-        to.map(({ x, y }, i) => ({
-          x: from[i].x + ((x - from[i].x) * k) / steps,
-          y: from[i].y + ((y - from[i].y) * k) / steps,
-        })),
-      );
-    }
-  };
+  const fingers = await Fingers.of(page);
   const handNear = (/** @type {Pose} */ wanted, /** @type {number} */ near) =>
     live.until(
       ([x, y, turn, reach]) => {
@@ -287,34 +262,45 @@ liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
   const [hx, hy, phi] = (await live.frame()).frame.hand;
   const pixel = await live.metresPerPixel();
   const start = await live.pixel(hx, hy);
-  await touch("touchStart", [start]);
+  await fingers.down(start);
   await live.until(() => window.stiction.state?.hand.by === "page" && window.stiction.frame?.holding);
-  await glide([{ x: start.x + 20, y: start.y - 12 }]);
+  await fingers.glide({ x: start.x + 20, y: start.y - 12 });
   await handNear([hx + 20 * pixel, hy + 12 * pixel, phi], 2 * pixel);
   // The second finger goes a quarter of a right angle about the first one, which stays: counter-clockwise.
-  const [one] = fingers;
-  await touch("touchStart", [one, { x: one.x + 100, y: one.y }]);
+  const [one] = fingers.points;
+  const about = (/** @type {Spot} */ { x, y }, /** @type {number} */ r, /** @type {number} */ angle) => ({
+    x: x + r * Math.cos(angle),
+    y: y - r * Math.sin(angle),
+  });
   const angle = Math.PI / 8;
-  for (let k = 1; k <= 10; k++) {
-    const part = (angle * k) / 10;
-    await touch("touchMove", [one, { x: one.x + 100 * Math.cos(part), y: one.y - 100 * Math.sin(part) }]);
-  }
+  await fingers.down(one, about(one, 100, 0));
+  await fingers.along((part) => [one, about(one, 100, angle * part)]);
   await handNear([hx + 20 * pixel, hy + 12 * pixel, phi + angle], 2 * pixel);
+  // Both turn about their middle, clockwise by a right angle: the hand turns as far, and stays at the first finger.
+  const middle = about(one, 50, angle);
+  const twist = -Math.PI / 2;
+  const ends = (/** @type {number} */ part) =>
+    [Math.PI, 0].map((side) => about(middle, 50, angle + side + twist * part));
+  await fingers.along(ends);
+  const { x, y } = ends(1)[0];
+  await handNear([hx + (x - start.x) * pixel, hy - (y - start.y) * pixel, phi + angle + twist], 2 * pixel);
   assert.ok((await live.frame()).holding);
-  await touch("touchEnd", []);
+  await fingers.lift();
   await live.until(() => window.stiction.frame?.holding === null);
 
   // Off the object two fingers zoom, and the hand stays.
+  await live.steady();
   const before = (await live.frame()).frame.hand;
+  const scale = await live.metresPerPixel();
   const box = await page.locator("#stage").boundingBox();
   assert.ok(box);
   const corner = { x: box.x + 30, y: box.y + box.height - 25 };
-  await touch("touchStart", [corner]);
-  await touch("touchStart", [corner, { x: corner.x + 60, y: corner.y }]);
-  await glide([corner, { x: corner.x + 78, y: corner.y }]);
-  await touch("touchEnd", []);
+  await fingers.down(corner);
+  await fingers.down(corner, { x: corner.x + 60, y: corner.y });
+  await fingers.glide(corner, { x: corner.x + 78, y: corner.y });
+  await fingers.lift();
   await live.drawn();
-  const ratio = pixel / (await live.metresPerPixel());
+  const ratio = scale / (await live.metresPerPixel());
   assert.ok(ratio > 1.1 && ratio < 1.45, `zoomed by ${ratio}`);
   assert.deepEqual((await live.frame()).frame.hand, before);
 });
