@@ -103,7 +103,8 @@ export class Demonstration {
     const happened = WORDS.find(([event]) => (events[event] ?? 0) > (this.counts[event] ?? 0));
     this.counts = events;
     if (happened) {
-      this.word = happened[1];
+      const again = happened[0] === "slip" && now < this.until && this.word.endsWith("slips");
+      this.word = again ? "sticks and slips" : happened[1];
       this.until = now + SAID;
     }
     if (now < this.until) return this.word;

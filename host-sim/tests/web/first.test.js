@@ -17,7 +17,7 @@ const WINDOWS = [
 /** What is seen at once at the top, but for the stage, of which there is more than half of its height. */
 const AT_ONCE = ["#what", "#cards", "#story", "#help-open"];
 /** What the demonstration of a box that is set down and dragged says one after the other, among others. */
-const SAID = ["moves freely", "sticks", "slips"];
+const SAID = ["moves freely", "slips", "sticks and slips"];
 /** Terms whose meaning the page tells, by what has the title. */
 const TERMS = [
   "#h-trade", "#number", "#evolution", "#keep", '[data-layer="ghost"]', '[data-layer="trails"]', '[data-layer="cones"]',
@@ -56,7 +56,7 @@ for (const viewport of WINDOWS) {
     // As in `look.test.js`: no column is wider than the window, and pictures have come.
     assert.ok(await live.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
     await live.until(() => [...document.querySelectorAll(".card")].every((card) => card.querySelector("svg")));
-    assert.match(await live.text("#story"), /^A box is .*\.$/);
+    assert.match(await live.text("#story"), /^A box lies flat on the floor .*\.$/);
     assert.ok(await live.page.locator("#demonstration").isVisible());
   });
 }
@@ -74,9 +74,8 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
   await live.until((words) => words.every((word) => /** @type {any} */ (window).said.has(word)), SAID);
   // What the body does is the solver's answer to the scene's own path.
   assert.equal((await live.state()).hand.by, "replay");
+  await live.until(() => (window.stiction.frame?.frame.pose[0] ?? 0) > 0.005);
   const { frame } = await live.frame();
-  assert.ok(Math.abs(frame.pose[0]) > 1e-4, String(frame.pose));
-  await live.steady();
   const at = await live.pixel(frame.pose[0], frame.pose[1]);
   await live.page.mouse.move(at.x, at.y);
   assert.equal((await live.state()).replay?.demonstration, true, "looking is not touching");
@@ -84,7 +83,7 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
   await live.until(() => window.stiction.state?.replay === null && window.stiction.state.hand.by === "page");
   await live.until(() => window.stiction.frame?.holding);
   const taken = (await live.frame()).frame;
-  assert.ok(taken.pose[0] > frame.pose[0] - 1e-4, "it is not back at its beginning");
+  assert.ok(taken.pose[0] > 0.005, "it is not back at its beginning");
   await live.page.mouse.up();
   await live.page.waitForSelector("#demonstration", { state: "hidden" });
 
