@@ -22,6 +22,7 @@ mod mirror;
 mod orders;
 mod outward;
 mod page;
+mod pictures;
 mod publish;
 mod recorder;
 mod recording;
@@ -60,6 +61,7 @@ use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
 use kept::Kept;
+use pictures::Pictures;
 use remote::Remote;
 use server::Hub;
 use shelf::Shelf;
@@ -176,7 +178,9 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     let shelf = Shelf::new(args.recordings.clone());
     let (engine, feed) = prepared(args, (shelf.clone(), notes))?;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
-    let scenes = orders::scene_names(engine.live.own.as_ref(), board.is_some());
+    let own = engine.live.own.as_ref();
+    let pictures = Pictures::new(own);
+    let scenes = orders::offers(own, board.is_some());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
@@ -196,6 +200,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         feed,
         orders,
         scenes,
+        pictures,
         board,
         stop,
         clients: AtomicU32::new(0),
@@ -253,6 +258,8 @@ fn prepared(
         Engine::new(stage, &setting, Arc::clone(&feed), records).map_err(ViewError::Scene)?;
     engine.live.own = own;
     engine.board = board;
+    engine.is_led =
+        [args.osc_in, args.opentrack_in].iter().any(Option::is_some) || args.hand.is_some();
     if let Some(file) = &args.hand {
         let path = HandPath::read(file, &placement)?;
         let (name, way) = (file.file_name(), Way::Path(Arc::new(path)));

@@ -6,6 +6,7 @@
 /** Names in the address of what `set` takes. */
 const PARAMETERS = /** @type {const} */ ({
   k_h: "stiffness_translation", k_theta: "stiffness_rotation", mu_s: "static", mu_d: "dynamic", memory: "memory",
+  weight: "weight",
 });
 /** What a page begins with. */
 const NUMBER = "f32";

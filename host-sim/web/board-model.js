@@ -20,7 +20,7 @@ export const BOX = {
 };
 /** Its parameters. @type {SceneParameters} */
 export const BOX_PARAMETERS = {
-  stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3, memory: null,
+  stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3, memory: null, weight: 0,
 };
 
 /**

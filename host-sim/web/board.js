@@ -205,6 +205,7 @@ export class Board {
   async carryOut(message) {
     switch (message.type) {
       case "set": {
+        if (message.parameters.weight !== undefined) throw new Error("A board keeps the weight of its scene.");
         const parameters = this.model.changed(message.parameters);
         await this.command({
           type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,

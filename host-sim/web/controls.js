@@ -1,8 +1,9 @@
 // The controls of the solver: scene, number type, evolution, the parameters, pause, step, speed, reset.
 
 import { byId, digits, setText } from "./dom.js";
+import { Gallery } from "./gallery.js";
 
-/** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic" | "memory"} ParameterName */
+/** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic" | "memory" | "weight"} ParameterName */
 
 /**
  * The range of a slider, whether it is one of decades, and the unit of what is typed.
@@ -14,6 +15,7 @@ const RANGES = {
   static: { least: 0, most: 1.5, log: false },
   dynamic: { least: 0, most: 1.5, log: false },
   memory: { least: 1e-6, most: 1e-2, log: true, unit: 1e-6 },
+  weight: { least: 0, most: 20, log: false },
 };
 const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
 /** The part of the body's size that is the memory length of a scene without one. */
@@ -31,7 +33,9 @@ export class Controls {
     /** Parameters that wait until those before are answered. @type {Partial<SceneParameters> | null} */
     this.waiting = null;
     this.underWay = false;
-    this.scene = byId("scene", HTMLSelectElement);
+    this.gallery = new Gallery((name) => this.ask({ type: "scene", name }));
+    /** A board keeps the weight of its scene. */
+    this.keepsWeight = false;
     this.number = byId("number", HTMLSelectElement);
     this.evolution = byId("evolution", HTMLSelectElement);
     this.pauseButton = byId("pause", HTMLButtonElement);
@@ -43,7 +47,6 @@ export class Controls {
 
   /** What every control does. */
   listen() {
-    this.scene.addEventListener("change", () => this.ask({ type: "scene", name: this.scene.value }));
     this.number.addEventListener("change", () => this.ask({ type: "number", value: this.number.value }));
     this.evolution.addEventListener("change", () => this.ask({ type: "evolution", value: this.evolution.value }));
     this.speed.addEventListener("change", () => this.ask({ type: "speed", value: Number(this.speed.value) }));
@@ -134,16 +137,17 @@ export class Controls {
   }
 
   /** The scenes to choose from, and what a board does not let one choose. @param {HelloMessage} hello */
-  setHello({ scenes, source }) {
-    this.scene.replaceChildren(...scenes.map((name) => new Option(name, name)));
-    this.number.disabled = source.kind !== "core";
+  setHello(hello) {
+    this.gallery.setHello(hello);
+    this.keepsWeight = hello.source.kind !== "core";
+    this.number.disabled = hello.source.kind !== "core";
     if (this.state) this.show(this.state);
   }
 
   /** Shows what holds. @param {StateMessage} state */
   show(state) {
     this.state = state;
-    choose(this.scene, state.scene.title);
+    this.gallery.show(state.scene.title);
     choose(this.number, state.number);
     this.evolution.value = state.evolution;
     if (![...this.speed.options].some(({ value }) => Number(value) === state.speed)) {
@@ -162,7 +166,7 @@ export class Controls {
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
       // A scene without a surface has no friction.
-      const isAbsent = parameters[name === "memory" ? "static" : name] === null;
+      const isAbsent = parameters[name === "memory" ? "static" : name] === null || (name === "weight" && this.keepsWeight);
       const value = parameters[name] ?? (name === "memory" && this.state ? MEMORY * size(this.state.scene) : 0);
       const shown = Number((value / (RANGES[name].unit ?? 1)).toPrecision(4));
       this.sliders[name].disabled = isAbsent;

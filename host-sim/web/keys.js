@@ -100,5 +100,5 @@ export class Keys {
 
 /** True where a key is text or moves a control. @param {EventTarget | null} target */
 function isTyping(target) {
-  return target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox]), select, textarea");
+  return target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
 }

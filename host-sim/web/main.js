@@ -3,6 +3,7 @@
 
 import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
+import { Demonstration } from "./demonstration.js";
 import { Diagram } from "./diagram.js";
 import { byId, setText } from "./dom.js";
 import { Grip } from "./grip.js";
@@ -13,6 +14,7 @@ import { Readout } from "./readout.js";
 import { asItCame, withoutNoise } from "./sizes.js";
 import { Stage } from "./stage.js";
 import { startTheme } from "./theme.js";
+import { startTips } from "./tips.js";
 import { Transport } from "./transport.js";
 
 /** A note disappears after so long (ms). */
@@ -21,6 +23,7 @@ const NOTE = 6000;
 const ZOOM = 1.3;
 
 startTheme();
+startTips();
 const stage = new Stage(byId("stage", HTMLCanvasElement));
 const diagram = new Diagram(byId("diagram"));
 const charts = new Charts();
@@ -52,6 +55,7 @@ const feed = () => board ?? source;
 const canSerial = () => navigator.serial !== undefined;
 const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
 const controls = new Controls(feed, note);
+const demonstration = new Demonstration((message) => feed().request(message), () => !address?.busy, note);
 const transport = new Transport((message) => controls.ask(message), note);
 
 /**
@@ -66,6 +70,7 @@ function eventsFor(serial) {
       if (!current()) return;
       readout.setHello(message);
       controls.setHello(message);
+      demonstration.hello = message;
     },
     state(message) {
       if (!serial) server.state = message;
@@ -99,6 +104,7 @@ function showState(message) {
   address?.setState(message);
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
+  demonstration.setState(message);
 }
 
 /** @param {Scene} scene */
@@ -117,12 +123,14 @@ function showFrame(received) {
   stage.setFrame(message);
   if (stage.state) felt?.take(message, stage.state.scene);
   grip.take(message);
+  demonstration.take(message);
 }
 
 /** Why the hand cannot be had now, or null. */
 function handRefusal() {
   if (board) return null;
   const { hello, state } = server;
+  if (state?.replay?.demonstration) return null;
   if (state?.replay) return "A replay moves the hand. Choose “live” to move it yourself.";
   const other = state?.hand.by != null && state.hand.client !== hello?.you;
   if (!other) return null;
@@ -183,6 +191,7 @@ function leaveBoard() {
   if (server.hello) {
     readout.setHello(server.hello);
     controls.setHello(server.hello);
+    demonstration.hello = server.hello;
   }
   if (server.state) showState(server.state);
 }
@@ -192,8 +201,8 @@ function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene"]) {
-    /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scenes"]) {
+    /** @type {HTMLButtonElement | HTMLSelectElement | HTMLFieldSetElement} */ (byId(id)).disabled = board !== null;
   }
   byId("no-serial").hidden = canSerial();
   byId("baud-label").hidden = !canSerial();

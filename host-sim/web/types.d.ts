@@ -170,6 +170,8 @@ interface SceneParameters {
   dynamic: number;
   /** Null: that of a scene that gives none. */
   memory: number | null;
+  /** Of the object (N). */
+  weight: number;
 }
 
 interface StateMessage {
@@ -183,7 +185,7 @@ interface StateMessage {
   recording: number | null;
   recording_file: string | null;
   recorded: { seconds: number; frames: number; file: string; earlier: boolean; problem: string | null } | null;
-  replay: { what: string; seconds: number } | null;
+  replay: { what: string; seconds: number; demonstration?: boolean } | null;
   hand: { by: string | null; client: number | null };
   clients: number;
 }
@@ -202,6 +204,8 @@ interface HelloMessage {
   you: number;
   program: string;
   scenes: string[];
+  /** Of the same order: what there is to see. A board by Web Serial has none, and no pictures. */
+  stories?: (string | null)[];
   source: Source;
 }
 

@@ -75,6 +75,9 @@ pub enum Message {
     Replay {
         /// Which one.
         what: Option<Path>,
+        /// Over and over, until somebody takes the hand: the path of the scene alone.
+        #[serde(default)]
+        demonstration: bool,
     },
     /// To a place of the path.
     Seek {
@@ -138,6 +141,8 @@ pub struct Parameters {
     /// Null stands for the length of a scene that gives none.
     #[serde(default, deserialize_with = "given")]
     pub memory: Option<Option<f64>>,
+    /// Of the body (N).
+    pub weight: Option<f64>,
 }
 
 /// What is there, null as well.
@@ -239,6 +244,7 @@ mod tests {
             r#"{"type": "set", "parameters": {"static": 0.5, "dynamic": 0.3}}"#,
             r#"{"type": "set", "parameters": {"memory": 1e-5}}"#,
             r#"{"type": "set", "parameters": {"memory": null}}"#,
+            r#"{"type": "set", "parameters": {"weight": 2}}"#,
             r#"{"type": "number", "value": "fixed"}"#,
             r#"{"type": "evolution", "value": "frame"}"#,
             r#"{"type": "pause", "value": true}"#,
@@ -247,6 +253,7 @@ mod tests {
             r#"{"type": "reset"}"#,
             r#"{"type": "record", "value": false}"#,
             r#"{"type": "replay", "what": "upload"}"#,
+            r#"{"type": "replay", "what": "scene", "demonstration": true}"#,
             r#"{"type": "replay", "what": null}"#,
             r#"{"type": "seek", "seconds": 1.5}"#,
             r#"{"type": "rate", "value": 1000}"#,

@@ -47,26 +47,33 @@ impl Holder {
         self.by.map(|(source, _)| source)
     }
 
+    /// Whether `source` may lead the hand: nobody else holds it.
+    ///
+    /// # Errors
+    /// Somebody else holds it.
+    pub fn may_lead(&self, source: Source) -> Result<(), String> {
+        let Some(other) = self.source().filter(|other| *other != source) else {
+            return Ok(());
+        };
+        Err(match other.client() {
+            Some(number) => format!("client {number} holds the hand, allowed: when it lets go"),
+            None => format!(
+                "{} holds the hand, allowed: 10 s after its last sample",
+                other.name()
+            ),
+        })
+    }
+
     /// A sample of `source` at `now`: the time since its last one where it holds the hand.
     ///
     /// # Errors
     /// Somebody else holds it.
     pub fn sample(&mut self, source: Source, now: Instant) -> Result<Duration, String> {
-        match self.by {
-            Some((other, _)) if other != source => Err(match other.client() {
-                Some(number) => format!("client {number} holds the hand, allowed: when it lets go"),
-                None => format!(
-                    "{} holds the hand, allowed: 10 s after its last sample",
-                    other.name()
-                ),
-            }),
-            last => {
-                self.by = Some((source, now));
-                Ok(last.map_or(Duration::MAX, |(_, then)| {
-                    now.saturating_duration_since(then)
-                }))
-            }
-        }
+        self.may_lead(source)?;
+        let last = self.by.replace((source, now));
+        Ok(last.map_or(Duration::MAX, |(_, then)| {
+            now.saturating_duration_since(then)
+        }))
     }
 
     /// `source` lets go, or is gone. Whether it held the hand.

@@ -36,4 +36,5 @@ pub mod session;
 pub mod simulate;
 pub mod stage;
 pub mod step_times;
+pub mod thumbnail;
 pub mod trace;

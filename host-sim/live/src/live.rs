@@ -6,10 +6,11 @@ use stiction_scene::Sample;
 use web_time::{Duration, Instant};
 
 use crate::body::Setting;
+use crate::change::Change;
 use crate::echo::Echoes;
 use crate::feed::{Latest, Pending};
 use crate::guide::{Guide, HandPose};
-use crate::holder::Holder;
+use crate::holder::{Holder, Source};
 use crate::pair::Pair;
 use crate::replay::Replay;
 use crate::say::{self, By, Fares, Replayed, Status};
@@ -153,6 +154,11 @@ impl Live {
             true => replay.advance(&mut self.pair, &mut self.times),
         };
         self.changed |= replay.takes_change();
+        if sample.is_none() && replay.rest() {
+            // The first snapshot is there, or the scene has begun before.
+            let _ = self.seek(0.0);
+            return None;
+        }
         (self.sample, self.tick) = (sample?, replay.at as u64);
         if follows {
             self.pending.record(&self.pair.frame);
@@ -186,6 +192,18 @@ impl Live {
             let hand = self.guide.advance();
             self.move_hand(hand);
             self.step();
+        }
+    }
+
+    /// A client is gone. A demonstration that nobody sees any more is over, as if it had not been.
+    pub fn left(&mut self, client: u32) {
+        self.clients = self.clients.saturating_sub(1);
+        self.holder.leave(Source::Client(client));
+        self.changed = true;
+        let replay = self.replay.as_ref();
+        if self.clients == 0 && replay.is_some_and(Replay::is_demonstration) {
+            // The scene has begun before.
+            let _ = self.apply(Change::run(self.stage.clone(), self.pair.setting.clone()));
         }
     }
 
@@ -237,6 +255,7 @@ impl Live {
         let replay = self.replay.as_ref().map(|replay| Replayed {
             what: replay.what.clone(),
             seconds: replay.seconds(),
+            demonstration: replay.is_demonstration(),
         });
         Status {
             paused: self.paused,

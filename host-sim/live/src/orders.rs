@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use serde_json::Number as JsonNumber;
 use stiction_core::Evolution;
-use stiction_scene::SceneFile;
+use stiction_scene::{HandPath, SceneFile};
 use web_time::Instant;
 
 use crate::body::Setting;
@@ -72,10 +72,15 @@ impl Live {
                 self.changed = true;
             }
             Message::Reset {} => return Ok(Some(self.anew())),
-            Message::Replay { what: None } => self.release(),
+            Message::Replay {
+                demonstration: true,
+                what,
+            } => return self.demonstration(client, what).map(Some),
+            Message::Replay { what: None, .. } => self.release(),
             Message::Replay {
                 what: Some(Path::Scene),
-            } => return self.scene_path().map(Some),
+                ..
+            } => return self.scene_path(Way::Path).map(Some),
             Message::Seek { seconds } => self.seek(seconds)?,
             Message::Rate { .. } => {}
             Message::Record { .. } | Message::Replay { .. } => {
@@ -98,8 +103,13 @@ impl Live {
         sent: Option<JsonNumber>,
         now: Instant,
     ) -> Result<(), String> {
-        if self.replay.is_some() {
-            return Err("the hand follows a path, allowed: a sample while it is live".to_owned());
+        match &self.replay {
+            Some(replay) if replay.is_demonstration() => self.release(),
+            Some(_) => {
+                let problem = "the hand follows a path, allowed: a sample while it is live";
+                return Err(problem.to_owned());
+            }
+            None => {}
         }
         let before = self.holder.source();
         let since = self.holder.sample(source, now)?;
@@ -184,6 +194,7 @@ impl Live {
             &mut written.stiffness_rotation,
             parameters.stiffness_rotation,
         );
+        put(&mut written.weight, parameters.weight);
         for surface in &mut written.surfaces {
             put(&mut surface.friction_static, parameters.friction_static);
             put(&mut surface.friction_dynamic, parameters.friction_dynamic);
@@ -197,10 +208,21 @@ impl Live {
         Change::Setting(setting)
     }
 
+    /// The scene's path over and over, until somebody takes the hand. It takes the hand from nobody but the client that asks.
+    fn demonstration(&mut self, client: u32, what: Option<Path>) -> Result<Change, String> {
+        if what != Some(Path::Scene) {
+            return Err("a demonstration of another path, allowed: \"scene\"".to_owned());
+        }
+        self.holder.may_lead(Source::Client(client))?;
+        let change = self.scene_path(Way::Demonstration)?;
+        self.holder.leave(Source::Client(client));
+        Ok(change)
+    }
+
     /// The scene's path, from its beginning.
-    fn scene_path(&self) -> Result<Change, String> {
+    fn scene_path(&self, way: fn(Arc<HandPath>) -> Way) -> Result<Change, String> {
         match &self.stage.path {
-            Some(path) => self.path("scene".to_owned(), Way::Path(Arc::clone(path))),
+            Some(path) => self.path("scene".to_owned(), way(Arc::clone(path))),
             None => Err(missing("path in the scene", "in a scene with one")),
         }
     }
@@ -219,7 +241,7 @@ impl Live {
     }
 
     /// The hand is live again, and stays where it is.
-    fn release(&mut self) {
+    pub fn release(&mut self) {
         if self.replay.take().is_some() {
             self.guide = Guide::at(self.shown_hand());
             self.changed = true;
@@ -227,7 +249,11 @@ impl Live {
         }
     }
 
-    fn seek(&mut self, seconds: f64) -> Result<(), String> {
+    /// Goes to a place of the path.
+    ///
+    /// # Errors
+    /// There is no path.
+    pub fn seek(&mut self, seconds: f64) -> Result<(), String> {
         let Some(replay) = &mut self.replay else {
             return Err("there is no replay, allowed: a seek while replaying".to_owned());
         };

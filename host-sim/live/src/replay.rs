@@ -14,6 +14,8 @@ use crate::step_times::StepTimes;
 const SNAPSHOT_EVERY: usize = 500;
 /// The longest path that is replayed (s).
 const LONGEST: f64 = 3600.0;
+/// Ticks that a demonstration rests at its end: so long one looks at what has become of the body.
+const REST: u32 = 1000;
 /// Hertz.
 const RATE: f64 = 1000.0;
 
@@ -32,6 +34,8 @@ pub trait Recorded: Debug + Send + Sync {
 pub enum Way {
     /// Resampled at the ticks.
     Path(Arc<HandPath>),
+    /// The same, over and over, until somebody takes the hand.
+    Demonstration(Arc<HandPath>),
     /// As it was recorded.
     Recorded(Arc<dyn Recorded>),
 }
@@ -40,7 +44,7 @@ impl Way {
     /// How many ticks.
     pub fn count(&self) -> usize {
         match self {
-            Self::Path(path) => path.frame_count(Some(RATE)),
+            Self::Path(path) | Self::Demonstration(path) => path.frame_count(Some(RATE)),
             Self::Recorded(recording) => recording.count(),
         }
     }
@@ -65,7 +69,7 @@ impl Way {
 
     fn sample(&self, k: usize) -> Option<Sample> {
         match self {
-            Self::Path(path) => path.sample(k, RATE),
+            Self::Path(path) | Self::Demonstration(path) => path.sample(k, RATE),
             Self::Recorded(recording) => recording.get(k).map(|hand| Sample {
                 t: k as f64 / RATE,
                 hand: hand.hand(),
@@ -88,6 +92,8 @@ pub struct Replay {
     snapshots: Vec<Pair>,
     /// The setting has changed on the way.
     changed: bool,
+    /// Ticks that it has rested at its end.
+    rested: u32,
 }
 
 impl Replay {
@@ -107,6 +113,7 @@ impl Replay {
             sought: None,
             snapshots: vec![pair.snapshot()],
             changed: false,
+            rested: 0,
         };
         Ok((replay, pair))
     }
@@ -128,6 +135,17 @@ impl Replay {
     /// It is at the end.
     pub fn is_over(&self) -> bool {
         self.at >= self.last() && !self.is_seeking()
+    }
+
+    /// It goes on until somebody takes the hand.
+    pub const fn is_demonstration(&self) -> bool {
+        matches!(self.way, Way::Demonstration(_))
+    }
+
+    /// A tick at the end. Whether it is time to begin again.
+    pub fn rest(&mut self) -> bool {
+        self.rested = self.rested.saturating_add(1);
+        self.is_demonstration() && self.rested >= REST
     }
 
     /// There is a tick to go to.
@@ -187,6 +205,7 @@ impl Replay {
             pair.counts.missed = missed;
             self.at = from;
         }
+        self.rested = 0;
         self.sought = (tick > self.at).then_some(tick);
         Ok(())
     }

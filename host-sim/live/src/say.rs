@@ -13,6 +13,7 @@ use crate::feed::{Latest, Shown};
 use crate::meter;
 use crate::pair::{Comparison, Pair, SlipMark};
 use crate::record::{Frame, Names, Scenery};
+use crate::scenes::Offer;
 use crate::stage::Stage;
 use crate::trace::Record;
 
@@ -77,13 +78,16 @@ pub enum Source<'a> {
 }
 
 /// The first message to a client.
-pub fn hello(client: u32, scenes: &[String], source: &Source<'_>) -> String {
+pub fn hello(client: u32, scenes: &[Offer], source: &Source<'_>) -> String {
+    let names: Vec<_> = scenes.iter().map(|scene| &scene.name).collect();
+    let stories: Vec<_> = scenes.iter().map(|scene| &scene.story).collect();
     json!({
         "type": "hello",
         "version": VERSION,
         "you": client,
         "program": concat!("stiction ", env!("CARGO_PKG_VERSION")),
-        "scenes": scenes,
+        "scenes": names,
+        "stories": stories,
         "source": source,
     })
     .to_string()
@@ -154,6 +158,9 @@ pub struct Replayed {
     pub what: String,
     /// From its first tick to its last (s).
     pub seconds: f64,
+    /// It begins again and again, until somebody takes the hand.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub demonstration: bool,
 }
 
 /// Who holds the hand.
@@ -198,6 +205,7 @@ pub fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
             "static": first.map(|(friction, _)| friction[0]),
             "dynamic": first.map(|(friction, _)| friction[1]),
             "memory": first.and_then(|(_, memory)| memory),
+            "weight": scene.weight,
         }),
         number: setting.number.name(),
         evolution: setting.evolution.name(),

@@ -50,6 +50,32 @@ pub fn has_obstacles((_, text): &(&str, &str)) -> bool {
     text.contains("\n[[obstacle]]")
 }
 
+/// A scene that can be shown: its name, and what there is to see in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Offer {
+    /// Its name.
+    pub name: String,
+    /// Its story, where it has one.
+    pub story: Option<String>,
+}
+
+impl Offer {
+    /// A scene file under a name.
+    pub fn new(name: impl Into<String>, source: &Source) -> Self {
+        Self {
+            name: name.into(),
+            story: source.story().map(str::to_owned),
+        }
+    }
+
+    /// All that are bundled, or those without obstacles.
+    pub fn bundled(with_obstacles: bool) -> impl Iterator<Item = Self> {
+        let shown = move |scene: &&(&str, &str)| with_obstacles || !has_obstacles(scene);
+        let scenes = ALL.iter().filter(shown);
+        scenes.map(|&(name, text)| Self::new(name, &Source::new(name, text)))
+    }
+}
+
 /// The bundled scene of a name.
 pub fn find(name: &Path) -> Option<Source> {
     let (name, text) = ALL.iter().find(|(known, _)| Path::new(known) == name)?;

@@ -37,6 +37,8 @@ pub(super) struct Engine {
     pub(super) live: Live,
     /// The board, where one has the solver.
     pub(super) board: Option<Remote>,
+    /// A path or a program was given that leads the hand.
+    pub(super) is_led: bool,
     /// The tick in which the hand closed or opened last.
     switched: u64,
     pub(super) recording: Option<Recording>,
@@ -70,6 +72,7 @@ impl Engine {
             feed,
             live: Live::new(stage, setting)?,
             board: None,
+            is_led: false,
             switched: 0,
             recording: None,
             recorded: None,

@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::recording::Recording;
 use super::resume::resumed;
 use crate::body::{Setting, without_obstacles};
-use crate::scenes;
+use crate::scenes::Offer;
 
 /// What the solver is told.
 #[derive(Debug)]
@@ -52,9 +52,7 @@ impl Engine {
                 self.live.changed = true;
             }
             Order::Left(client) => {
-                self.live.clients = self.live.clients.saturating_sub(1);
-                self.live.holder.leave(Source::Client(client));
-                self.live.changed = true;
+                self.live.left(client);
             }
             Order::Hand(source, pose) => {
                 // Nobody is there to be told that somebody else holds it.
@@ -105,10 +103,20 @@ impl Engine {
             }
             Message::Replay {
                 what: Some(Path::Upload),
+                demonstration: false,
             } => return self.upload().map(|change| Some(change.into())),
             Message::Replay {
                 what: Some(Path::Recording),
+                demonstration: false,
             } => return self.replay_recording().map(|change| Some(change.into())),
+            Message::Replay {
+                demonstration: true,
+                ..
+            } if self.is_led => {
+                return Err(
+                    "the hand comes from elsewhere, allowed: a demonstration without --hand, --osc-in and --opentrack-in".to_owned(),
+                );
+            }
             _ => {}
         }
         if self.board.is_some() {
@@ -133,6 +141,13 @@ impl Engine {
                 value.name(),
                 number.name()
             )),
+            Message::Set { parameters } if parameters.weight.is_some() => Err(
+                "a board keeps the weight of its scene, allowed: the other parameters".to_owned(),
+            ),
+            Message::Replay {
+                demonstration: true,
+                ..
+            } => Err("a board gives no demonstration, allowed: a replay".to_owned()),
             Message::Seek { .. } if self.live.replay.is_some() => {
                 Err("a board cannot be set back, allowed: a reset".to_owned())
             }
@@ -191,15 +206,8 @@ impl Engine {
     }
 }
 
-/// The bundled scenes that can be shown: a board takes no obstacles.
-fn shown(has_board: bool) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    let taken = scenes::ALL.iter();
-    taken.filter(move |scene| !has_board || !scenes::has_obstacles(scene))
-}
-
-/// The names of the scenes that can be shown.
-pub(super) fn scene_names(own: Option<&Stage>, has_board: bool) -> Vec<String> {
-    let own = own.map(|own| own.scene.title.clone());
-    let bundled = shown(has_board).map(|(name, _)| (*name).to_owned());
-    own.into_iter().chain(bundled).collect()
+/// The scenes that can be shown: a board takes no obstacles.
+pub(super) fn offers(own: Option<&Stage>, has_board: bool) -> Vec<Offer> {
+    let own = own.map(|own| Offer::new(own.scene.title.clone(), own.scene.source()));
+    own.into_iter().chain(Offer::bundled(!has_board)).collect()
 }

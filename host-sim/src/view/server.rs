@@ -20,10 +20,12 @@ use super::doors::Seat;
 use super::feed::Feed;
 use super::kept::Kept;
 use super::orders::Order;
+use super::pictures::{Pictures, picture};
 use super::recording::Recording;
 use super::upload::upload;
 use super::{client, page};
 use crate::board::Identity;
+use crate::scenes::Offer;
 
 /// A message that is longer than this ends the connection; one that is longer than is read is answered.
 const LONGEST_WIRE: usize = 64 << 10;
@@ -34,7 +36,8 @@ const AT_ONCE: usize = 4 << 10;
 pub(super) struct Hub {
     pub(super) feed: Arc<Feed>,
     pub(super) orders: mpsc::Sender<Order>,
-    pub(super) scenes: Vec<String>,
+    pub(super) scenes: Vec<Offer>,
+    pub(super) pictures: Pictures,
     /// The board that has the solver.
     pub(super) board: Option<Identity>,
     /// True when the server ends.
@@ -67,6 +70,7 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
     let router = Router::new()
         .route("/ws", get(socket))
         .route("/recording/{file}", get(recording))
+        .route("/scenes/{file}", get(picture))
         .route("/upload", post(upload));
     let router = match with_page {
         true => router.fallback(file),

@@ -131,6 +131,16 @@ fn what_a_board_refuses_changes_nothing() {
         json!({"type": "set", "parameters": {"memory": -1e-5}}),
         "memory of surface 0",
     );
+    refused(
+        &mut client,
+        json!({"type": "set", "parameters": {"weight": 1.0}}),
+        "a board keeps the weight of its scene, allowed",
+    );
+    refused(
+        &mut client,
+        json!({"type": "replay", "what": "scene", "demonstration": true}),
+        "a board gives no demonstration, allowed",
+    );
     let frame = client.frame(|_| true);
     assert_eq!(frame["board"]["connected"], true);
     client.done(json!({"type": "set", "parameters": {"static": 0.6}}));

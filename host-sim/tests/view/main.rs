@@ -4,6 +4,7 @@
 mod boards;
 #[path = "../common/mod.rs"]
 mod common;
+mod first;
 mod messages;
 mod obstacles;
 mod outward;

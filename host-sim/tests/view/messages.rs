@@ -142,7 +142,7 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
     let state = client.state(|state| state["evolution"] == "frame" && state["number"] == "f32");
     assert_eq!(
         state["parameters"],
-        json!({"stiffness_translation": 800.0, "stiffness_rotation": 0.5, "static": 0.9, "dynamic": 0.4, "memory": 2e-5})
+        json!({"stiffness_translation": 800.0, "stiffness_rotation": 0.5, "static": 0.9, "dynamic": 0.4, "memory": 2e-5, "weight": 0.0})
     );
     let loaded = client.frame(|frame| frame["frame"]["state"] == "edge");
     let normal: f64 = loaded["frame"]["contacts"]

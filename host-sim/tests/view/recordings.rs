@@ -186,13 +186,15 @@ fn a_changed_setting_is_in_the_recording() {
     client.done(json!({"type": "number", "value": "f64"}));
     client.lead(DOWN, ALONG, 20);
     client.done(json!({"type": "evolution", "value": "frame"}));
-    client.lead(ALONG, HOME, 20);
+    client.lead(ALONG, DOWN, 20);
+    client.done(json!({"type": "set", "parameters": {"weight": 3.0}}));
+    client.lead(DOWN, HOME, 20);
     let end = client.frame(|_| true)["frame"].clone();
     let whole = recorded(&mut client);
     assert!(whole["seconds"].as_f64() >= end["t"].as_f64());
     let folder = view.folder();
     let written = folder.read(FILE);
-    assert_eq!(written.matches(r#"{"change":{"number":"#).count(), 3);
+    assert_eq!(written.matches(r#"{"change":{"number":"#).count(), 4);
     assert_eq!(written, text(&view.get("/recording/recording.jsonl")));
     let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
     let (status, message) = replayed(folder, FILE, &again);
@@ -215,6 +217,7 @@ fn a_changed_setting_is_in_the_recording() {
         (&json!("f64"), &json!("frame"))
     );
     assert_eq!(state["parameters"]["static"], 0.7);
+    assert_eq!(state["parameters"]["weight"], 3.0);
 }
 
 #[test]

@@ -13,7 +13,7 @@ const WINDOW = { width: 1280, height: 800 };
 
 /**
  * A test of a page of its own, at an address of the host or in one file.
- * @param {string} name @param {(live: Live, open: (hash: string) => Promise<Live>) => Promise<void>} work
+ * @param {string} name @param {(live: Live, open: (hash: string, reducedMotion?: "no-preference") => Promise<Live>) => Promise<void>} work
  * @param {{file?: boolean}} [options]
  */
 function aloneTest(name, work, { file = false } = {}) {
@@ -22,8 +22,8 @@ function aloneTest(name, work, { file = false } = {}) {
     const host = await Host.start();
     /** @type {Live[]} */
     const pages = [];
-    const open = async (/** @type {string} */ hash) => {
-      const context = await browser.get().newContext({ viewport: WINDOW, colorScheme: "light" });
+    const open = async (/** @type {string} */ hash, /** @type {"reduce" | "no-preference"} */ reducedMotion = "reduce") => {
+      const context = await browser.get().newContext({ viewport: WINDOW, colorScheme: "light", reducedMotion });
       const live = new Live(await context.newPage(), file ? "null" : host.origin);
       pages.push(live);
       await live.page.goto(`${file ? oneFile : `${host.origin}/`}${hash}`);
@@ -103,6 +103,20 @@ aloneTest("the address shows another page the same scene, parameters and window"
   assert.ok(Math.hypot(a.x - b.x, a.y - b.y) < 0.5, JSON.stringify([a, b]));
   assert.equal(await other.page.isChecked('[data-layer="trails"]'), false);
 });
+
+for (const file of [false, true]) {
+  const where = file ? "in one file" : "from a web host";
+  aloneTest(`${where} the scene of the address is shown in motion until a key is pressed, and every scene has its picture`, async (live, open) => {
+    assert.equal(await live.page.locator(".card").count(), await live.page.locator(".card svg").count());
+    const other = await open("#scene=ladder&weight=1.5", "no-preference");
+    await other.until(() => window.stiction.state?.replay?.demonstration && (window.stiction.frame?.position ?? 0) > 0.5);
+    const { scene, parameters } = await other.state();
+    assert.deepEqual([scene.title, scene.weight, parameters.weight], ["ladder", 1.5, 1.5]);
+    await other.page.keyboard.press("Shift");
+    await other.until(() => window.stiction.state?.replay === null);
+    assert.match(await other.page.evaluate(() => location.hash), /weight=1\.5/);
+  }, { file });
+}
 
 aloneTest("an address that cannot be followed is told", async (live) => {
   await live.page.evaluate(() => { location.hash = "#scene=nowhere"; });

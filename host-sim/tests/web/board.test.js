@@ -184,7 +184,7 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
     scene.vertex.map((vertex) => vertex.map(Math.fround)),
     body.map((vertex) => vertex.map(Math.fround)),
   );
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "number"]) {
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene-box-flat", "number", "slide-weight", "type-weight"]) {
     assert.ok(await page.locator(`#${id}`).isDisabled(), id);
   }
 

@@ -181,7 +181,7 @@ liveTest("every scene loads and is drawn", async (bench) => {
     .filter((file) => file.endsWith(".toml"))
     .map((file) => file.replace(/\.toml$/, ""))
     .sort();
-  const offered = await live.page.locator("#scene option").allTextContents();
+  const offered = await live.page.locator(".card").allTextContents();
   assert.deepEqual(offered.sort(), bundled);
   for (const name of bundled) {
     await live.scene(name);

@@ -23,6 +23,8 @@ export function layoutFaults(live) {
       }
       const name = (/** @type {Element} */ element) =>
         element.id || `${element.tagName} “${element.textContent?.trim().slice(0, 30)}”`;
+      // What the strip of scenes has scrolled out of sight is not there.
+      const strip = /** @type {Element} */ (document.querySelector("#cards")).getBoundingClientRect();
       const shown = (/** @type {Element} */ element) =>
         element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
         !element.closest(".hidden, dialog:not([open])");
@@ -30,7 +32,7 @@ export function layoutFaults(live) {
       for (const element of document.body.querySelectorAll("*")) {
         if (!shown(element) || element.closest("svg, .chart")) continue;
         const { left, right, width } = element.getBoundingClientRect();
-        if (width > 0 && (left < -0.5 || right > wide + 0.5))
+        if (width > 0 && !element.closest("#cards > *") && (left < -0.5 || right > wide + 0.5))
           faults.push(`${name(element)} from ${left} to ${right} px`);
         const clips = element.matches("button, select, p, dd, dt, td, th, label, figcaption, h1, h2, a, li, output");
         if (clips && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0)
@@ -58,7 +60,10 @@ export function layoutFaults(live) {
         if (size < (parent.closest("sub") ? smallestIndex : smallest) - 0.01) faults.push(`“${text}” has ${size} px`);
         const range = document.createRange();
         range.selectNodeContents(node);
-        for (const box of range.getClientRects()) if (box.width > 0) texts.push({ text, box });
+        for (const box of range.getClientRects()) {
+          const isOut = parent.closest("#cards") && (box.right > strip.right || box.left < strip.left);
+          if (box.width > 0 && !isOut) texts.push({ text, box });
+        }
       }
       texts.forEach(({ text, box }, i) => {
         for (const other of texts.slice(i + 1)) {

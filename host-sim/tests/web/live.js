@@ -313,7 +313,7 @@ export class Live {
 
   /** Another scene, from its beginning. @param {string} name */
   async scene(name) {
-    await this.page.selectOption("#scene", name);
+    await this.page.click(`.card:has(input[value="${name}"])`);
     await this.until((title) => window.stiction.state?.scene.title === title && window.stiction.frame, name);
     await this.fresh();
   }
@@ -419,7 +419,8 @@ export class Bench {
   }
 
   /**
-   * Opens a page of the program in a window of its own, and waits until it shows something.
+   * Opens a page of the program in a window of its own, and waits until it shows something. Its reader wants less motion: no
+   * demonstration moves the hand.
    * @param {import("playwright-core").BrowserContextOptions} [options]
    */
   async open(options) {
@@ -432,7 +433,7 @@ export class Bench {
    * @param {(page: import("playwright-core").Page) => Promise<void>} before
    */
   async openBy(options, before) {
-    const context = await this.browser.newContext({ viewport: WINDOW, colorScheme: "light", ...options });
+    const context = await this.browser.newContext({ viewport: WINDOW, colorScheme: "light", reducedMotion: "reduce", ...options });
     const live = new Live(await context.newPage(), this.program.origin);
     this.pages.push(live);
     await before(live.page);

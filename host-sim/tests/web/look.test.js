@@ -27,6 +27,7 @@ const WEIGHT = 250_000;
 const ROLES = [
   "button",
   "checkbox",
+  "radio",
   "combobox",
   "listbox",
   "slider",

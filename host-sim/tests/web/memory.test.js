@@ -20,7 +20,7 @@ const PER_TICK = 10;
 /** One round. @param {import("./live.js").Live} live @param {number} round */
 async function round(live, round) {
   const { page } = live;
-  await page.selectOption("#scene", ["box-flat", "corner-stick-slip"][round % 2]);
+  await page.click(`.card:has(input[value="${["box-flat", "corner-stick-slip"][round % 2]}"])`);
   await live.fresh();
   await page.click("#record");
   await live.until(() => window.stiction.state?.recording !== null);

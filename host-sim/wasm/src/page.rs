@@ -11,7 +11,7 @@ use stiction_live::hear::{self, Message, Said};
 use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
 use stiction_live::say::{self, Source};
-use stiction_live::scenes;
+use stiction_live::scenes::{self, Offer};
 use stiction_live::simulate;
 use stiction_live::stage::Stage;
 use stiction_scene::SceneFile;
@@ -75,10 +75,7 @@ impl Page {
 
     /// The first message.
     pub fn hello(&self) -> String {
-        let scenes: Vec<String> = scenes::ALL
-            .iter()
-            .map(|(name, _)| (*name).to_owned())
-            .collect();
+        let scenes: Vec<Offer> = Offer::bundled(true).collect();
         say::hello(CLIENT, &scenes, &Source::Core)
     }
 

@@ -3,6 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use stiction_live::scenes;
+use stiction_live::thumbnail::thumbnail;
+use stiction_scene::Source;
 use stiction_tools::script::without_comments;
 
 use crate::module::{For, Module, workspace};
@@ -29,6 +32,8 @@ const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 pub(crate) struct Page {
     /// The files of `host-sim/web`.
     pub(crate) web: Vec<File>,
+    /// Names and pictures of the scenes.
+    pub(crate) pictures: Vec<(String, String)>,
     /// The worker's script.
     worker: Vec<u8>,
     part: Bound,
@@ -77,6 +82,7 @@ impl Page {
         let worker = workspace().join("host-sim/wasm/worker.js");
         Ok(Self {
             web,
+            pictures: pictures()?,
             worker: fs::read(&worker).map_err(of(&worker))?,
             part: Bound::new(part, PART)?,
             whole: Bound::new(whole, WHOLE)?,
@@ -86,6 +92,10 @@ impl Page {
     /// The files of the folder.
     pub(crate) fn files(&self) -> Vec<File> {
         let mut files = self.web.clone();
+        let picture = |(name, svg): &(String, String)| {
+            (format!("scenes/{name}.svg"), svg.clone().into_bytes())
+        };
+        files.extend(self.pictures.iter().map(picture));
         files.extend([
             (
                 "worker.js".to_owned(),
@@ -104,6 +114,16 @@ impl Page {
         let name = format!("\nlet {PART} = {WHOLE};\n");
         [&*self.whole.script, name.as_bytes(), &self.worker].concat()
     }
+}
+
+/// The pictures of the bundled scenes.
+fn pictures() -> Result<Vec<(String, String)>, BuildError> {
+    let picture = |&(name, text): &(&str, &str)| {
+        let svg = thumbnail(&Source::new(format!("{name}.toml"), text));
+        let svg = svg.map_err(|error| BuildError::Page(error.to_string()))?;
+        Ok((name.to_owned(), svg))
+    };
+    scenes::ALL.iter().map(picture).collect()
 }
 
 fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), BuildError> {

@@ -28,7 +28,12 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
             STANDARD.encode(find(files, "icon.svg")?)
         ),
     )?;
-    for name in ["uplot/uplot.min.css", "style.css", "panels.css"] {
+    for name in [
+        "uplot/uplot.min.css",
+        "style.css",
+        "panels.css",
+        "first.css",
+    ] {
         let link = format!(r#"<link rel="stylesheet" href="{name}">"#);
         put(&mut page, &link, &element("style", &text(files, name)?)?)?;
     }
@@ -47,6 +52,11 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         let data = format!("\"data:text/css;base64,{style}\"");
         put(code, "\"insertion.css\"", &data)?;
     }
+    let pictures: Map<String, Value> = all
+        .pictures
+        .iter()
+        .map(|(name, svg)| (name.clone(), svg.as_str().into()))
+        .collect();
     let mut scripts = String::new();
     let main = modules.remove("main.js").unwrap_or_default();
     let imports: Map<String, Value> = modules
@@ -57,10 +67,13 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         })
         .collect();
     let map = json!({ "imports": imports });
+    // A text in which no tag is seen.
+    let pictures = Value::Object(pictures).to_string().replace('<', "\\u003c");
     let _ = write!(
         scripts,
         "<script type=\"importmap\">{map}</script>\n\
          <script type=\"application/json\" id=\"packed\">{packed}</script>\n\
+         <script type=\"application/json\" id=\"pictures\">{pictures}</script>\n\
          <script type=\"module\">{}</script>",
         closed(&main)?
     );

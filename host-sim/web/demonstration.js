@@ -1,0 +1,116 @@
+// A demonstration until somebody touches the page: the hand follows the scene's path over and over, and a caption says what the
+// object does. The first press, touch or key ends it, where hand and object are. Also the note on an object that was let go.
+
+import { byId, reducedMotion, setText } from "./dom.js";
+
+/** What happens in a moment is said for so long (ms): as long as it takes to read. */
+const SAID = 600;
+/** A hand that is open for so long (ms) has let go; one that takes hold elsewhere is open for less. */
+const OPEN = 300;
+/** The hand is at its beginning if it is so near (m, rad): a frame has the digits of f32. */
+const NEAR = 1e-6;
+/** What happens, in words, by the name of the event; where two come together, the first one is said. */
+const WORDS = /** @type {const} */ ([
+  ["snap", "snaps over"], ["tip", "tips"], ["slip", "slips"], ["land", "lies down"], ["touch", "touches"], ["lift", "comes off"],
+]);
+
+export class Demonstration {
+  /**
+   * @param {(message: {type: string, [field: string]: unknown}) => Promise<void>} request
+   * @param {() => boolean} ready the page has done what its address says
+   * @param {(text: string) => void} tell
+   */
+  constructor(request, ready, tell) {
+    this.request = request;
+    this.ready = ready;
+    this.tell = tell;
+    /** @type {HelloMessage | null} */
+    this.hello = null;
+    /** @type {StateMessage | null} */
+    this.state = null;
+    /** Nothing begins by itself any more: it has begun, or somebody has pressed or typed. */
+    this.over = false;
+    /** It is asked for, and not answered yet. */
+    this.asking = false;
+    /** What happened last, in words, and until when it is said. */
+    this.word = "";
+    this.until = 0;
+    /** How often what happens has happened. @type {{[event: string]: number}} */
+    this.counts = {};
+    this.openSince = Infinity;
+    this.button = byId("show-me", HTMLButtonElement);
+    this.button.addEventListener("click", () => this.ask().catch((why) => this.tell(why.message)));
+    for (const name of ["pointerdown", "keydown", "click"]) {
+      document.addEventListener(name, () => this.touch(), { capture: true });
+    }
+  }
+
+  /** The hand follows the scene's path, for a look. */
+  get running() {
+    return this.state?.replay?.demonstration === true;
+  }
+
+  /** Begins. */
+  async ask() {
+    this.over = this.asking = true;
+    try {
+      await this.request({ type: "replay", what: "scene", demonstration: true });
+    } finally {
+      this.asking = false;
+    }
+  }
+
+  /** Somebody has pressed or typed. */
+  touch() {
+    this.over = true;
+    if (this.running || this.asking) this.request({ type: "replay", what: null }).catch((why) => this.tell(why.message));
+  }
+
+  /** @param {StateMessage} state */
+  setState(state) {
+    this.state = state;
+    const { running } = this;
+    byId("demonstration").hidden = !running;
+    if (running) byId("hint").hidden = false;
+    setText(byId("hint"), running ? "Press on the object to take it." : "Press on the object and drag it.");
+    this.button.hidden = running || this.hello?.source.kind !== "core";
+  }
+
+  /** The newest frame. @param {FrameMessage} message */
+  take(message) {
+    if (!this.over && this.mayBegin(message)) this.ask().catch(() => {});
+    if (this.running) setText(byId("doing"), this.words(message));
+    const now = performance.now();
+    if (message.holding !== null) this.openSince = Infinity;
+    else if (this.openSince === Infinity) this.openSince = now;
+    const hangs = message.frame.contacts.length === 0 || (this.state?.scene.weight ?? 0) > 0;
+    byId("released").hidden = !hangs || this.running || now - this.openSince < OPEN;
+  }
+
+  /** True if nobody has done anything yet, here or elsewhere. @param {FrameMessage} message */
+  mayBegin({ frame }) {
+    const { hello, state } = this;
+    if (!hello || !state || reducedMotion() || !this.ready()) return false;
+    const { replay, hand, clients, paused, recording, scene } = state;
+    const isAlone = hello.source.kind === "core" && clients === 1 && hand.by === null;
+    const isLive = replay === null && recording === null && !paused;
+    return isAlone && isLive && frame.hand.every((value, i) => Math.abs(value - scene.home[i]) <= NEAR * (1 + Math.abs(value)));
+  }
+
+  /** What the object does now. @param {FrameMessage} message */
+  words({ frame, counts: { events } }) {
+    const now = performance.now();
+    const happened = WORDS.find(([event]) => (events[event] ?? 0) > (this.counts[event] ?? 0));
+    this.counts = events;
+    if (happened) {
+      const again = happened[0] === "slip" && now < this.until && this.word.endsWith("slips");
+      this.word = again ? "sticks and slips" : happened[1];
+      this.until = now + SAID;
+    }
+    if (now < this.until) return this.word;
+    if (frame.status === "jammed") return "jams";
+    if (frame.contacts.length === 0) return "moves freely";
+    if (frame.state === "locked") return "is locked";
+    return frame.contacts.some(({ sliding }) => sliding !== 0) ? "slides along" : "sticks";
+  }
+}

@@ -1,0 +1,108 @@
+// The gallery: a card for each scene, with its picture and its name, and the story of the one that is shown. The cards are radio
+// buttons: arrow keys choose, and Tab goes on to what follows.
+
+import { byId, setText } from "./dom.js";
+
+/** What the wheel scrolls in a window that does not scroll itself. */
+const wide = window.matchMedia("(min-width: 901px)");
+
+export class Gallery {
+  /** @param {(name: string) => Promise<boolean>} choose asks for a scene, perhaps for the one that is there; false where it is refused */
+  constructor(choose) {
+    this.choose = choose;
+    this.cards = byId("cards");
+    this.story = byId("story");
+    /** @type {Map<string, {input: HTMLInputElement, story: string | null}>} */
+    this.scenes = new Map();
+    /** The scene that is shown. */
+    this.title = "";
+    /** Choices without an answer: until then the strip shows what was chosen last, from which arrow keys go on. */
+    this.waiting = 0;
+    this.cards.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+  }
+
+  /** The scenes to choose from. @param {HelloMessage} hello */
+  setHello({ scenes, stories }) {
+    this.scenes.clear();
+    this.cards.replaceChildren();
+    scenes.forEach((name, i) => this.add(name, stories?.[i] ?? null, stories !== undefined));
+    if (this.title) this.show(this.title);
+  }
+
+  /** A card. @param {string} name @param {string | null} story @param {boolean} drawn there is a picture of it */
+  add(name, story, drawn) {
+    const input = document.createElement("input");
+    Object.assign(input, { id: `scene-${name}`, type: "radio", name: "scene", value: name, title: story ?? "" });
+    input.addEventListener("change", () => this.pick(name));
+    // Who presses the card of the scene that is there wants it from its beginning.
+    input.addEventListener("click", () => { if (name === this.title) this.pick(name); });
+    const picture = document.createElement("span"), label = document.createElement("span");
+    picture.className = "picture";
+    label.textContent = name;
+    const card = document.createElement("label");
+    card.className = "card";
+    card.append(input, picture, label);
+    this.cards.append(card);
+    this.scenes.set(name, { input, story });
+    if (drawn) draw(name, picture);
+  }
+
+  /** The scene that is shown; it gets a card where it has none. @param {string} title */
+  show(title) {
+    if (!this.scenes.has(title)) this.add(title, null, false);
+    const { input, story } = /** @type {{input: HTMLInputElement, story: string | null}} */ (this.scenes.get(title));
+    this.title = title;
+    if (this.waiting > 0) return;
+    setText(this.story, story ?? "");
+    if (input.checked) return;
+    input.checked = true;
+    this.reveal(/** @type {HTMLElement} */ (input.parentElement));
+  }
+
+  /** A scene was chosen. @param {string} name */
+  async pick(name) {
+    this.waiting++;
+    const taken = await this.choose(name);
+    this.waiting--;
+    this.show(taken ? name : this.title);
+  }
+
+  /** Scrolls the strip, and nothing else, until a card is in it. @param {HTMLElement} card */
+  reveal(card) {
+    const { left, right } = this.cards.getBoundingClientRect();
+    const place = card.getBoundingClientRect();
+    this.cards.scrollLeft += Math.min(0, place.left - left) + Math.max(0, place.right - right);
+  }
+
+  /** A wheel that goes up and down scrolls the strip to the side. @param {WheelEvent} event */
+  wheel(event) {
+    if (!wide.matches || event.deltaX || event.ctrlKey) return;
+    event.preventDefault();
+    this.cards.scrollLeft += event.deltaY;
+  }
+}
+
+/** Pictures that a page of one file has in it. @type {{[name: string]: string} | null} */
+const packed = JSON.parse(document.querySelector("#pictures")?.textContent ?? "null");
+
+/**
+ * Draws the picture of a scene; as a part of the page, so that it has the colours of the theme.
+ * @param {string} name @param {HTMLElement} place
+ */
+async function draw(name, place) {
+  try {
+    const text = packed?.[name] ?? await fetched(`scenes/${encodeURIComponent(name)}.svg`);
+    const { documentElement } = new DOMParser().parseFromString(text, "image/svg+xml");
+    documentElement.setAttribute("aria-hidden", "true");
+    place.replaceChildren(document.importNode(documentElement, true));
+  } catch {
+    // The card has its name all the same.
+  }
+}
+
+/** @param {string} address */
+async function fetched(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(response.statusText);
+  return response.text();
+}
