@@ -88,7 +88,7 @@ pub fn require(needs: impl IntoIterator<Item = Need>) -> Result<(), EmulatorErro
     let (what, install): (Vec<_>, Vec<_>) = missing.into_iter().unzip();
     let install = match &install[..] {
         [one] => one.clone(),
-        several => several.iter().map(|one| format!("\n  {one}")).collect(),
+        several => format!("these commands\n  {}", several.join("\n  ")),
     };
     let what = what.join(", ");
     Err(EmulatorError::Missing { what, install })
