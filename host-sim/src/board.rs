@@ -56,6 +56,7 @@ use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate, trace_parser};
 use crate::record::Run;
 use crate::recording::{Head, Maker};
+use crate::shell::scene_completer;
 use crate::trace::Format;
 use crate::{report, scenes, stop};
 use audience::Console;
@@ -72,7 +73,7 @@ use stream::Stream;
 #[command(mut_group(PLACE, |group| group.required(true)))]
 pub struct BoardArgs {
     /// Scene file (TOML), or the name of a bundled scene
-    #[arg(default_value = scenes::DEFAULT)]
+    #[arg(default_value = scenes::DEFAULT, add = scene_completer())]
     scene: PathBuf,
     /// Where the board is.
     #[command(flatten)]
@@ -81,7 +82,7 @@ pub struct BoardArgs {
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
     /// Samples per second, instead of the rate in the scene file
-    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     rate: Option<f64>,
     /// A tracker instead of a path.
     #[command(flatten)]
@@ -89,13 +90,13 @@ pub struct BoardArgs {
     /// path: events are found along the hand's straight line between two samples; frame: at samples only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
-    /// Ticks of the board per second, instead of those that it has
-    #[arg(long, value_name = "HZ")]
+    /// Ticks per second of the board, instead of its own setting
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     tick: Option<u16>,
-    /// The board makes a step with every sample, this computer too: every bit of every answer is compared
+    /// Make a step with every sample on the board and on this computer, and compare every bit of every answer
     #[arg(long)]
     verify: bool,
-    /// The board keeps the scene that it has, and the body stays where it is
+    /// Keep the scene that the board has; the body stays where it is
     #[arg(long, conflicts_with = "verify")]
     keep: bool,
     /// Trace to write: TRACE.jsonl or TRACE.csv
@@ -104,7 +105,7 @@ pub struct BoardArgs {
     /// Recording to write, for `stiction replay`: scene, mode, every sample and every answer of the board
     #[arg(long, value_name = "FILE", requires = "verify")]
     record: Option<PathBuf>,
-    /// Nothing but errors and the verdict of --verify
+    /// Print only errors and the verdict of --verify
     #[arg(long)]
     quiet: bool,
 }

@@ -16,6 +16,7 @@ use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::scenes;
+use crate::shell::scene_completer;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
@@ -23,7 +24,7 @@ pub struct CheckArgs {
     /// Trace (jsonl, csv) of `stiction run`, or of any other program
     trace: PathBuf,
     /// Scene file (TOML) that the trace is of, or the name of a bundled scene
-    #[arg(long)]
+    #[arg(long, add = scene_completer())]
     scene: PathBuf,
     /// Number type of the solver: how exact the trace can be
     #[arg(long, value_enum, default_value_t = Number::F32)]
@@ -36,12 +37,12 @@ pub struct CheckArgs {
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
     /// Hand frames per second, instead of the rate in the scene file
-    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     rate: Option<f64>,
-    /// So many of the worst frames are listed
+    /// Number of the worst frames to list
     #[arg(long, value_name = "N", default_value_t = 10)]
     worst: usize,
-    /// No report: the exit status alone tells
+    /// Print no report; the exit status says whether the trace is lawful
     #[arg(long)]
     quiet: bool,
 }
@@ -127,7 +128,7 @@ fn open_scene(name: &Path) -> Result<Scene, InputError> {
     }
     match scenes::find(name) {
         Some(source) => Scene::parse(source.file(), source.text()),
-        None => Err(InputError::of_file(name, scenes::unknown())),
+        None => Err(InputError::of_file(name, scenes::unknown(name))),
     }
 }
 

@@ -10,16 +10,18 @@ use stiction_scene::{Among, HostModel, InputError, NumberType, c_source};
 
 use crate::input::open_scene;
 use crate::report;
+use crate::shell::scene_completer;
 
 /// The arguments of `stiction code`.
 #[derive(Args, Clone, Debug)]
 pub struct CodeArgs {
     /// Scene file (TOML), or the name of a bundled scene
+    #[arg(add = scene_completer())]
     scene: PathBuf,
-    /// Number type of the library: f32, or fixed for one without floating point
+    /// Number type of the library: f32, or fixed (without floating point)
     #[arg(long, default_value = "f32", value_parser = parse_number)]
     number: NumberType,
-    /// What the scene is called in the code
+    /// Name of the scene in the code
     #[arg(long, default_value = "scene", value_parser = parse_name)]
     name: String,
 }

@@ -35,9 +35,13 @@ use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::{self, Frame, Results, Totals};
 use stiction_scene::{NumberType, SceneFile, WrittenScene};
 use stiction_tools::image::flashed;
+use stiction_tools::needs::{Need, require};
 use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 
 use image::Image;
+
+/// QEMU for boards with an ARM processor.
+const QEMU_ARM: &str = "qemu-system-arm";
 
 /// An emulated board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -84,6 +88,22 @@ impl Board {
         }
     }
 
+    /// What builds its images and runs them is there, of all of these boards.
+    ///
+    /// # Errors
+    /// Something is missing; everything that is gets named.
+    pub fn require_all(boards: &[Self]) -> Result<(), EmulatorError> {
+        let mut needs = vec![Need::Build];
+        for board in boards {
+            let qemu = board.qemu().filter(|qemu| qemu.program == QEMU_ARM);
+            let emulator = qemu.map(|_| Need::QemuArm);
+            for need in [Some(Need::Target(board.target())), emulator] {
+                needs.extend(need.filter(|need| !needs.contains(need)));
+            }
+        }
+        require(needs)
+    }
+
     /// Where the flash begins of a board whose cycles can be estimated.
     const fn estimated(self) -> Option<u32> {
         match self {
@@ -109,9 +129,9 @@ impl Board {
     /// QEMU for this board; none that is emulated in this process.
     fn qemu(self) -> Option<Qemu> {
         let (program, machine, shift): (_, &[_], _) = match self {
-            Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"], 5),
-            Self::Nrf51822 => ("qemu-system-arm", &["microbit"], 8),
-            Self::An505 => ("qemu-system-arm", &["mps2-an505"], 8),
+            Self::Stm32F405 => (QEMU_ARM, &["netduinoplus2"], 5),
+            Self::Nrf51822 => (QEMU_ARM, &["microbit"], 8),
+            Self::An505 => (QEMU_ARM, &["mps2-an505"], 8),
             Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"], 0),
             Self::Rp2040 => return None,
         };

@@ -29,6 +29,9 @@ pub enum WriteError {
         /// The option that names it.
         by: &'static str,
     },
+    /// It is there, and may be somebody's work.
+    #[error("{}: is there already and stays as it is, allowed: another name", .0.display())]
+    Kept(PathBuf),
     /// It would replace another output.
     #[error(
         "{}: would be written by {} and by {}, allowed: a name for each",

@@ -14,28 +14,28 @@ use std::path::{Path, PathBuf};
 use std::thread;
 
 use clap::Args;
-use indicatif::ProgressBar;
 use stiction_core::{Evolution, Fixed, Hand};
 use stiction_scene::{InputError, SceneFile, SceneModel};
 use stiction_tools::process::EmulatorError;
 use stiction_tools::readme::Section;
 
-use crate::emulator::Chip;
+use crate::emulator::{Board, Chip};
 use crate::input::{open_path, open_scene};
 use crate::number::Number;
 use crate::options::evolution_parser;
-use crate::progress::measuring;
+use crate::progress::{Measuring, measuring};
 use crate::report;
+use crate::shell::scene_completer;
 use measure::measure;
 use table::{Row, Table};
 
 /// The arguments of `stiction footprint`.
 #[derive(Args, Clone, Debug)]
 pub struct FootprintArgs {
-    /// Scene file (TOML), or the name of a bundled scene; without it a few bundled scenes
-    #[arg(required_unless_present = "readme")]
+    /// Scene file (TOML), or the name of a bundled scene; may be left out with --readme, for a few bundled scenes
+    #[arg(required_unless_present = "readme", add = scene_completer())]
     scene: Option<PathBuf>,
-    /// One evolution alone; without it both
+    /// Measure this evolution only, instead of both
     #[arg(long, value_parser = evolution_parser())]
     evolution: Option<Evolution>,
     /// Writes the table, without a scene that of a few bundled ones, between the marks <!-- footprint: begin --> and
@@ -117,6 +117,7 @@ pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
     let evolutions: Vec<_> = all
         .filter(|evolution| args.evolution.is_none_or(|asked| asked == *evolution))
         .collect();
+    Board::require_all(&Chip::ALL.map(Chip::board))?;
     let mut rows = Vec::new();
     for case in &cases {
         report::print(&heading(case));
@@ -151,19 +152,18 @@ fn heading(case: &Case) -> String {
 /// The rows of a scene, behind a progress bar.
 fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, FootprintError> {
     let models = Chip::ALL.len() * evolutions.len() * 2;
-    let bar = &measuring(models as u64);
-    bar.set_message(case.scene.title.clone());
+    let bar = &measuring(&case.scene.title, models as u64);
     // One chip computes while the image of another one is built.
     let of_chips = thread::scope(|scope| {
         let started =
             Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, (case, evolutions), bar)));
         started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
     });
-    bar.finish_and_clear();
     let mut rows = Vec::new();
     for of_chip in of_chips {
         rows.extend(of_chip?);
     }
+    bar.end();
     Ok(rows)
 }
 
@@ -171,14 +171,14 @@ fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, Footprint
 fn of_chip(
     chip: Chip,
     (case, evolutions): (&Case, &[Evolution]),
-    bar: &ProgressBar,
+    bar: &Measuring,
 ) -> Result<Vec<Row>, EmulatorError> {
     let Case { scene, hands } = case;
     let model = SceneModel::smallest(scene);
     let row = |&evolution| {
         let of = |model| {
             let measured = measure(chip, model, scene, evolution, hands);
-            bar.inc(1);
+            bar.advance(1, &format!("{} done: {model}", chip.name()));
             measured
         };
         Ok(Row {

@@ -21,7 +21,9 @@ use stiction_tools::uf2::{Family, blocks, uf2};
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};
 use crate::number::{Number, named};
+use crate::progress::Activity;
 use crate::report;
+use crate::shell::scene_completer;
 
 /// The arguments of `stiction image`.
 #[derive(Args, Clone, Debug)]
@@ -30,11 +32,12 @@ pub struct ImageArgs {
     #[arg(value_parser = board_parser())]
     board: Board,
     /// Scene file (TOML), or the name of a bundled scene, to compile in instead of the board's own: the board has room for this scene alone
+    #[arg(add = scene_completer())]
     scene: Option<PathBuf>,
-    /// Room for scenes with obstacles over the wire
+    /// Leave room for scenes with obstacles, sent over the wire
     #[arg(long, conflicts_with = "scene")]
     obstacles: bool,
-    /// The device at its pins; without one the hand comes over the line
+    /// Device at the board's pins; without one the hand comes over the serial line
     #[arg(long)]
     device: Option<Device>,
     /// File to write: FILE.uf2, for the drive of a board that has one, or FILE.elf; without it stiction-BOARD.uf2 or stiction-BOARD.elf
@@ -136,11 +139,13 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     let features = features(args)?;
     let scene = args.scene.as_deref().map(usable_scene).transpose()?;
     check(args.scene.as_deref(), [("--out", out.clone())])?;
-    report::tell(format_args!("building the image of {} ...", board.name));
+    board.require_build()?;
+    let building = Activity::begin(format!("building the image of {}", board.name));
     let image = match &scene {
         Some(scene) => built_with(board, &features, scene)?,
         None => board.image(&features, None)?,
     };
+    building.end();
     let bytes = match family {
         Some(family) => uf2(&parts(&image)?, family)?,
         None => fs::read(&image).map_err(WriteError::of(&image))?,

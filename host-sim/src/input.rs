@@ -17,7 +17,7 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     }
     match scenes::find(name) {
         Some(source) => SceneFile::parse(source, number.limit()),
-        None => Err(InputError::of_file(name, scenes::unknown())),
+        None => Err(InputError::of_file(name, scenes::unknown(name))),
     }
 }
 

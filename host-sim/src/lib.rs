@@ -15,6 +15,8 @@
 //!
 //! [`check`] judges a trace by the laws alone.
 //!
+//! [`list`] shows the bundled scenes, and [`new`] writes one to start from.
+//!
 //! [`code`] prints a scene as C, for the C library.
 //!
 //! [`trade`] runs many scenes in every setting of the solver, and tells what each setting costs and how exact it is.
@@ -33,11 +35,16 @@ mod balance;
 pub mod board;
 pub mod check;
 pub mod code;
+pub mod command;
 pub mod emulator;
+mod examples;
 mod files;
 pub mod footprint;
 pub mod image;
 pub mod input;
+pub mod list;
+mod mistakes;
+pub mod new;
 pub mod options;
 pub mod plot;
 mod progress;
@@ -46,6 +53,7 @@ pub mod replay;
 pub mod report;
 pub mod run;
 mod settings;
+pub mod shell;
 pub mod stop;
 mod summary;
 pub mod sweep;

@@ -2,66 +2,30 @@
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
-use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
-use stiction_host_sim::check::{CheckArgs, check};
-use stiction_host_sim::code::{CodeArgs, code};
-use stiction_host_sim::footprint::{FootprintArgs, footprint};
-use stiction_host_sim::image::{ImageArgs, image};
-use stiction_host_sim::replay::{ReplayArgs, replay};
-use stiction_host_sim::run::{RunArgs, run};
-use stiction_host_sim::sweep::{SweepArgs, sweep};
-use stiction_host_sim::trade::{TradeArgs, trade};
-use stiction_host_sim::view::{ViewArgs, view};
+use stiction_host_sim::board::{board, info};
+use stiction_host_sim::check::check;
+use stiction_host_sim::code::code;
+use stiction_host_sim::command::{Command, parsed};
+use stiction_host_sim::footprint::footprint;
+use stiction_host_sim::image::image;
+use stiction_host_sim::list::scenes;
+use stiction_host_sim::new::new;
+use stiction_host_sim::replay::replay;
+use stiction_host_sim::run::run;
+use stiction_host_sim::shell::{complete, completions, man};
+use stiction_host_sim::sweep::sweep;
+use stiction_host_sim::trade::trade;
+use stiction_host_sim::view::view;
 use stiction_host_sim::{report, stop};
-
-/// Statics-based contact of an object held in the hand
-#[derive(Parser)]
-#[command(name = "stiction", version)]
-struct Cli {
-    #[command(subcommand)]
-    command: Option<Command>,
-}
-
-/// What is done where no command is given, with all that is not said.
-#[derive(Parser)]
-struct Unasked {
-    #[command(flatten)]
-    view: ViewArgs,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    /// The live page: hold the body with the mouse; poses for renderers (without a command: this)
-    View(Box<ViewArgs>),
-    /// Run a scene: a trace, a summary, plots
-    Run(RunArgs),
-    /// Run a recording again: every answer bit for bit, or the first frame that differs
-    Replay(ReplayArgs),
-    /// Check a trace, of this program or another one, against the laws of statics and friction
-    Check(CheckArgs),
-    /// Measure every setting of the solver: errors, costs, and which one to take
-    Trade(TradeArgs),
-    /// Parameter studies: a grid or random points over all cores, to one table; in shards, continued where it was ended
-    Sweep(SweepArgs),
-    /// Build the smallest solver for a scene, for two chips: why it is that, its size, what a frame costs (in QEMU)
-    Footprint(FootprintArgs),
-    /// Stream a hand's motion to a board in real time: rate, latency, losses, a trace; with --verify bit for bit
-    Board(BoardArgs),
-    /// What a board says about itself
-    Info(InfoArgs),
-    /// Build the image of a board: a file for its drive (UF2), or for a debug probe (ELF)
-    Image(ImageArgs),
-    /// A scene as C code, for the C library
-    Code(CodeArgs),
-}
 
 /// Input that cannot be used, or output that cannot be written.
 const UNUSABLE: u8 = 2;
 
 fn main() -> ExitCode {
+    // Before anything is printed.
+    complete();
     stop::begin();
-    let exit = match command() {
+    let exit = match parsed(std::env::args_os()) {
         Ok(command) => done(command),
         // Also where help was asked for.
         Err(said) => {
@@ -78,17 +42,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// What the arguments ask for.
-fn command() -> Result<Command, clap::Error> {
-    match Cli::try_parse()?.command {
-        Some(command) => Ok(command),
-        None => {
-            let Unasked { view } = Unasked::try_parse_from(["stiction"])?;
-            Ok(Command::View(Box::new(view)))
-        }
-    }
-}
-
 fn done(command: Command) -> ExitCode {
     // False where the work was done and its outcome is bad.
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
@@ -102,6 +55,10 @@ fn done(command: Command) -> ExitCode {
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
         Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),
         Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
+        Command::Scenes(args) => scenes(&args).map(|()| true).map_err(Into::into),
+        Command::New(args) => new(&args).map(|()| true).map_err(Into::into),
+        Command::Completions(args) => completions(&args).map(|()| true).map_err(Into::into),
+        Command::Man(args) => man(&args).map(|()| true).map_err(Into::into),
         Command::View(args) => view(&args).map(|()| true).map_err(Into::into),
     };
     match result {

@@ -1,6 +1,7 @@
 //! What several commands take as an option: from its text to its value, or to what is allowed.
 
 use std::ffi::OsString;
+use std::net::{SocketAddr, ToSocketAddrs};
 use std::path::PathBuf;
 
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
@@ -43,4 +44,30 @@ pub(crate) fn parse_budget(text: &str) -> Result<u32, String> {
         Ok(units) if units > 0 => Ok(units),
         _ => Err(format!("allowed: a whole number from 1 to {}", u32::MAX)),
     }
+}
+
+/// The address of this computer, which is meant where a port stands alone.
+const HERE: &str = "127.0.0.1";
+
+/// HOST:PORT; a port alone is one of this computer. Whether the host exists is asked when it is used.
+pub(crate) fn parse_end(text: &str) -> Result<String, String> {
+    let port = |text: &str| text.parse::<u16>().ok();
+    if let Some(port) = port(text.strip_prefix(':').unwrap_or(text)) {
+        return Ok(format!("{HERE}:{port}"));
+    }
+    match text.rsplit_once(':') {
+        Some((host, number)) if !host.is_empty() && port(number).is_some() => Ok(text.to_owned()),
+        None if !text.contains(|c: char| !c.is_ascii_digit()) => {
+            Err("allowed: a port from 0 to 65535, or HOST:PORT".to_owned())
+        }
+        None => Err(format!("the port is missing, write {text}:PORT")),
+        Some(_) => Err("allowed: HOST:PORT, the port from 0 to 65535".to_owned()),
+    }
+}
+
+/// Where this computer listens.
+pub(crate) fn parse_listen(text: &str) -> Result<SocketAddr, String> {
+    let end = parse_end(text)?;
+    let mut places = end.to_socket_addrs().map_err(|error| error.to_string())?;
+    places.next().ok_or_else(|| "no such host".to_owned())
 }

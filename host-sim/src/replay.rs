@@ -23,13 +23,13 @@ use crate::trace::{Format, Record};
 pub struct ReplayArgs {
     /// Recording, of `view`, `run --record` or `board --verify --record`
     recording: PathBuf,
-    /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
+    /// Trace of the new answers to write: TRACE.jsonl or TRACE.csv
     #[arg(long, value_name = "TRACE", value_parser = trace_parser())]
     out: Option<(PathBuf, Format)>,
-    /// Recording to write: the same samples with the answers of now
+    /// Recording to write: the same samples with the new answers
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
-    /// Nothing where all is the same
+    /// Print nothing if every answer is the same
     #[arg(long)]
     quiet: bool,
 }

@@ -8,9 +8,14 @@ use std::sync::{Mutex, PoisonError};
 /// The first thing that went wrong with standard output.
 static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
 
+/// Where something was written: a line of a summary.
+pub(crate) fn written(what: &str, place: &Path) -> String {
+    format!("  {what:<18}{}\n", place.display())
+}
+
 /// Which plots were written, and where.
 pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
-    let mut text = format!("  {:<18}{}\n", "plots", folder.display());
+    let mut text = written("plots", folder);
     for file in files {
         // Writing to a string does not fail.
         let _ = writeln!(text, "  {:<18}{}", "", file.display());

@@ -16,6 +16,7 @@ use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
 use crate::settings::Settings;
+use crate::shell::scene_completer;
 use crate::summary::Summary;
 use crate::trace::Format;
 
@@ -23,11 +24,12 @@ use crate::trace::Format;
 #[derive(Args, Clone, Debug)]
 pub struct RunArgs {
     /// Scene file (TOML), or the name of a bundled scene
+    #[arg(add = scene_completer())]
     pub(crate) scene: PathBuf,
     /// How it is run.
     #[command(flatten)]
     pub(crate) settings: Settings,
-    /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
+    /// Trace to write: TRACE.jsonl or TRACE.csv; the summary goes to standard error then, without it to standard output
     #[arg(long, value_name = "TRACE", value_parser = trace_parser())]
     pub(crate) out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
@@ -36,7 +38,7 @@ pub struct RunArgs {
     /// Folder for plots
     #[arg(long, value_name = "DIR")]
     pub(crate) plot: Option<PathBuf>,
-    /// Neither summary nor progress
+    /// Print neither summary nor progress
     #[arg(long)]
     pub(crate) quiet: bool,
 }
@@ -93,17 +95,25 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         Ok::<_, RunError>(())
     })?;
     summary.set_solver_time(time);
-    let mut text = String::new();
-    if let Some(folder) = &args.plot {
-        let files = plot::write(&record, folder)?;
-        text = report::plots(folder, &files);
-    }
+    let mut text = summary.to_string();
+    let plots = match &args.plot {
+        Some(folder) => report::plots(folder, &plot::write(&record, folder)?),
+        None => String::new(),
+    };
     files.finish()?;
-    if args.out.is_none() {
-        text.insert_str(0, &summary.to_string());
+    let written = [
+        ("trace", args.out.as_ref().map(|(file, _)| file)),
+        ("recording", args.record.as_ref()),
+    ];
+    for (what, file) in written {
+        text += &file.map_or_else(String::new, |file| report::written(what, file));
     }
-    if !args.quiet {
-        report::print(&text);
+    text += &plots;
+    match args.out {
+        _ if args.quiet => {}
+        // Whoever asks for a trace may pass standard output on, and expects nothing there.
+        Some(_) => report::tell(text.trim_end()),
+        None => report::print(&text),
     }
     Ok(())
 }

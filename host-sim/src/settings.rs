@@ -27,11 +27,11 @@ pub(crate) struct Settings {
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     pub(crate) evolution: Evolution,
     /// Hand frames per second, instead of the rate in the scene file
-    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     pub(crate) rate: Option<f64>,
     /// Units of work that a frame may take, 1 or more; it does one piece of work at least. What is left of a frame is done with
     /// the next one
-    #[arg(long, value_name = "UNITS", value_parser = parse_budget)]
+    #[arg(long, value_name = "UNITS", value_parser = parse_budget, allow_negative_numbers = true)]
     pub(crate) budget: Option<u32>,
 }
 

@@ -45,16 +45,16 @@ pub struct SweepArgs {
     /// others have none, so that `cat` in their order makes one table
     #[arg(long, value_name = "I/N", value_parser = parse_shard, default_value = "1/1", hide_default_value = true)]
     shard: Shard,
-    /// Threads, instead of one for each core
+    /// Number of threads, instead of one per core
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// A last column with the time of the solver's steps (s), which is different every time
+    /// Add a last column: the time of the solver's steps (s), which differs from run to run
     #[arg(long)]
     time: bool,
-    /// How many points there are, and the first of them; nothing is run
+    /// Print the number of points and the first of them; run nothing
     #[arg(long)]
     dry_run: bool,
-    /// No progress and no summary
+    /// Print neither progress nor summary
     #[arg(long)]
     quiet: bool,
 }

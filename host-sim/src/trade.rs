@@ -35,6 +35,7 @@ use stiction_scene::InputError;
 use stiction_tools::machine::processor;
 use stiction_tools::process::EmulatorError;
 
+use crate::emulator::{Board, Chip};
 use crate::files::{WriteError, check};
 use crate::plot::{self, PlotError};
 use crate::progress::measuring;
@@ -54,12 +55,15 @@ pub struct TradeArgs {
     /// Recorded hand path (csv, tum, txt) instead of the synthetic one
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
-    /// A few scenes only
+    /// Measure a few scenes only
     #[arg(long)]
     quick: bool,
-    /// Counts instructions, flash and memory on emulated Cortex-M4F and Cortex-M0 as well (needs QEMU)
+    /// Also count instructions or cycles, flash and memory on four emulated chips (needs QEMU)
     #[arg(long)]
     emulated: bool,
+    /// Prints the whole table, too, after the recommendation; it is in trade.csv in any case
+    #[arg(long)]
+    table: bool,
     /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well, and in short
     /// between <!-- settings: begin --> and <!-- settings: end -->, where it has them; can be given again for other files
     #[arg(long, value_name = "FILE")]
@@ -161,30 +165,35 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
         .iter()
         .map(|file| format!("  {}\n", file.display()))
         .collect();
-    crate::report::print(&(report.text() + &list));
+    let mut text = report.recommendation();
+    match args.table {
+        true => text += &report.table(),
+        false => text += "the whole table: --table; files:\n",
+    }
+    crate::report::print(&(text + &list));
     Ok(())
 }
 
 /// Counts on emulated chips behind a progress bar.
 fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
-    let bar = measuring(emulated::extent() as u64);
+    Board::require_all(&Chip::ALL.map(Chip::board))?;
+    let bar = measuring("emulated chips", emulated::extent() as u64);
     let counts = emulated::count(suite, |chip| {
-        bar.set_message(chip.to_owned());
-        bar.inc(1);
+        bar.advance(1, chip);
     });
-    bar.finish_and_clear();
-    counts
+    let counts = counts?;
+    bar.end();
+    Ok(counts)
 }
 
 /// Measures the suite behind a progress bar.
 fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
-    let bar = measuring(suite.frame_count() as u64);
+    let bar = measuring("scenes on this computer", suite.frame_count() as u64);
     let rows = measure(suite, |case| {
-        bar.set_message(case.scene.title.clone());
-        bar.inc(case.frame_count() as u64);
+        bar.advance(case.frame_count() as u64, &case.scene.title);
     });
-    bar.finish_and_clear();
     let mut rows = rows?;
+    bar.end();
     counts.iter().for_each(|count| count.enter(&mut rows));
     let mut report = Report {
         machine: processor(),

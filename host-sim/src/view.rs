@@ -53,9 +53,10 @@ use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
 use crate::body::{Setting, check, without_obstacles};
 use crate::input::open_scene;
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_rate};
+use crate::options::{evolution_parser, parse_end, parse_listen, parse_rate};
 use crate::report;
 use crate::scenes;
+use crate::shell::scene_completer;
 use crate::stop;
 use ends::{Ends, listen};
 use engine::Engine;
@@ -81,7 +82,7 @@ const FAREWELL: Duration = Duration::from_secs(1);
 #[derive(Args, Clone, Debug)]
 pub struct ViewArgs {
     /// Scene file (TOML), or the name of a bundled scene
-    #[arg(default_value = SCENE)]
+    #[arg(default_value = SCENE, add = scene_completer())]
     scene: PathBuf,
     /// Recorded hand path (csv, tum, txt) that the hand follows from the beginning
     #[arg(long, value_name = "FILE")]
@@ -96,27 +97,27 @@ pub struct ViewArgs {
     /// of a frame the hand jumps to its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
-    /// Where the page is; the next free port where that is taken. Everyone who reaches another address than this computer's
-    /// own can hold the hand
-    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:8405")]
+    /// Where the page is, a port of this computer or ADDR:PORT; the next free port where that is taken. Everyone who reaches
+    /// another address than this computer's own can hold the hand
+    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:8405", value_parser = parse_listen)]
     listen: SocketAddr,
-    /// Where recordings go, instead of the folder of this program where the system keeps data
+    /// Folder for recordings, instead of the system's folder for data of programs
     #[arg(long, value_name = "FOLDER")]
     recordings: Option<PathBuf>,
-    /// The socket, OSC and OpenTrack only, no page
+    /// No page: only the WebSocket, OSC and OpenTrack
     #[arg(long)]
     headless: bool,
     /// Send poses by OSC over UDP
-    #[arg(long, value_name = "HOST:PORT")]
+    #[arg(long, value_name = "HOST:PORT", value_parser = parse_end)]
     osc: Option<String>,
-    /// Poses a second by OSC and OpenTrack (1 to 1000)
-    #[arg(long, value_name = "HZ", default_value = "100", value_parser = parse_pose_rate)]
+    /// Poses per second sent by OSC and OpenTrack (1 to 1000)
+    #[arg(long, value_name = "HZ", default_value = "100", value_parser = parse_pose_rate, allow_negative_numbers = true)]
     osc_rate: f64,
     /// Take the hand by OSC on this UDP port
     #[arg(long, value_name = "PORT")]
     osc_in: Option<u16>,
     /// Send poses as OpenTrack does, over UDP
-    #[arg(long, value_name = "HOST:PORT")]
+    #[arg(long, value_name = "HOST:PORT", value_parser = parse_end)]
     opentrack: Option<String>,
     /// Take the hand from OpenTrack on this UDP port
     #[arg(long, value_name = "PORT")]

@@ -14,7 +14,7 @@ fn bundled_scenes_run_by_name() {
 }
 
 #[test]
-fn a_trace_replaces_the_summary_and_the_trace_of_before() {
+fn a_run_says_what_it_wrote_and_leaves_standard_output_to_what_takes_the_trace() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     folder.write("trace.jsonl", "the trace of before");
@@ -23,6 +23,24 @@ fn a_trace_replaces_the_summary_and_the_trace_of_before() {
     assert!(output.stdout.is_empty(), "{}", text(&output.stdout));
     assert_eq!(folder.names(), ["scene.toml", "trace.jsonl"]);
     assert_eq!(records(&folder.read("trace.jsonl")).len(), 11);
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("largest force") && said.contains("trace.jsonl"),
+        "{said}"
+    );
+    let output = folder.stiction(&[
+        "run",
+        "scene.toml",
+        "--record",
+        "run.jsonl",
+        "--plot",
+        "plots",
+    ]);
+    assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    for part in ["largest force", "run.jsonl", "plots/forces.svg"] {
+        assert!(said.replace('\\', "/").contains(part), "{said}");
+    }
 }
 
 #[test]

@@ -107,7 +107,7 @@ fn what_cannot_be_printed_is_said_in_the_status() {
     assert!(folder.stiction(&run).status.success());
     for arguments in [
         "run scene.toml",
-        "run scene.toml --out other.jsonl --plot plots",
+        "run scene.toml --record other.jsonl --plot plots",
         "check trace.jsonl --scene scene.toml",
         "replay recording.jsonl",
         "sweep sweep.toml --dry-run",

@@ -31,7 +31,7 @@ fn every_combination_is_measured_against_a_reference_without_error() {
         "<!-- settings: begin -->\n<!-- settings: end -->\n",
     );
     let arguments =
-        "trade --quick --out figures/trade --readme README.md --readme elsewhere/short.md";
+        "trade --quick --table --out figures/trade --readme README.md --readme elsewhere/short.md";
     let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
     assert!(output.status.success(), "{}", text(&output.stderr));
     rows(&folder);
@@ -53,7 +53,13 @@ fn every_combination_is_measured_against_a_reference_without_error() {
     let named = |row: &&str| row.starts_with("| f") && row.contains("| path |");
     assert_eq!(short.lines().filter(named).count(), 3, "{short}");
     assert!(short.contains("\n| fixed | frame |"), "{short}");
-    assert!(text(&output.stdout).contains("worst residual"));
+    // First what to take, in a few lines; then the table that was asked for.
+    let printed = text(&output.stdout);
+    let table = printed.find("\nMeasured on").expect("the table");
+    let recommendation = &printed[..table];
+    assert!(recommendation.contains("take f"), "{printed}");
+    assert!(recommendation.lines().count() <= 10, "{recommendation}");
+    assert!(printed[table..].contains("worst residual"), "{printed}");
     let mut files: Vec<_> = (folder.file("figures/trade").read_dir())
         .expect("the folder")
         .map(|entry| entry.expect("a file").file_name())
@@ -166,7 +172,7 @@ fn pictures(folder: &Folder) {
 #[test]
 fn chips_are_counted_in_emulation() {
     let folder = Folder::new();
-    let output = folder.stiction(&["trade", "--quick", "--emulated"]);
+    let output = folder.stiction(&["trade", "--quick", "--emulated", "--table"]);
     let message = text(&output.stderr);
     if may_skip(&message) {
         assert!(message.contains("to install it: "), "{message}");

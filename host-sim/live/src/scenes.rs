@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use stiction_scene::Source;
+use stiction_text::nearest;
 
 /// The scene of `stiction board` where none is named.
 pub const DEFAULT: &str = "vertex-stick-slip";
@@ -89,8 +90,13 @@ pub fn names() -> String {
 }
 
 /// What is wrong with a name that is neither a file nor a bundled scene.
-pub fn unknown() -> String {
-    format!("no such file, allowed: a scene file, or one of {}", names())
+pub fn unknown(name: &Path) -> String {
+    // Whoever adds the ending means a bundled scene, too.
+    let stem = name.file_stem().unwrap_or_default().to_string_lossy();
+    match nearest(&stem, ALL.iter().map(|(name, _)| *name)) {
+        Some(scene) => format!("no such file or bundled scene, did you mean `{scene}`?"),
+        None => format!("no such file, allowed: a scene file, or one of {}", names()),
+    }
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ impl Scene {
     #[staticmethod]
     fn bundled(name: PathBuf) -> PyResult<Self> {
         let source = scenes::find(&name);
-        let unknown = || refused(format!("{}: {}", name.display(), scenes::unknown()));
+        let unknown = || refused(format!("{}: {}", name.display(), scenes::unknown(&name)));
         Self::new(source.ok_or_else(unknown)?)
     }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
+use stiction_text::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -91,6 +92,30 @@ fn key_of(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<String> {
     below.or_else(|| (value.span() == *span).then(String::new))
 }
 
+/// A key that nothing has, from the reader's message: the one that was probably meant, and all.
+fn unknown_key(message: &str) -> Option<String> {
+    let (key, rest) = message.strip_prefix("unknown field `")?.split_once('`')?;
+    let allowed: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
+    let meant = nearest(key, allowed.iter().copied());
+    let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
+    let allowed = allowed.join(", ");
+    Some(format!("unknown key `{key}`{meant} (allowed: {allowed})"))
+}
+
+/// A section of the whole file with one pair of brackets instead of two, or the other way round.
+fn brackets(key: &str, allowed: &str) -> Option<String> {
+    let is_section = |name: &str| !name.contains(['.', '[']);
+    match key.strip_suffix("[0]") {
+        Some(name) if is_section(name) => Some(format!(
+            "[[{name}]] is for sections of which there can be many, write [{name}]"
+        )),
+        None if is_section(key) && allowed == "an array" => Some(format!(
+            "there can be many of this section, write [[{key}]]"
+        )),
+        _ => None,
+    }
+}
+
 /// A text file with its name.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -151,11 +176,37 @@ impl Source {
     pub fn toml<T: DeserializeOwned>(&self) -> Result<T, InputError> {
         toml::from_str(&self.text).map_err(|error| match error.span() {
             Some(span) if span.start > 0 || span.len() < self.text.len() => {
-                let mistyped = self.mistyped(&span, error.message());
-                let problem = mistyped.unwrap_or_else(|| error.message().to_owned());
-                self.error_at(span.start, problem)
+                let message = error.message();
+                if let Some(error) = self.section_twice(&span, message) {
+                    return error;
+                }
+                let explained = (unknown_key(message)).or_else(|| self.mistyped(&span, message));
+                self.error_at(span.start, explained.unwrap_or_else(|| message.to_owned()))
             }
             _ => self.error(error.message()),
+        })
+    }
+
+    /// A section that is given twice although its brackets say that there is only one, from the position of the second one.
+    fn section_twice(&self, span: &Range<usize>, message: &str) -> Option<InputError> {
+        let number = 1 + self.text.get(..span.start)?.matches('\n').count();
+        let header = self.text.lines().nth(number - 1)?.trim();
+        let name = header.strip_prefix('[')?.trim_matches(['[', ']']);
+        let single = format!("[{name}]");
+        let (mut lines, many) = (self.text.lines(), format!("[[{name}]]"));
+        if message != "duplicate key" {
+            return None;
+        }
+        let first = 1 + lines.position(|line| line.trim() == single)?;
+        Some(match self.text.contains(&many) {
+            true => self.error_in_line(
+                first,
+                format!("there are more of this section, write {many}"),
+            ),
+            false => self.error_in_line(
+                number,
+                format!("{single} is there already, in line {first}"),
+            ),
         })
     }
 
@@ -176,6 +227,11 @@ impl Source {
         let table = DeTable::parse(&self.text).ok()?;
         let key = key_of_table(table.get_ref(), span)?;
         let key = key.trim_start_matches('.');
+        if value == "map"
+            && let Some(wrong) = brackets(key, allowed)
+        {
+            return Some(wrong);
+        }
         Some(format!("`{key}` is {value}, allowed: {allowed}"))
     }
 

@@ -117,7 +117,11 @@ fn what_cannot_be_used_is_told_with_file_line_and_key() {
             "-500.0",
             ", line 7: `spring.translation` is -500.0, allowed: more than 0\n     7 | translation = -500.0",
         ),
-        ("weight", "wieght", ", line 4: unknown field `wieght`"),
+        (
+            "weight",
+            "wieght",
+            ", line 4: unknown key `wieght`, did you mean `weight`?",
+        ),
         (
             "500.0",
             "1e300",

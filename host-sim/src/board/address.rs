@@ -1,6 +1,7 @@
 //! Where the board is: on a serial port, a unix socket, a tcp port, or in an emulator of its own.
 
 use std::fmt;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -9,18 +10,24 @@ use clap::Args;
 use super::emulate::{EmulatedBoard, Emulator, Image};
 use super::error::BoardError;
 use super::link::{Link, reason};
-use super::usb::{AUTO, Port};
+use super::usb::{AUTO, Port, no_such_port};
+use crate::options::parse_end;
 
 /// The arguments that say where the board is.
 #[derive(Args, Clone, Debug)]
 pub struct ConnectArgs {
     #[command(flatten)]
     place: PlaceArgs,
-    /// Baud rate of the serial port; the micro:bit has 115200
-    #[arg(long, value_name = "BAUD", default_value_t = 921_600)]
+    /// Baud rate of the serial port; 115200 for the micro:bit
+    #[arg(
+        long,
+        value_name = "BAUD",
+        default_value_t = 921_600,
+        allow_negative_numbers = true
+    )]
     baud: u32,
-    /// The board may be silent for so many seconds
-    #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = parse_timeout)]
+    /// Seconds that the board may be silent before it counts as gone
+    #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = parse_timeout, allow_negative_numbers = true)]
     timeout: Duration,
 }
 
@@ -38,9 +45,9 @@ struct PlaceArgs {
     #[arg(long, value_name = "PATH")]
     socket: Option<PathBuf>,
     /// The board is behind a tcp port
-    #[arg(long, value_name = "HOST:PORT")]
+    #[arg(long, value_name = "HOST:PORT", value_parser = parse_end)]
     tcp: Option<String>,
-    /// Build the image of a board, olimex-stm32-h405 without BOARD, and emulate it; the scene stands before it
+    /// Build the image of a board (olimex-stm32-h405 unless BOARD is given) and emulate it; SCENE comes before this option
     #[arg(long, value_name = "BOARD", num_args = 0..=1, default_missing_value = "olimex-stm32-h405")]
     emulate: Option<EmulatedBoard>,
 }
@@ -108,7 +115,10 @@ impl Address {
         };
         opened.map_err(|error| BoardError::Gone {
             address: self.to_string(),
-            problem: reason(&error),
+            problem: match (&*self, error.kind()) {
+                (Self::Port(..), ErrorKind::NotFound) => no_such_port(),
+                _ => reason(&error),
+            },
         })
     }
 }

@@ -9,7 +9,8 @@ use stiction_tools::board::{Board, Emulator as Started, OBSTACLES};
 use stiction_tools::process::EmulatorError;
 
 use super::link::Link;
-use crate::{report, stop};
+use crate::progress::Activity;
+use crate::stop;
 
 /// The emulator opens its socket at once, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
@@ -71,7 +72,7 @@ impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
     pub(super) fn start(board: EmulatedBoard, image: Image<'_>) -> Result<Self, EmulatorError> {
         board.board().require_emulator()?;
-        report::tell(format_args!("building the image of {} ...", board.name()));
+        let building = Activity::begin(format!("building the image of {}", board.name()));
         let image = match image {
             Image::Plain => board.board().image("", None)?,
             Image::Obstacles(_) if board.board().takes_obstacles() => {
@@ -84,6 +85,7 @@ impl Emulator {
                 board.board().small_image(&file)?
             }
         };
+        building.end();
         // Its clock goes with the real one.
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.
         let started = Started::start(board.board(), &image, "shift=auto", true)?;

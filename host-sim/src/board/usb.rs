@@ -111,10 +111,7 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
         [] => Err(format!(
             "no board on USB: looked for {VENDOR:04x}:{PICO:04x} and {VENDOR:04x}:{PICO_2:04x} of the manufacturer {MANUFACTURER}; \
              allowed: a serial port{}",
-            match others.as_slice() {
-                [] => ", of which there is none here".to_owned(),
-                others => format!(", which here are: {}", list(others)),
-            }
+            here(&others)
         )),
         [board] => Ok(board.clone()),
         [first, ..] => Err(format!(
@@ -123,6 +120,23 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
             list(&boards),
             first.place.display()
         )),
+    }
+}
+
+/// What is said of a port that does not exist.
+pub(super) fn no_such_port() -> String {
+    let ports = Port::all().unwrap_or_default();
+    format!(
+        "no such port, allowed: --port {AUTO} for a board on USB, or a serial port{}",
+        here(&ports)
+    )
+}
+
+/// After "a serial port": those that this computer has.
+fn here(ports: &[Port]) -> String {
+    match ports {
+        [] => ", of which there is none here".to_owned(),
+        ports => format!(", which here are: {}", list(ports)),
     }
 }
 

@@ -18,13 +18,25 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         legend.extend([
             Entry::new(Mark::Line(NORMAL, 2.0), "normal N"),
             Entry::new(Mark::Line(FRICTION, 2.0), "friction T"),
-            Entry::new(Mark::Line(STATIC_LIMIT, 1.3), "static limit ±μs N"),
-            Entry::new(Mark::Line(DYNAMIC_LIMIT, 1.6), "slip end ±μd N"),
+            Entry::new(
+                Mark::Line(STATIC_LIMIT, 1.3),
+                format!("static limit ±{} N", symbol("μ", 's')),
+            ),
+            Entry::new(
+                Mark::Line(DYNAMIC_LIMIT, 1.6),
+                format!("slip end ±{} N", symbol("μ", 'd')),
+            ),
         ]);
     }
     legend.extend([
-        Entry::new(Mark::Line(HAND_FORCE, 2.0), "hand Fx"),
-        Entry::new(Mark::Line(HAND_FORCE_Y, 2.0), "hand Fy"),
+        Entry::new(
+            Mark::Line(HAND_FORCE, 2.0),
+            format!("hand {}", symbol("F", 'x')),
+        ),
+        Entry::new(
+            Mark::Line(HAND_FORCE_Y, 2.0),
+            format!("hand {}", symbol("F", 'y')),
+        ),
     ]);
     let mut panels: Vec<Panel> = touched.iter().map(|solid| reactions(run, solid)).collect();
     panels.push(hand(run));

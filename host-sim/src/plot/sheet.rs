@@ -1,7 +1,7 @@
 //! A sheet of drawing paper: from drawing commands to the text of an SVG, and from there to a PNG. Lengths are pixels of the
 //! SVG; plotters draws on integers, so the sheet is divided into finer steps and scaled back by its view box.
 
-use super::style::{DASHES, PAPER};
+use super::style::{DASHES, PAPER, SUBSCRIPT};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -60,7 +60,7 @@ pub(super) fn svg((width, height): (f64, f64), draw: impl FnOnce(&Area) -> Drawn
     }
     let fine = format!(r#"<svg width="{}" height="{}""#, steps.0, steps.1);
     let scaled = format!(r#"<svg width="{width}" height="{height}" stroke-linejoin="round""#);
-    Ok(dash(text.replacen(&fine, &scaled, 1)))
+    Ok(lowered(&dash(text.replacen(&fine, &scaled, 1))))
 }
 
 /// Dashes the lines in the colors of [`DASHES`]; plotters itself cuts a dashed line into one element per dash.
@@ -72,6 +72,23 @@ fn dash(svg: String) -> String {
         let dashed = format!(r#"{stroke} stroke-dasharray="{} {}""#, steps[0], steps[1]);
         svg.replace(&stroke, &dashed)
     })
+}
+
+/// Sets every letter after [`SUBSCRIPT`] smaller and lower; plotters has one size and one line for a text. Unicode has no subscript d.
+fn lowered(svg: &str) -> String {
+    /// In parts of the type's size; `DOWN` in that of the small letter, `UP` in that of the line.
+    const SMALL: f64 = 0.7;
+    const UP: f64 = 0.2;
+    const DOWN: f64 = UP / SMALL;
+    let (first, marked) = svg.split_once(SUBSCRIPT).unwrap_or((svg, ""));
+    let mut text = first.to_owned();
+    for part in marked.split(SUBSCRIPT).filter(|part| !part.is_empty()) {
+        let (letter, rest) = part.split_at(part.chars().next().map_or(0, char::len_utf8));
+        let (line, after) = rest.split_at(rest.find("</text>").unwrap_or(rest.len()));
+        text += &format!(r#"<tspan dy="{DOWN:.3}em" font-size="{SMALL}em">{letter}</tspan>"#);
+        text += &format!(r#"<tspan dy="-{UP:.3}em">{line}</tspan>{after}"#);
+    }
+    text
 }
 
 /// Turns SVGs into PNGs with a font of its own.
@@ -101,5 +118,39 @@ impl Rasterizer {
         let scale = tiny_skia::Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32);
         resvg::render(&tree, scale, &mut pixels.as_mut());
         pixels.encode_png().map_err(|error| error.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::legend::{self, Entry, Mark};
+    use super::super::style::symbol;
+    use super::*;
+
+    /// A subscript is smaller than the letters of its line and stands lower, and the line goes on at its height.
+    #[test]
+    fn subscripts_stand_lower() {
+        let drawn = svg((100.0, 20.0), |area| {
+            let text = format!("{} N, {}", symbol("μ", 's'), symbol("μ", 'd'));
+            legend::draw(area, &[Entry::new(Mark::Dot(PAPER), text)])
+        })
+        .expect("a drawing");
+        let document = roxmltree::Document::parse(&drawn).expect("well-formed XML");
+        let nodes = document.descendants().filter(|node| node.is_text());
+        let whole: String = nodes.filter_map(|node| node.text()).collect();
+        assert_eq!(whole.trim(), "μs N, μd");
+        let lowest = |text: String| {
+            let svg = svg((100.0, 20.0), |area| {
+                legend::draw(area, &[Entry::new(Mark::Dot(PAPER), text)])
+            });
+            let png = Rasterizer::new()
+                .png(&svg.expect("a drawing"))
+                .expect("a PNG");
+            let png = tiny_skia::Pixmap::decode_png(&png).expect("a PNG");
+            let dark = png.pixels().iter().rposition(|pixel| pixel.red() < 128);
+            dark.expect("a letter") / png.width() as usize
+        };
+        let (line, lowered) = (lowest("Fx".to_owned()), lowest(symbol("F", 'x')));
+        assert!(lowered > line, "{lowered} {line}");
     }
 }

@@ -84,9 +84,18 @@ pub(super) fn centred(style: &TextStyle<'static>) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Center, VPos::Center))
 }
 
+/// Before a letter of a text that is a subscript: a character that no text has otherwise, from the private use area.
+pub(super) const SUBSCRIPT: char = '\u{e000}';
+
+/// A symbol with a letter as its subscript.
+pub(super) fn symbol(name: &str, subscript: char) -> String {
+    format!("{name}{SUBSCRIPT}{subscript}")
+}
+
 /// About the width of a text [px], on the safe side for DejaVu Sans.
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
     let ems = |c: char| match c {
+        SUBSCRIPT => 0.0,
         'f' | 'i' | 'j' | 'l' | 'r' | 't' | ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '|' => 0.39,
         'm' | 'w' | 'M' | 'W' | '±' | '=' | '+' | '−' | '·' => 0.88,
         'A'..='Z' => 0.72,

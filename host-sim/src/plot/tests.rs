@@ -96,10 +96,11 @@ fn texts(svg: &str) -> Vec<String> {
     let texts = document
         .descendants()
         .filter(|node| node.has_tag_name("text"));
-    texts
-        .filter_map(|node| node.text())
-        .map(|text| text.trim().to_owned())
-        .collect()
+    let whole = |node: roxmltree::Node<'_, '_>| -> String {
+        let parts = node.descendants().filter(|node| node.is_text());
+        parts.filter_map(|node| node.text()).collect()
+    };
+    texts.map(|node| whole(node).trim().to_owned()).collect()
 }
 
 #[test]

@@ -12,6 +12,11 @@ use super::setting::FINEST;
 use super::table::Table;
 use crate::emulator::Chip;
 
+/// What errors are measured from.
+fn reference() -> String {
+    format!("f64 with path evolution at {FINEST} Hz")
+}
+
 /// What was measured, on what.
 #[derive(Clone, Debug)]
 pub(super) struct Report {
@@ -76,17 +81,30 @@ impl Report {
             "Measured on {}. Scenes: {}. Memory: the memory length of every surface, in parts of the body's largest vertex \
              distance L; 2^-12 is the one of a scene that gives none, 0 the shortest that the solver takes; a point keeps its own. \
              Errors: 50 / 90 / 99 % of all frames of whole runs are within this distance of the body's origin, and this angle, from \
-             f64 with path evolution at {FINEST} Hz and the same memory length, in SI units as the scenes are; a frame that falls \
+             {} and the same memory length, in SI units as the scenes are; a frame that falls \
              between two of the reference is compared with one step more of it. Worst residual: the largest unbalanced force of a \
              scene / its largest force, or moment / (that force · L); the force is taken as at least 1e-3 k_h L. Other state: \
              frames in another contact state than the reference. Slips: of the reference; +/−: sum over the scenes that slip more \
              often than it / less often. Time: mean of a frame on this computer, best of {REPEATS} runs.{emulated}",
-            self.machine, self.scenes
+            self.machine,
+            self.scenes,
+            reference()
         )
     }
 
-    /// For the terminal.
-    pub(super) fn text(&self) -> String {
+    /// For the terminal: what to take.
+    pub(super) fn recommendation(&self) -> String {
+        format!(
+            "Which setting to take, measured on {}. Scenes: {}. Error: the distance from where {} has the body.\n\n{}\n\n",
+            self.machine,
+            self.scenes,
+            reference(),
+            self.advice.join("\n"),
+        )
+    }
+
+    /// For the terminal: everything that was measured.
+    pub(super) fn table(&self) -> String {
         let rows = self.overall();
         let mut text = format!("{}\n\n{}", self.caption(), Table::of(&rows).text());
         for (k, chip) in Chip::ALL.iter().enumerate() {
@@ -94,7 +112,7 @@ impl Report {
                 text += &format!("\n{}:\n{}", chip.timing(), table.text());
             }
         }
-        text + "\n" + &self.advice.join("\n") + "\n\n"
+        text + "\n"
     }
 
     /// A few rows, for a README.

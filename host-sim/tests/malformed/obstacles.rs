@@ -19,7 +19,7 @@ vertices = [[0.0, 0.5]]
 /// Mistakes in [`OBSTACLES`], which begin in line 35.
 #[rustfmt::skip]
 const IN_OBSTACLES: &[Mistake] = &[
-    ("unknown key", "static = 0.6", "statik = 0.6", &["line 39", "unknown field `statik`", "static"]),
+    ("unknown key", "static = 0.6", "statik = 0.6", &["line 39", "unknown key `statik`, did you mean `static`?", "static"]),
     ("vertices missing", "vertices = [[0.0, 0.5]]", "", &["line 42", "missing field `vertices`"]),
     ("dynamic above the static one of all", "static = 0.6\ndynamic = 0.4", "dynamic = 0.7", &["line 16", "`friction.static` is 0.5", "not less than the dynamic friction"]),
     ("text for vertices", "[[0.0, 0.5]]", "\"up\"", &["line 44", "`obstacle[1].vertices` is string \"up\", allowed: an array"]),

@@ -328,14 +328,14 @@ fn what_cannot_be_viewed_ends_with_status_2() {
         (&["--hand", "none.csv"], "none.csv: cannot be read"),
         (&["--hand", "a.csv"], TOO_LONG),
         (&["--listen", "somewhere"], "--listen"),
-        (&["--osc", "nohost"], "--osc nohost: "),
+        (&["--osc", "nohost"], "write nohost:PORT"),
+        (&["--osc", "127.0.0.1:0"], "--osc 127.0.0.1:0: "),
         (
-            &["--osc", "nohost"],
+            &["--osc", "127.0.0.1:0"],
             ", allowed: HOST:PORT, the port from 1 to 65535",
         ),
-        (&["--osc", "127.0.0.1:0"], "--osc 127.0.0.1:0: "),
         (&["--opentrack", "127.0.0.1:0"], "--opentrack 127.0.0.1:0: "),
-        (&["--opentrack", "127.0.0.1:port"], ", allowed: HOST:PORT, "),
+        (&["--opentrack", "127.0.0.1:port"], "allowed: HOST:PORT, "),
         (&["--osc-rate", "0"], "--osc-rate"),
     ] {
         let output =

@@ -2,6 +2,12 @@
 //! error that states the problem and what is allowed. Neither memory nor time depends on what an untrusted file contains.
 //!
 //! Only files on a disk are read. A device may have no end, and a pipe no writer.
+//!
+//! Of a word that nothing has as its name, the name that was probably meant ([`nearest`]).
+
+mod nearest;
+
+pub use nearest::nearest;
 
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
@@ -53,7 +59,10 @@ fn read_up_to(file: &Path, limit: u64) -> Result<Vec<u8>, String> {
 }
 
 fn unread(error: &io::Error) -> String {
-    format!("cannot be read: {error}")
+    match error.kind() {
+        io::ErrorKind::NotFound => "cannot be read: no such file".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    }
 }
 
 fn too_long(count: &str, limit: u64) -> String {

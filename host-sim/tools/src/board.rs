@@ -13,7 +13,8 @@ use std::process::{Child, Command, Stdio};
 use tempfile::TempDir;
 
 use crate::image::{RAM, built, cargo_build};
-use crate::process::{EmulatorError, require_qemu_arm};
+use crate::needs::{Need, require};
+use crate::process::EmulatorError;
 use crate::uf2::Family;
 use crate::{BOARDS, workspace};
 
@@ -37,6 +38,8 @@ pub struct Board {
     pub family: Option<Family>,
     /// Features of its package that add a device at its pins.
     pub devices: &'static [&'static str],
+    /// What the compiler calls its processor.
+    target: &'static str,
     runs_in: RunsIn,
 }
 
@@ -61,6 +64,7 @@ impl Board {
         ram: RAM,
         family: None,
         devices: &["pantograph"],
+        target: "thumbv7em-none-eabihf",
         runs_in: RunsIn::Qemu { unused_lines: 1 },
     };
     /// BBC micro:bit: nRF51822, Cortex-M0.
@@ -69,6 +73,7 @@ impl Board {
         ram: RAM,
         family: None,
         devices: &[],
+        target: "thumbv6m-none-eabi",
         runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
     /// Raspberry Pi Pico: RP2040, Cortex-M0+.
@@ -77,6 +82,7 @@ impl Board {
         ram: RAM,
         family: Some(Family::RP2040),
         devices: &["knob", "pantograph"],
+        target: "thumbv6m-none-eabi",
         runs_in: RunsIn::Program,
     };
     /// Raspberry Pi Pico 2: RP2350, Cortex-M33. It can be built, not emulated.
@@ -85,6 +91,7 @@ impl Board {
         ram: RAM,
         family: Some(Family::RP2350_ARM_S),
         devices: &["knob", "pantograph"],
+        target: "thumbv8m.main-none-eabihf",
         runs_in: RunsIn::Nothing,
     };
     /// Arm MPS2+ with the FPGA image AN505: Cortex-M33. It stands in for the Pico 2.
@@ -93,6 +100,7 @@ impl Board {
         ram: 0x3800_0000,
         family: None,
         devices: &[],
+        target: "thumbv8m.main-none-eabihf",
         runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
 
@@ -151,15 +159,26 @@ impl Board {
         }
     }
 
-    /// Checks that its emulator is installed, if it has one.
+    /// Checks that the tools that build its image are installed.
     ///
     /// # Errors
-    /// It is not.
+    /// Something is missing; everything that is gets named.
+    pub fn require_build(self) -> Result<(), EmulatorError> {
+        require(self.needs())
+    }
+
+    /// The same, and that its emulator is installed, if it has one.
+    ///
+    /// # Errors
+    /// As [`Board::require_build`].
     pub fn require_emulator(self) -> Result<(), EmulatorError> {
-        match self.runs_in {
-            RunsIn::Qemu { .. } => require_qemu_arm(),
-            RunsIn::Program | RunsIn::Nothing => Ok(()),
-        }
+        let is_qemu = matches!(self.runs_in, RunsIn::Qemu { .. });
+        let emulator = is_qemu.then_some(Need::QemuArm);
+        require(self.needs().into_iter().chain(emulator))
+    }
+
+    const fn needs(self) -> [Need; 3] {
+        [Need::Build, Need::Target(self.target), Need::FlipLink]
     }
 
     /// The command that runs QEMU with an image.

@@ -9,6 +9,7 @@ use object::read::elf::{FileHeader, ProgramHeader};
 use object::{Endianness, Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
 use serde_json::Value;
 
+use crate::needs::{Need, require};
 use crate::process::{EmulatorError, output_of};
 
 /// The lowest RAM address of the chips.
@@ -28,15 +29,7 @@ pub fn cargo_build(folder: &Path, profile: &str) -> Command {
 /// # Errors
 /// Cargo, the target or the linker is missing, or the program cannot be built.
 pub fn built(cargo: Command) -> Result<PathBuf, EmulatorError> {
-    if cargo
-        .get_current_dir()
-        .is_some_and(|folder| !folder.is_dir())
-    {
-        return Err(EmulatorError::Missing {
-            what: "the sources of stiction, from which images are built".to_owned(),
-            install: "call the program in its repository".to_owned(),
-        });
-    }
+    require([Need::Build])?;
     let messages = output_of(cargo)?;
     let file = messages.lines().rev().find_map(artifact);
     file.ok_or_else(|| EmulatorError::Output("cargo names no image".to_owned()))

@@ -178,7 +178,7 @@ fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError 
 }
 
 /// The command that installs a program.
-fn install(program: &str) -> String {
+pub(crate) fn install(program: &str) -> String {
     let qemu = |package| install_qemu(package, codename().as_deref());
     match program {
         "qemu-system-arm" => qemu("qemu-system-arm"),

@@ -91,7 +91,7 @@ fn scenes_made_to_harm_are_refused() {
         (
             "100 000 keys",
             (many(100_000, &|k| format!("k{k}=1\n")) + SCENE).into(),
-            &["scene.toml, line 1", "unknown field"],
+            &["scene.toml, line 1", "unknown key"],
         ),
         (
             "number of many digits",
