@@ -50,6 +50,7 @@ export class Controls {
     this.pauseButton.addEventListener("click", () => this.pause());
     byId("step").addEventListener("click", () => this.step());
     byId("reset").addEventListener("click", () => this.reset());
+    byId("defaults").addEventListener("click", () => this.ask({ type: "defaults" }));
     for (const name of NAMES) {
       const slider = this.sliders[name];
       slider.max = String(STEPS);
@@ -84,9 +85,9 @@ export class Controls {
     this.ask({ type: "step", ticks: 1 });
   }
 
-  /** Back to the beginning. */
+  /** Back to the beginning: body and hand, and the parameters of the scene's file. */
   reset() {
-    this.ask({ type: "reset" });
+    this.ask({ type: "reset", parameters: true });
   }
 
   /** A value was typed. @param {ParameterName} name */
@@ -135,14 +136,22 @@ export class Controls {
 
   /** The scenes to choose from, and what a board does not let one choose. @param {HelloMessage} hello */
   setHello({ scenes, source }) {
-    this.scene.replaceChildren(...scenes.map((name) => new Option(name, name)));
+    this.list(scenes);
     this.number.disabled = source.kind !== "core";
     if (this.state) this.show(this.state);
+  }
+
+  /** The scenes to choose from. @param {string[]} scenes */
+  list(scenes) {
+    const key = JSON.stringify(scenes);
+    if (this.scene.dataset.names !== key) this.scene.replaceChildren(...scenes.map((name) => new Option(name, name)));
+    this.scene.dataset.names = key;
   }
 
   /** Shows what holds. @param {StateMessage} state */
   show(state) {
     this.state = state;
+    if (state.scenes) this.list(state.scenes);
     choose(this.scene, state.scene.title);
     choose(this.number, state.number);
     this.evolution.value = state.evolution;

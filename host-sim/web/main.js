@@ -33,6 +33,8 @@ let board = null;
 const server = { hello: null, state: null };
 /** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
+/** Scenes as files, and the editor. @type {typeof import("./files.js") | null} */
+let files = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -90,8 +92,16 @@ function showState(message) {
   transport.show(message);
   readout.setState(message);
   address?.setState(message);
+  files?.setState();
+  showProblem(message.scene_problem ?? null);
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
+}
+
+/** Why the scene's file, as it is now, cannot be shown. @param {string | null} problem */
+function showProblem(problem) {
+  byId("scene-problem").hidden = problem === null;
+  setText(byId("scene-problem"), problem ?? "");
 }
 
 /** @param {Scene} scene */
@@ -175,12 +185,23 @@ function leaveBoard() {
   if (server.state) showState(server.state);
 }
 
+/** What is done with the scene as a file. @param {(module: typeof import("./files.js"), page: import("./files.js").Page) => void} work */
+async function withFiles(work) {
+  files ??= await import("./files.js");
+  if (!stage.state || board) return;
+  work(files, { stage, feed: () => source, tell: note, upload: (file) => {
+    if (isAlone) note("A path of the hand is replayed by the program: stiction view.");
+    else transport.upload(file);
+  } });
+}
+
 /** What the button of the board does now. */
 function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go"]) {
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go", "edit", "open-scene",
+    "save-scene", "defaults"]) {
     /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
   }
   byId("no-serial").hidden = canSerial();
@@ -215,6 +236,24 @@ byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
+byId("edit").addEventListener("click", () => withFiles((it, page) => it.toggleEditor(page)));
+byId("save-scene").addEventListener("click", () => withFiles((it, page) => it.save(page)));
+const sceneFile = byId("scene-file", HTMLInputElement);
+byId("open-scene").addEventListener("click", () => sceneFile.click());
+sceneFile.addEventListener("change", () => {
+  const [file] = sceneFile.files ?? [];
+  if (file) withFiles((it, page) => it.take(page, file));
+  sceneFile.value = "";
+});
+window.addEventListener("dragover", (event) => {
+  if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+});
+window.addEventListener("drop", (event) => {
+  const file = event.dataTransfer?.files[0];
+  if (!file) return;
+  event.preventDefault();
+  withFiles((it, page) => it.take(page, file));
+});
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
 byId("serial").addEventListener("click", () => toggleBoard());
 for (const box of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[data-layer]"))) {
@@ -242,7 +281,7 @@ Object.defineProperty(window, "stiction", {
   }),
 });
 
-/** What is asked unless a board is there. @type {Feed} */
+/** What is asked unless a board is there. @type {Feed & Files} */
 const source = isAlone ? await startAlone() : new Link(eventsFor(false));
 
 /** The solver in the page itself, and the address that says what it shows. */

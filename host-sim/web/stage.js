@@ -39,6 +39,8 @@ export class Stage {
     /** The reader has zoomed or moved the window. */
     this.adjusted = false;
     this.fitted = false;
+    /** The scene is being edited: the window rests. */
+    this.editing = false;
     this.asked = false;
     this.lastEcho = -1;
     /** Signs and texts are so much larger on a large screen. */
@@ -86,10 +88,12 @@ export class Stage {
     const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces, state.scene.obstacles]);
     if (key !== this.sceneKey) {
       this.sceneKey = key;
-      // The newest frame is one of the scene before.
-      this.message = null;
       this.clear();
-      this.fit();
+      if (!this.editing) {
+        // The newest frame is one of the scene before.
+        this.message = null;
+        this.fit();
+      }
     }
     this.state = state;
     this.ask();
@@ -160,7 +164,7 @@ export class Stage {
     if (!this.fitted) {
       this.view.fit(scene, frame.pose, frame.hand);
       this.fitted = true;
-    } else if (!this.adjusted && this.view.follow(scene, frame.pose, frame.hand)) {
+    } else if (!this.adjusted && !this.editing && this.view.follow(scene, frame.pose, frame.hand)) {
       this.ask();
     }
   }

@@ -130,6 +130,10 @@ pub struct Status {
     pub hand: By,
     /// How many there are.
     pub clients: usize,
+    /// The names of the scenes that can be shown.
+    pub scenes: Vec<String>,
+    /// Why the file of the scene, as it is now, cannot be shown.
+    pub scene_problem: Option<String>,
 }
 
 /// A recording that is there.
@@ -350,7 +354,7 @@ impl News {
             r#type: "frame",
             tick: latest.tick,
             skipped,
-            frame: Record::new(&latest.frame, &scenery, latest.single),
+            frame: Record::new(&latest.frame, &scenery, latest.number.is_single()),
             holding: springs.holding,
             ghost: springs.ghost,
             small_angles: Formulas::of(latest),

@@ -22,7 +22,7 @@ use super::kept::Kept;
 use super::orders::Order;
 use super::recording::Recording;
 use super::upload::upload;
-use super::{client, page};
+use super::{client, page, written};
 use crate::board::Identity;
 
 /// A message that is longer than this ends the connection; one that is longer than is read is answered.
@@ -40,8 +40,9 @@ pub(super) struct Hub {
     /// True when the server ends.
     pub(super) stop: watch::Receiver<bool>,
     pub(super) clients: AtomicU32,
-    /// Places for paths that are uploaded.
+    /// Places for paths that are uploaded, and for scenes.
     pub(super) uploads: Arc<Semaphore>,
+    pub(super) scene_places: Arc<Semaphore>,
     /// Paths that were uploaded, and recordings.
     pub(super) kept: Kept,
 }
@@ -67,7 +68,10 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
     let router = Router::new()
         .route("/ws", get(socket))
         .route("/recording/{file}", get(recording))
-        .route("/upload", post(upload));
+        .route("/upload", post(upload))
+        .route("/scene", post(written::scene))
+        .route("/edit", post(written::edit))
+        .route("/scene.toml", get(written::text));
     let router = match with_page {
         true => router.fallback(file),
         false => router,

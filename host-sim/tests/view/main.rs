@@ -16,3 +16,4 @@ mod refusals;
 mod several;
 #[cfg(unix)]
 mod station;
+mod written;

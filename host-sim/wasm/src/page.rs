@@ -10,6 +10,7 @@ use stiction_live::feed::{Shown, Told};
 use stiction_live::hear::{self, Message, Said};
 use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
+use stiction_live::own;
 use stiction_live::say::{self, Source};
 use stiction_live::scenes;
 use stiction_live::simulate;
@@ -74,11 +75,7 @@ impl Page {
 
     /// The message that comes first.
     pub fn hello(&self) -> String {
-        let scenes: Vec<String> = scenes::ALL
-            .iter()
-            .map(|(name, _)| (*name).to_owned())
-            .collect();
-        say::hello(CLIENT, &scenes, &Source::Core)
+        say::hello(CLIENT, &self.live.scene_names(true), &Source::Core)
     }
 
     /// A message that only the whole solver can do: a scene with obstacles, where this is built without them. Another page is to do
@@ -104,6 +101,48 @@ impl Page {
             json!({"type": "rate", "value": 1.0 / self.period.as_secs_f64()}),
         ];
         messages.iter().map(ToString::to_string).collect()
+    }
+
+    /// The scenes of the page's own, name and text of each; another page is to have them, after [`Page::handed_over`].
+    #[wasm_bindgen(js_name = handedScenes)]
+    pub fn handed_scenes(&self) -> Vec<String> {
+        let own = self.live.own.iter().map(|own| own.scene.source());
+        let pairs = own.flat_map(|source| {
+            let name = source.file().to_string_lossy().into_owned();
+            [name, source.text().to_owned()]
+        });
+        pairs.collect()
+    }
+
+    /// The message that shows the scene that is shown.
+    #[wasm_bindgen(js_name = handedShown)]
+    pub fn handed_shown(&self) -> String {
+        json!({"type": "scene", "name": self.live.stage.scene.title}).to_string()
+    }
+
+    /// Shows the scene of a text, under a name of the page; its title.
+    ///
+    /// Throws where it is no scene: the message names the key and the line.
+    #[wasm_bindgen(js_name = putScene)]
+    pub fn put_scene(&mut self, name: &str, text: &str) -> Result<String, JsError> {
+        let stage = own::parse(name, text.into(), self.live.pair.setting.number.limit());
+        self.show(stage.map_err(|error| error.to_string()))
+    }
+
+    /// Shows the scene that is shown with changes (JSON), under a name of the page; its title.
+    ///
+    /// Throws where they do not make a scene.
+    #[wasm_bindgen(js_name = putEdit)]
+    pub fn put_edit(&mut self, name: &str, json: &str) -> Result<String, JsError> {
+        let limit = self.live.pair.setting.number.limit();
+        let stage = own::edited(&self.live.stage, name, json.as_bytes(), limit);
+        self.show(stage)
+    }
+
+    /// The scene that is shown, as a file that can be run.
+    #[wasm_bindgen(js_name = sceneFile)]
+    pub fn scene_file(&self) -> String {
+        own::text(&self.live.stage, &self.live.pair.setting.scene)
     }
 
     /// Does what the page says.
@@ -153,6 +192,15 @@ impl Page {
     pub fn until_due(&self) -> f64 {
         let wait = self.due.saturating_duration_since(Instant::now());
         wait.as_secs_f64() * 1e3
+    }
+
+    fn show(&mut self, stage: Result<Stage, String>) -> Result<String, JsError> {
+        let shown = stage.and_then(|stage| {
+            let title = stage.scene.title.clone();
+            self.live.apply(self.live.own_scene(stage))?;
+            Ok(title)
+        });
+        shown.map_err(|problem| JsError::new(&problem))
     }
 
     fn publish(&mut self) {
