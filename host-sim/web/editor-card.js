@@ -1,7 +1,6 @@
 // The small panel next to what is selected in the editor: the numbers of the object, or name and friction of a surface or obstacle.
 
 import { digits } from "./dom.js";
-import { toWorld } from "./editor-model.js";
 
 /** @typedef {import("./editor-model.js").Model} Model */
 /** @typedef {import("./editor-handles.js").Item} Item */
@@ -15,7 +14,7 @@ const MM = 1e3;
 const UM = 1e6;
 const DEGREE = 180 / Math.PI;
 /** Between the panel and what it is of, and between it and the border of the scene (px). */
-const GAP = 26;
+const GAP = 14;
 const MARGIN = 8;
 
 /** @param {number | null} value @param {number} factor */
@@ -42,8 +41,8 @@ function frictionFields({ kind, index }) {
       put: (m, v) => { of(m).static = Number(v); of(m).dynamic = Math.min(of(m).dynamic, Number(v)); } },
     { id: "dynamic", label: "µ<sub>d</sub>", name: "Dynamic friction", unit: "", get: (m) => of(m).dynamic,
       put: (m, v) => { of(m).dynamic = Number(v); of(m).static = Math.max(of(m).static, Number(v)); } },
-    { id: "memory", label: "D<sub>c</sub>", name: "Memory length", unit: "µm", mayBeEmpty: true, get: (m) => times(of(m).memory, UM),
-      put: (m, v) => { of(m).memory = times(v, 1 / UM); } },
+    { id: "memory", label: "D<sub>c</sub>", name: "Memory length", unit: "µm", mayBeEmpty: true,
+      get: (m) => times(of(m).memory, UM), put: (m, v) => { of(m).memory = times(v, 1 / UM); } },
   ];
 }
 
@@ -62,6 +61,8 @@ export class Card {
     this.root.addEventListener("submit", (event) => event.preventDefault());
     /** @type {Item | null} */
     this.item = null;
+    /** Where it stands, of all the places. @type {number | null} */
+    this.side = null;
     /** @type {{field: Field, input: HTMLInputElement}[]} */
     this.inputs = [];
     /** @type {HTMLInputElement | null} */
@@ -72,6 +73,7 @@ export class Card {
   show(item) {
     if (item?.kind === this.item?.kind && item?.index === this.item?.index) return;
     this.item = item;
+    this.side = null;
     this.root.hidden = item === null;
     if (!item) return;
     const title = document.createElement("strong");
@@ -137,24 +139,40 @@ export class Card {
       input.title = value === null ? "" : digits(value);
     }
     if (this.name && solid && document.activeElement !== this.name) this.name.value = solid.name;
-    this.place(model, item);
+    this.place(item);
   }
 
-  /** @param {Model} model @param {Item} item */
-  place(model, item) {
-    const { view, magnify, canvas } = this.stage;
-    const points = item.kind === "body" ? model.body.map((corner) => toWorld(model, corner))
-      : item.kind === "obstacle" ? model.obstacles[item.index].vertices : null;
-    const handle = document.querySelector(`[data-handle="surface-${item.index}"]`)?.getBoundingClientRect();
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const xs = points ? points.map(([x]) => magnify * view.px(x)) : handle ? [handle.left - left, handle.right - left] : [0];
-    const ys = points ? points.map(([, y]) => magnify * view.py(y)) : handle ? [handle.top - top, handle.bottom - top] : [0];
+  /** Next to what it is of, where it covers the fewest handles; it stays on that side. @param {Item} item */
+  place({ kind, index }) {
+    const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
     const own = this.root.getBoundingClientRect();
-    const right = Math.max(...xs) + GAP, before = Math.min(...xs) - GAP - own.width;
-    const x = right + own.width < width - MARGIN ? right : before > MARGIN ? before : width - own.width - MARGIN;
-    const y = (Math.min(...ys) + Math.max(...ys)) / 2 - own.height / 2;
-    this.root.style.left = `${Math.max(MARGIN, x)}px`;
-    this.root.style.top = `${Math.min(Math.max(magnify * view.top + MARGIN, y), Math.max(MARGIN, height - own.height - MARGIN))}px`;
+    const boxes = [...document.querySelectorAll("[data-handle]")].map((element) => {
+      const key = /** @type {SVGElement} */ (element).dataset.handle ?? "";
+      const { x, y, width: w, height: h } = element.getBoundingClientRect();
+      const isOwn = kind === "body" ? !/^(surface|obstacle)/.test(key) : `${key}-`.startsWith(`${kind}-${index}-`);
+      const isOutline = element.matches(".outline");
+      return { isOwn, isOutline, x: x - left, y: y - top, right: x - left + w, bottom: y - top + h };
+    });
+    const about = boxes.filter(({ isOwn }) => isOwn);
+    if (about.length === 0) return;
+    const [x0, x1] = [Math.min(...about.map(({ x }) => x)), Math.max(...about.map(({ right }) => right))];
+    const [y0, y1] = [Math.min(...about.map(({ y }) => y)), Math.max(...about.map(({ bottom }) => bottom))];
+    const [midX, midY] = [(x0 + x1 - own.width) / 2, (y0 + y1 - own.height) / 2];
+    const highest = this.stage.magnify * this.stage.view.top + MARGIN;
+    const spots = [[x1 + GAP, midY], [x0 - GAP - own.width, midY], [midX, y0 - GAP - own.height], [midX, y1 + GAP],
+      [width, height], [0, height], [width, highest], [0, highest]].map(([x, y]) => ({
+      x: Math.max(MARGIN, Math.min(x, width - own.width - MARGIN)),
+      y: Math.min(Math.max(highest, y), height - own.height - MARGIN),
+    }));
+    const covered = (/** @type {Spot} */ { x, y }) => boxes.filter((box) => !box.isOutline && box.right > x && box.x < x + own.width
+      && box.bottom > y && box.y < y + own.height).length;
+    if (this.side === null) {
+      const counts = spots.map(covered);
+      this.side = counts.indexOf(Math.min(...counts));
+    }
+    const { x, y } = spots[this.side];
+    this.root.style.left = `${x}px`;
+    this.root.style.top = `${y}px`;
   }
 }
 

@@ -67,7 +67,8 @@ function bodyHandles(model, view) {
   const grip = model.grasp ?? [0, 0];
   return [
     { key: "body", shape: "outline", item, label: "Object", at: [x, y], points: corners, pull: (m, to, from) => {
-      m.start = [place(m.start[0] + to[0] - from[0]), place(m.start[1] + to[1] - from[1]), m.start[2]];
+      const [sx, sy, theta] = m.start;
+      m.start = [place(sx + to[0] - from[0]), place(sy + to[1] - from[1]), theta];
     } },
     { key: "body-turn", shape: "turn", item, label: "Turn the object", at: toWorld(model, [far, 0]), pull: (m, to, from) => {
       m.start[2] = Number((m.start[2] + turnAbout([x, y], from, to)).toFixed(4));
@@ -92,13 +93,15 @@ function surfaceHandles(surface, index, view, pulled) {
   const [nx, ny] = surface.normal;
   const arm = ARM / view.scale;
   const [a, b] = [1, -1].map((side) => /** @type {Vec} */ ([at[0] + side * arm * ny, at[1] - side * arm * nx]));
-  const isIn = (/** @type {Vec} */ [x, y]) => view.px(x) > MARGIN && view.px(x) < view.width - MARGIN && view.py(y) > view.top && view.py(y) < view.height;
+  const isIn = (/** @type {Vec} */ [u, v]) => view.px(u) > MARGIN && view.px(u) < view.width - MARGIN
+    && view.py(v) > view.top && view.py(v) < view.height;
   return [
     { key: `surface-${index}`, shape: "move", item, label: `Surface ${surface.name}`, at, pull: (m, to, from) => {
       const s = m.surfaces[index];
       s.offset = round(s.offset + s.normal[0] * (to[0] - from[0]) + s.normal[1] * (to[1] - from[1]), UNIT / view.scale);
     } },
-    { key: `surface-${index}-turn`, shape: "turn", item, label: `Turn surface ${surface.name}`, at: isIn(a) ? a : b, pivot: at, pull: (m, to, from) => {
+    { key: `surface-${index}-turn`, shape: "turn", item, label: `Turn surface ${surface.name}`,
+      at: isIn(a) ? a : b, pivot: at, pull: (m, to, from) => {
       const s = m.surfaces[index];
       const angle = Number((Math.atan2(s.normal[1], s.normal[0]) + turnAbout(at, from, to)).toFixed(4));
       s.normal = [Math.cos(angle), Math.sin(angle)];
@@ -115,7 +118,8 @@ function obstacleHandles({ name, vertices }, index, view) {
   const item = /** @type {Item} */ ({ kind: "obstacle", index });
   const place = (/** @type {number} */ value) => round(value, UNIT / view.scale);
   return [
-    { key: `obstacle-${index}`, shape: "outline", item, label: `Obstacle ${name}`, at: vertices[0], points: vertices, pull: (m, to, from) => {
+    { key: `obstacle-${index}`, shape: "outline", item, label: `Obstacle ${name}`,
+      at: vertices[0], points: vertices, pull: (m, to, from) => {
       const o = m.obstacles[index];
       const by = [to[0] - from[0], to[1] - from[1]].map(place);
       o.vertices = o.vertices.map(([x, y]) => [place(x + by[0]), place(y + by[1])]);
@@ -212,7 +216,8 @@ export class Handles {
     const size = { corner: RADIUS, turn: RADIUS, grasp: RADIUS + 1, move: RADIUS + 1, outline: 0 }[handle.shape];
     const element = handle.points ? svg("path", {}) : svg("g", {}, svg("circle", { r: TOUCH, class: "touch" }),
       handle.shape === "move" || handle.shape === "grasp"
-        ? svg("rect", { x: -size, y: -size, width: 2 * size, height: 2 * size, ...(handle.shape === "grasp" ? { transform: "rotate(45)" } : {}) })
+        ? svg("rect", { x: -size, y: -size, width: 2 * size, height: 2 * size,
+          transform: `rotate(${handle.shape === "grasp" ? 45 : 0})` })
         : svg("circle", { r: size }));
     element.setAttribute("data-handle", handle.key);
     element.setAttribute("tabindex", "0");
@@ -294,7 +299,8 @@ export class Handles {
   nudge(handle, arrow, share) {
     const model = structuredClone(this.deeds.begin());
     const { view } = this.stage;
-    let to = /** @type {Vec} */ ([handle.at[0] + arrow[0] * share * STEP / view.scale, handle.at[1] + arrow[1] * share * STEP / view.scale]);
+    const step = share * STEP / view.scale;
+    let to = /** @type {Vec} */ ([handle.at[0] + step * arrow[0], handle.at[1] + step * arrow[1]]);
     if (handle.shape === "turn") {
       const about = handle.item.kind === "body" ? /** @type {Vec} */ ([model.start[0], model.start[1]])
         : this.known.get(`surface-${handle.item.index}`)?.handle.at ?? handle.at;

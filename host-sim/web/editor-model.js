@@ -16,6 +16,8 @@ const FRICTION = { static: 0.5, dynamic: 0.3, memory: null };
 const DIRECTIONS = [["floor", [0, 1]], ["wall", [-1, 0]], ["wall", [1, 0]], ["ceiling", [0, -1]]];
 /** Surfaces that are nearer to each other's direction than this have the same one (cosine). */
 const SAME_DIRECTION = 0.98;
+/** What the page places is round, not coarser than this, in sizes of the object. */
+const FINENESS = 1e-3;
 /** How far from the object something is added, in sizes of the object. */
 const APART = 1.6;
 
@@ -116,14 +118,19 @@ export function withCorner(corners, k, point) {
   const along = Math.min(0.9, Math.max(0.1, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy)));
   const out = corners.length > 2 ? 0.04 : 0.3;
   /** @type {Vec} */
-  const corner = [a[0] + along * dx + out * dy, a[1] + along * dy - out * dx];
+  const corner = [digits(a[0] + along * dx + out * dy), digits(a[1] + along * dy - out * dx)];
   return [...corners.slice(0, k + 1), corner, ...corners.slice(k + 1)];
 }
 
-/** The object with a polygon that was drawn in the world: its origin is the centroid. @param {Model} model @param {Vec[]} corners */
+/**
+ * The object with a polygon that was drawn in the world: its origin is the centroid.
+ * @param {Model} model @param {Vec[]} corners
+ */
 export function withBody(model, corners) {
-  const [x, y] = centroid(corners);
-  model.body = corners.map(([px, py]) => [px - x, py - y]);
+  const [u, v] = centroid(corners);
+  const size = Math.max(...corners.map(([px, py]) => Math.hypot(px - u, py - v))) || sizeOf(model);
+  const [x, y] = [round(u, FINENESS * size), round(v, FINENESS * size)];
+  model.body = corners.map(([px, py]) => [digits(px - x), digits(py - y)]);
   model.start = [x, y, 0];
   if (model.grasp) model.grasp = [0, 0];
 }
@@ -144,10 +151,11 @@ function friction({ surfaces, obstacles }) {
 
 /** Adds a surface near the object, where none of its direction is. @param {Model} model */
 export function addSurface(model) {
-  const isFree = (/** @type {[string, Vec]} */ [, normal]) => !model.surfaces.some(({ normal: n }) => n[0] * normal[0] + n[1] * normal[1] > SAME_DIRECTION);
+  const isFree = (/** @type {[string, Vec]} */ [, [nx, ny]]) =>
+    !model.surfaces.some(({ normal }) => nx * normal[0] + ny * normal[1] > SAME_DIRECTION);
   const [base, normal] = DIRECTIONS.find(isFree) ?? DIRECTIONS[0];
   const [x, y] = model.start;
-  const offset = round(normal[0] * x + normal[1] * y - APART * sizeOf(model), 1e-3 * sizeOf(model));
+  const offset = round(normal[0] * x + normal[1] * y - APART * sizeOf(model), FINENESS * sizeOf(model));
   model.surfaces.push({ name: freeName(model, base), normal: [...normal], offset, ...friction(model) });
 }
 
@@ -157,10 +165,14 @@ export function addObstacle(model, corners) {
   const [left, low] = [x + APART * size, y - 0.5 * size];
   /** @type {Vec[]} */
   const box = [[left, low], [left + size, low], [left + size, low + size], [left, low + size]];
-  const vertices = corners.length > 0 ? corners : box.map(([u, v]) => /** @type {Vec} */ ([round(u, 1e-3 * size), round(v, 1e-3 * size)]));
+  const place = (/** @type {number} */ value) => round(value, FINENESS * size);
+  const vertices = corners.length > 0 ? corners : box.map(([u, v]) => /** @type {Vec} */ ([place(u), place(v)]));
   const base = ["", "pin", "wall"][vertices.length] ?? "block";
   model.obstacles.push({ name: freeName(model, base), vertices, ...friction(model) });
 }
+
+/** A number without what rounding left in its last digits. @param {number} value */
+const digits = (value) => Number(value.toPrecision(6));
 
 /** A multiple of the power of ten below a step. @param {number} value @param {number} step */
 export function round(value, step) {

@@ -10,8 +10,10 @@ const UNIT = 0.5;
 
 export class Pen {
   /**
-   * @param {Stage} stage @param {(corners: Vec[], left: number) => void} done with a convex polygon, counter-clockwise, and how many
-   * points are left out of it @param {() => void} ended
+   * @param {Stage} stage
+   * @param {(corners: Vec[], left: number) => void} done called with a convex polygon, counter-clockwise, and how many of the points
+   * are left out of it
+   * @param {() => void} ended
    */
   constructor(stage, done, ended) {
     this.stage = stage;
@@ -21,7 +23,8 @@ export class Pen {
     this.points = [];
     this.line = svg("path", { class: "pen-line" });
     this.dots = svg("g");
-    this.root = svg("svg", { class: "editor-layer pen", tabindex: 0, "aria-label": "Click the corners of the polygon" }, this.line, this.dots);
+    const label = "Click the corners of the polygon";
+    this.root = svg("svg", { class: "editor-layer pen", tabindex: 0, "aria-label": label }, this.line, this.dots);
     this.root.addEventListener("click", (event) => this.click(/** @type {MouseEvent} */ (event)));
     this.root.addEventListener("keydown", (event) => this.press(/** @type {KeyboardEvent} */ (event)));
     stage.canvas.parentElement?.querySelector(".editor-layer")?.after(this.root);

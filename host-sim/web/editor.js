@@ -1,5 +1,5 @@
-// The editor of the scene: handles over the stage, a panel next to what is selected, undo and redo. Every change goes to the solver's
-// side as an edit, which says what is wrong with it or shows it from its beginning.
+// The editor of the scene: handles over the stage, a panel next to what is selected, undo and redo. Every change goes to the
+// solver's side as an edit, which says what is wrong with it or shows it from its beginning.
 
 import { setText } from "./dom.js";
 import { button, Card } from "./editor-card.js";

@@ -8,7 +8,10 @@ const SOON = 10_000;
 /** @type {Editor | null} */
 let editor = null;
 
-/** What the page is to these. @typedef {{stage: Stage, feed: () => Files, tell: (text: string) => void, upload: (file: File) => void}} Page */
+/**
+ * What the page is to these.
+ * @typedef {{stage: Stage, feed: () => Files, tell: (text: string) => void, upload: (file: File) => void}} Page
+ */
 
 /** The style of the editor, once. */
 function addStyle() {
@@ -42,8 +45,8 @@ export async function save({ stage, feed, tell }) {
   try {
     const text = await feed().file("scene.toml", "", null);
     const url = URL.createObjectURL(new Blob([text], { type: "application/toml" }));
-    const link = Object.assign(document.createElement("a"), { href: url, download: `${stage.state?.scene.title ?? "scene"}.toml` });
-    link.click();
+    const download = `${stage.state?.scene.title ?? "scene"}.toml`;
+    Object.assign(document.createElement("a"), { href: url, download }).click();
     setTimeout(() => URL.revokeObjectURL(url), SOON);
   } catch (why) {
     tell(`The scene cannot be saved. ${/** @type {Error} */ (why).message}`);

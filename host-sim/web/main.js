@@ -185,7 +185,10 @@ function leaveBoard() {
   if (server.state) showState(server.state);
 }
 
-/** What is done with the scene as a file. @param {(module: typeof import("./files.js"), page: import("./files.js").Page) => void} work */
+/**
+ * Does something with the scene as a file.
+ * @param {(module: typeof import("./files.js"), page: import("./files.js").Page) => void} work
+ */
 async function withFiles(work) {
   files ??= await import("./files.js");
   if (!stage.state || board) return;

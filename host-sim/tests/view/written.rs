@@ -46,19 +46,30 @@ fn a_scene_that_is_sent_is_shown_and_stays_among_those_to_choose_from() {
     assert_eq!(text(&answer.body), r#"{"scene":"rod"}"#);
     let state = shown(&mut client, "rod");
     assert_eq!(state["scene"]["weight"], 2.0);
-    assert!(state["scenes"].as_array().expect("a list").contains(&json!("rod")));
+    assert!(
+        state["scenes"]
+            .as_array()
+            .expect("a list")
+            .contains(&json!("rod"))
+    );
     let frame = client.frame(|frame| frame["frame"]["held"] == true);
     assert_eq!(frame["counts"]["missed"], 0);
     assert_eq!(run_shown(&view), ROD);
     client.done(json!({"type": "scene", "name": "ladder"}));
     client.done(json!({"type": "scene", "name": "rod"}));
     // The name of a bundled scene stays with that.
-    assert_eq!(text(&post(&view, "/scene?name=hook.toml", ROD).body), r#"{"scene":"my-hook"}"#);
+    assert_eq!(
+        text(&post(&view, "/scene?name=hook.toml", ROD).body),
+        r#"{"scene":"my-hook"}"#
+    );
     shown(&mut client, "my-hook");
     // What is refused names the line, and changes nothing.
     let broken = ROD.replace("rotation = 0.4", "rotation = -0.4");
     let problem = refusal(&post(&view, "/scene?name=rod.toml", &broken));
-    assert!(problem.contains("rod.toml, line 10: `spring.rotation` is -0.4"), "{problem}");
+    assert!(
+        problem.contains("rod.toml, line 10: `spring.rotation` is -0.4"),
+        "{problem}"
+    );
     let unknown = ROD.replace("[hand]", "[hand]\nreach = 1.0");
     assert!(refusal(&post(&view, "/scene?name=rod.toml", &unknown)).contains("line 18"));
     assert_eq!(view.state()["scene"]["title"], "my-hook");
@@ -70,7 +81,11 @@ fn a_scene_that_is_sent_is_shown_and_stays_among_those_to_choose_from() {
     let path = format!("{}path = \"/etc/passwd\"\n", &ROD[..begin]);
     assert_eq!(post(&view, "/scene?name=far.toml", &path).status, 200);
     client.state(|state| state["scene"]["title"] == "far");
-    assert!(client.ask(json!({"type": "replay", "what": "scene"})).is_err());
+    assert!(
+        client
+            .ask(json!({"type": "replay", "what": "scene"}))
+            .is_err()
+    );
 }
 
 /// What the editor sends of box-flat, with another start, weight and friction, and an obstacle.
@@ -95,7 +110,10 @@ fn an_edit_changes_the_scene_and_moves_the_hands_path_with_the_holding_point() {
     let (scene, old) = (&state["scene"], &before["scene"]);
     assert_eq!(scene["surfaces"][0]["normal"], json!([0.0, 1.0]));
     assert_eq!(scene["surfaces"][0]["static"], 0.9);
-    assert_eq!(scene["obstacles"][0]["vertices"], edit()["obstacle"][0]["vertices"]);
+    assert_eq!(
+        scene["obstacles"][0]["vertices"],
+        edit()["obstacle"][0]["vertices"]
+    );
     assert_eq!(state["parameters"]["stiffness_translation"], 400.0);
     // The holding point was at (0, 0.05 + 0.02) and is at (0.02, 0.06 + 0.02).
     for (axis, by) in [(0, 0.02), (1, 0.01)] {
@@ -123,7 +141,8 @@ fn a_reset_restores_the_parameters_where_it_says_so_and_defaults_leave_the_body(
     let view = View::start(&["box-flat"]);
     let mut client = view.client();
     let file = client.state(|_| true)["parameters"].clone();
-    let changed = json!({"type": "set", "parameters": {"static": 0.9, "stiffness_translation": 800.0}});
+    let changed =
+        json!({"type": "set", "parameters": {"static": 0.9, "stiffness_translation": 800.0}});
     client.done(changed.clone());
     assert!(run_shown(&view).contains("translation = 800.0"));
     client.done(json!({"type": "reset"}));
@@ -149,12 +168,19 @@ fn a_file_that_is_edited_is_shown_anew_and_a_broken_one_is_told_with_its_line() 
     let mut view = View::in_folder(folder, &["mine.toml"]);
     let mut client = view.client();
     assert_eq!(client.state(|_| true)["scene_problem"], Value::Null);
-    view.folder().write("mine.toml", ROD.replace("weight = 2.0", "weight = 3.0"));
+    view.folder()
+        .write("mine.toml", ROD.replace("weight = 2.0", "weight = 3.0"));
     client.state(|state| state["scene"]["weight"] == 3.0);
-    view.folder().write("mine.toml", ROD.replace("weight = 2.0", "weight = \"much\""));
+    view.folder().write(
+        "mine.toml",
+        ROD.replace("weight = 2.0", "weight = \"much\""),
+    );
     let state = client.state(|state| state["scene_problem"] != Value::Null);
     let problem = state["scene_problem"].as_str().expect("a text");
-    assert!(problem.contains("mine.toml, line 5: `body.weight` is "), "{problem}");
+    assert!(
+        problem.contains("mine.toml, line 5: `body.weight` is "),
+        "{problem}"
+    );
     assert_eq!(state["scene"]["weight"], 3.0);
     assert!(view.line().contains("line 5"));
     view.folder().write("mine.toml", ROD);

@@ -42,7 +42,10 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         "worker": packed(&all.whole_worker()),
         "wasm": packed(&all.whole.wasm),
     });
-    for (module, name) in [("insertion.js", "insertion.css"), ("files.js", "editor.css")] {
+    for (module, name) in [
+        ("insertion.js", "insertion.css"),
+        ("files.js", "editor.css"),
+    ] {
         let style = STANDARD.encode(find(files, name)?);
         if let Some(code) = modules.get_mut(module) {
             let data = format!("\"data:text/css;base64,{style}\"");
