@@ -14,12 +14,15 @@ async function spotOf(live, key) {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Drags a handle. @param {Live} live @param {string} key @param {number} dx px @param {number} dy px */
-async function pull(live, key, dx, dy) {
+/**
+ * Drags a handle.
+ * @param {Live} live @param {string} key @param {number} dx px @param {number} dy px @param {number} steps what is in between is tried, too
+ */
+async function pull(live, key, dx, dy, steps = 5) {
   const { x, y } = await spotOf(live, key);
   await live.page.mouse.move(x, y);
   await live.page.mouse.down();
-  await live.page.mouse.move(x + dx, y + dy, { steps: 5 });
+  await live.page.mouse.move(x + dx, y + dy, { steps });
   await live.page.mouse.up();
 }
 
@@ -64,21 +67,21 @@ async function edits(live) {
   const metres = await live.metresPerPixel();
   const corner = drawn.body[0];
   await pull(live, "body-0", -20, 0);
-  await live.until((x) => Math.abs((window.stiction.state?.scene.body[0][0] ?? x) - x) > 1e-6, corner[0]);
-  const moved = (await live.state()).scene.body[0];
-  assert.ok(Math.abs(moved[0] - corner[0] + 20 * metres) < metres && Math.abs(moved[1] - corner[1]) < metres, `${moved} ${corner}`);
+  await live.until(([x, y, near]) => {
+    const [u, v] = window.stiction.state?.scene.body[0] ?? [Infinity, Infinity];
+    return Math.abs(u - x) < near && Math.abs(v - y) < near;
+  }, [corner[0] - 20 * metres, corner[1], metres]);
 
   // A surface goes along its normal.
   const { offset } = drawn.surfaces[0];
   await pull(live, "surface-0", 7, 30);
-  await live.until((before) => Math.abs((window.stiction.state?.scene.surfaces[0].offset ?? before) - before) > 1e-6, offset);
-  const lowered = (await live.state()).scene.surfaces[0];
-  assert.ok(Math.abs(lowered.offset - offset + 30 * metres) < metres, `${lowered.offset} ${offset}`);
-  assert.deepEqual(lowered.normal, [0, 1]);
+  await live.until(([wanted, near]) => Math.abs((window.stiction.state?.scene.surfaces[0].offset ?? Infinity) - wanted) < near,
+    [offset - 30 * metres, metres]);
+  assert.deepEqual((await live.state()).scene.surfaces[0].normal, [0, 1]);
 
   // What is not convex is refused where it is, and nothing is applied.
   const before = (await live.state()).scene.body;
-  await pull(live, "body-2", 0, 200);
+  await pull(live, "body-2", 0, 200, 1);
   await live.reads(".editor-problem", /body\.vertices/);
   assert.ok(await page.locator('[data-handle^="body"].bad').count() > 0);
   assert.deepEqual((await live.state()).scene.body, before);
