@@ -39,6 +39,8 @@ export class Editor {
     this.before = this.model;
     /** What the solver refused, or nothing. */
     this.problem = "";
+    /** The state that was looked at last. */
+    this.seen = stage.state;
     this.timer = 0;
     this.looking = 0;
     this.sending = false;
@@ -57,7 +59,11 @@ export class Editor {
     this.build();
     this.keys = (/** @type {KeyboardEvent} */ event) => this.press(event);
     document.addEventListener("keydown", this.keys, true);
-    this.redraw = () => { if (this.open) this.update(); };
+    this.redraw = () => {
+      if (this.seen !== stage.state) this.setState();
+      this.seen = stage.state;
+      if (this.open) this.update();
+    };
     stage.also.push(this.redraw);
     stage.editing = true;
     this.update();

@@ -33,8 +33,6 @@ let board = null;
 const server = { hello: null, state: null };
 /** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
-/** Scenes as files, and the editor. @type {typeof import("./files.js") | null} */
-let files = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -92,16 +90,10 @@ function showState(message) {
   transport.show(message);
   readout.setState(message);
   address?.setState(message);
-  files?.setState();
-  showProblem(message.scene_problem ?? null);
+  byId("scene-problem").hidden = !message.scene_problem;
+  setText(byId("scene-problem"), message.scene_problem ?? "");
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
-}
-
-/** Why the scene's file, as it is now, cannot be shown. @param {string | null} problem */
-function showProblem(problem) {
-  byId("scene-problem").hidden = problem === null;
-  setText(byId("scene-problem"), problem ?? "");
 }
 
 /** @param {Scene} scene */
@@ -185,17 +177,10 @@ function leaveBoard() {
   if (server.state) showState(server.state);
 }
 
-/**
- * Does something with the scene as a file.
- * @param {(module: typeof import("./files.js"), page: import("./files.js").Page) => void} work
- */
-async function withFiles(work) {
-  files ??= await import("./files.js");
-  if (!stage.state || board) return;
-  work(files, { stage, feed: () => source, tell: note, upload: (file) => {
-    if (isAlone) note("A path of the hand is replayed by the program: stiction view.");
-    else transport.upload(file);
-  } });
+/** Does something with the scene as a file. @param {string} what a button @param {File} [file] one that was dropped */
+async function useFiles(what, file) {
+  const { use } = await import("./files.js");
+  if (stage.state && !board) use(what, file, { stage, feed: source, tell: note, transport: isAlone ? null : transport });
 }
 
 /** What the button of the board does now. */
@@ -239,23 +224,11 @@ byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
-byId("edit").addEventListener("click", () => withFiles((it, page) => it.toggleEditor(page)));
-byId("save-scene").addEventListener("click", () => withFiles((it, page) => it.save(page)));
-const sceneFile = byId("scene-file", HTMLInputElement);
-byId("open-scene").addEventListener("click", () => sceneFile.click());
-sceneFile.addEventListener("change", () => {
-  const [file] = sceneFile.files ?? [];
-  if (file) withFiles((it, page) => it.take(page, file));
-  sceneFile.value = "";
-});
-window.addEventListener("dragover", (event) => {
-  if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
-});
+for (const id of ["edit", "open-scene", "save-scene"]) byId(id).addEventListener("click", () => useFiles(id));
+window.addEventListener("dragover", (event) => event.preventDefault());
 window.addEventListener("drop", (event) => {
-  const file = event.dataTransfer?.files[0];
-  if (!file) return;
   event.preventDefault();
-  withFiles((it, page) => it.take(page, file));
+  useFiles("drop", event.dataTransfer?.files[0]);
 });
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
 byId("serial").addEventListener("click", () => toggleBoard());
@@ -284,7 +257,7 @@ Object.defineProperty(window, "stiction", {
   }),
 });
 
-/** What is asked unless a board is there. @type {Feed & Files} */
+/** What is asked unless a board is there. @type {Feed & Partial<Files>} */
 const source = isAlone ? await startAlone() : new Link(eventsFor(false));
 
 /** The solver in the page itself, and the address that says what it shows. */

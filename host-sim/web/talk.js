@@ -9,7 +9,7 @@ const SAMPLE_SPACING = 0.6;
 const RATE = 120;
 const HIDDEN_RATE = 2;
 
-/** @implements {Feed} @implements {Files} */
+/** @implements {Feed} */
 export class Talk {
   /** @param {FeedEvents} events */
   constructor(events) {
@@ -32,19 +32,6 @@ export class Talk {
    */
   send(_message) {
     return false;
-  }
-
-  /**
-   * Sends a file or asks for one, as VIEW.md has the paths; the text of the answer.
-   * @param {"scene" | "edit" | "scene.toml"} path @param {string} name @param {string | null} body null: the file is asked for
-   * @returns {Promise<string>}
-   */
-  async file(path, name, body) {
-    const response = await (body === null ? fetch(path)
-      : fetch(`${path}?name=${encodeURIComponent(name)}`, { method: "POST", body }));
-    const text = await response.text();
-    if (!response.ok) throw new Error(problemIn(text));
-    return text;
   }
 
   /** A message of the solver's side. @param {string} text */
@@ -139,14 +126,5 @@ export class Talk {
     }
     this.open.clear();
     this.waiting = null;
-  }
-}
-
-/** What an answer says is wrong. @param {string} text */
-function problemIn(text) {
-  try {
-    return JSON.parse(text).message;
-  } catch {
-    return text || "The server refused it.";
   }
 }
