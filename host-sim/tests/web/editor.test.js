@@ -16,7 +16,8 @@ async function spotOf(live, key) {
 
 /**
  * Drags a handle.
- * @param {Live} live @param {string} key @param {number} dx px @param {number} dy px @param {number} steps what is in between is tried, too
+ * @param {Live} live @param {string} key @param {number} dx px @param {number} dy px
+ * @param {number} steps what is in between is tried, too
  */
 async function pull(live, key, dx, dy, steps = 5) {
   const { x, y } = await spotOf(live, key);
@@ -43,7 +44,10 @@ async function save(live) {
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
 }
 
-/** Draws a polygon with the pen, as offsets from the middle of the stage (px). @param {Live} live @param {[number, number][]} corners */
+/**
+ * Draws a polygon with the pen.
+ * @param {Live} live @param {[number, number][]} corners as seen from the middle of the stage (px)
+ */
 async function drawPolygon(live, corners) {
   const box = await live.page.locator("#stage").boundingBox();
   assert.ok(box);
@@ -51,7 +55,10 @@ async function drawPolygon(live, corners) {
   await live.page.keyboard.press("Enter");
 }
 
-/** Edits a scene from its polygon to its file, which is opened again. @param {Live} live @returns {Promise<string>} the saved text */
+/**
+ * Edits a scene from its polygon to its file, which is opened again.
+ * @param {Live} live @returns {Promise<string>} the saved text
+ */
 async function edits(live) {
   const { page } = live;
   await page.click("#edit");
