@@ -184,6 +184,5 @@ fn a_file_that_is_edited_is_shown_anew_and_a_broken_one_is_told_with_its_line() 
     assert_eq!(state["scene"]["weight"], 3.0);
     assert!(view.line().contains("line 5"));
     view.folder().write("mine.toml", ROD);
-    client.state(|state| state["scene"]["weight"] == 2.0);
-    client.state(|state| state["scene_problem"] == Value::Null);
+    client.state(|state| state["scene"]["weight"] == 2.0 && state["scene_problem"] == Value::Null);
 }
