@@ -26,16 +26,18 @@ mod pictures;
 mod publish;
 mod recorder;
 mod recording;
+mod reload;
 mod remote;
 mod resume;
 mod server;
 mod shelf;
 mod upload;
 mod urgent;
+mod written;
 
 use std::io;
 use std::net::{SocketAddr, TcpListener};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
@@ -62,7 +64,6 @@ use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
 use kept::Kept;
-use pictures::Pictures;
 use remote::Remote;
 use server::Hub;
 use shelf::Shelf;
@@ -177,11 +178,10 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (notes, told) = std::sync::mpsc::sync_channel(NOTES);
     let shelf = Shelf::new(args.recordings.clone());
-    let (engine, feed) = prepared(args, (shelf.clone(), notes))?;
+    let (engine, feed) = prepared(args, (shelf.clone(), notes.clone()))?;
+    let number = engine.live.pair.setting.number;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
-    let own = engine.live.own.as_ref();
-    let pictures = Pictures::new(own);
-    let scenes = orders::offers(own, board.is_some());
+    let scenes = engine.live.offers(board.is_none());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
@@ -201,14 +201,17 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         feed,
         orders,
         scenes,
-        pictures,
         board,
         stop,
         clients: AtomicU32::new(0),
         uploads: upload::places(),
+        scene_places: upload::places(),
         kept: Kept::default(),
     });
     greet(args, place, hub.board.as_ref());
+    if let Some(file) = own_file(&args.scene) {
+        reload::begin(file, (number, hub.board.is_some()), &offers, notes);
+    }
     thread::spawn(move || recorder::look_back(&shelf, &offers));
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
@@ -251,13 +254,12 @@ fn prepared(
         number: number.unwrap_or(args.number),
         evolution: args.evolution,
     };
-    let is_bundled = !args.scene.exists() && scenes::find(&args.scene).is_some();
     let feed = Arc::new(Feed::default());
-    let own = (!is_bundled).then(|| stage.clone());
+    let own = own_file(&args.scene).map(|_| stage.clone());
     let placement = stage.scene.hand.placement;
     let mut engine =
         Engine::new(stage, &setting, Arc::clone(&feed), records).map_err(ViewError::Scene)?;
-    engine.live.own = own;
+    engine.live.own.extend(own);
     engine.board = board;
     engine.is_led =
         [args.osc_in, args.opentrack_in].iter().any(Option::is_some) || args.hand.is_some();
@@ -274,6 +276,12 @@ fn prepared(
         follow.map_err(ViewError::Scene)?;
     }
     Ok((engine, feed))
+}
+
+/// The file of a scene that is not a bundled one.
+fn own_file(scene: &Path) -> Option<&Path> {
+    let is_bundled = !scene.exists() && scenes::find(scene).is_some();
+    (!is_bundled).then_some(scene)
 }
 
 /// Says where it is, and who has the solver.

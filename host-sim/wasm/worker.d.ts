@@ -8,6 +8,11 @@ interface SolverPage {
   untilDue(): number;
   isBeyond(text: string): boolean;
   handedOver(): string[];
+  handedScenes(): string[];
+  handedShown(): string;
+  putScene(name: string, text: string): string;
+  putEdit(name: string, json: string): string;
+  sceneFile(): string;
   free(): void;
 }
 
@@ -19,3 +24,6 @@ interface Bound {
 
 declare const wasm_bindgen: Bound;
 declare const stiction_whole: Bound;
+
+/** What the page asks of a file: as VIEW.md has the paths of a server. */
+type FileRequest = { file: number; path: string; name: string; body: string };

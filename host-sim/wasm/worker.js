@@ -3,7 +3,7 @@
 // Timers of a busy browser are some ms late, and sleep for at least 4 ms if they follow one another. Waiting for a value that never
 // changes ends on time. Between two waits the worker sends itself a message, so that the page's messages are handled.
 
-/** Messages that wait until a solver is loaded. @type {string[]} */
+/** Messages and files that wait until a solver is loaded. @type {(string | FileRequest)[]} */
 let waiting = [];
 /** @type {SolverPage | null} */
 let page = null;
@@ -13,7 +13,7 @@ let whole;
 const still = new Int32Array(new WebAssembly.Memory({ shared: true, initial: 1, maximum: 1 }).buffer);
 
 self.addEventListener("message", ({ data }) => {
-  if (typeof data === "string") take(data);
+  if (typeof data === "string" || "file" in data) take(data);
   else start(data);
 });
 
@@ -33,33 +33,54 @@ async function start(files) {
   }
 }
 
-/** A message of the page. @param {string} text */
-function take(text) {
-  if (!page) waiting.push(text);
-  else if (whole && page.isBeyond(text)) grow(whole, page, text).catch(stop);
-  else page.take(text);
+/** A message of the page, or a file. @param {string | FileRequest} said */
+function take(said) {
+  if (!page) waiting.push(said);
+  else if (whole && isBeyond(page, said)) grow(whole, page, said).catch(stop);
+  else if (typeof said === "string") page.take(said);
+  else answer(page, said);
+}
+
+/** What only the whole solver can do: what has obstacles. @param {SolverPage} part @param {string | FileRequest} said */
+function isBeyond(part, said) {
+  if (typeof said === "string") return part.isBeyond(said);
+  return /\bobstacle\b(?!":\[\])/.test(said.body);
+}
+
+/** Answers what is asked of a file. @param {SolverPage} page @param {FileRequest} request */
+function answer(page, { file, path, name, body }) {
+  try {
+    const text = path === "scene.toml" ? page.sceneFile()
+      : JSON.stringify({ scene: path === "edit" ? page.putEdit(name, body) : page.putScene(name, body) });
+    self.postMessage({ file, text });
+  } catch (why) {
+    self.postMessage({ file, problem: why instanceof Error ? why.message : String(why) });
+  }
 }
 
 function takeWaiting() {
-  const texts = waiting;
+  const all = waiting;
   waiting = [];
-  texts.forEach(take);
+  all.forEach(take);
 }
 
 /**
- * The whole solver continues where the part of it stopped, with this message. Messages that arrive
+ * The whole solver continues where the part of it stopped, with this message or file. Messages that arrive
  * meanwhile wait.
- * @param {{script: string, wasm: string}} files @param {SolverPage} part @param {string} text
+ * @param {{script: string, wasm: string}} files @param {SolverPage} part @param {string | FileRequest} said
  */
-async function grow(files, part, text) {
+async function grow(files, part, said) {
   whole = undefined;
   page = null;
   importScripts(files.script);
   await stiction_whole({ module_or_path: files.wasm });
   page = new stiction_whole.Page();
   for (const message of part.handedOver()) page.take(message);
+  const scenes = part.handedScenes();
+  for (let k = 0; k < scenes.length; k += 2) page.putScene(scenes[k], scenes[k + 1]);
+  page.take(part.handedShown());
   part.free();
-  page.take(text);
+  take(said);
   takeWaiting();
 }
 

@@ -26,6 +26,8 @@ export class Address {
     this.tell = tell;
     /** The parameters that a scene begins with, by its name. @type {Map<string, SceneParameters>} */
     this.own = new Map();
+    /** The scenes that every page has; one's own is in no address. @type {string[] | null} */
+    this.bundled = null;
     /** The window that is wanted: its middle and its width (m). @type {number[] | null} */
     this.view = null;
     /** The address that was followed or written last. Another one is a wish of the user, to be followed and not to be written over. */
@@ -38,7 +40,8 @@ export class Address {
   }
 
   /** Scene and setting, whenever they change; an address that is new is followed. @param {StateMessage} state */
-  setState({ scene, parameters }) {
+  setState({ scene, parameters, scenes }) {
+    this.bundled ??= scenes ?? null;
     if (!this.own.has(scene.title)) this.own.set(scene.title, parameters);
     this.follow();
   }
@@ -121,18 +124,21 @@ export class Address {
     this.timer = 0;
     const { state } = this.stage;
     if (this.busy || this.view || !state || location.hash !== this.known) return;
-    const hash = `#${this.text(state)}`;
-    if (hash !== this.known) history.replaceState(null, "", hash);
+    const text = this.text(state);
+    const hash = text && `#${text}`;
+    // An empty address is that of the page.
+    if (hash !== this.known) history.replaceState(null, "", hash || location.pathname + location.search);
     this.known = location.hash;
   }
 
   /** What the page shows, as the address has it. @param {StateMessage} state */
   text({ scene, parameters, number, evolution }) {
     const { stage } = this;
-    const parts = [`scene=${encodeURIComponent(scene.title)}`];
+    const isOwn = this.bundled?.includes(scene.title) === false;
+    const parts = isOwn ? [] : [`scene=${encodeURIComponent(scene.title)}`];
     for (const [key, name] of Object.entries(PARAMETERS)) {
       const value = parameters[name];
-      if (value !== null && value !== this.own.get(scene.title)?.[name]) parts.push(`${key}=${value}`);
+      if (!isOwn && value !== null && value !== this.own.get(scene.title)?.[name]) parts.push(`${key}=${value}`);
     }
     if (number !== NUMBER) parts.push(`number=${number}`);
     if (evolution !== EVOLUTION) parts.push(`evolution=${evolution}`);

@@ -19,6 +19,8 @@ export class Alone extends Talk {
     this.worker = null;
     /** It has said something. */
     this.running = false;
+    /** Files that are asked for. @type {((answer: {text?: string, problem?: string}) => void)[]} */
+    this.files = [];
     for (const id of HIDDEN) byId(id).hidden = true;
     for (const value of CHOICES) document.querySelector(`#replay [value=${value}]`)?.setAttribute("hidden", "");
     this.start().catch((why) => events.error(`The solver cannot be started here: ${why.message}`));
@@ -36,8 +38,15 @@ export class Alone extends Talk {
     this.askRate();
   }
 
-  /** What the worker says: messages, or why there is nothing to say. @param {string[] | {problem: string}} data */
+  /**
+   * What the worker says: messages, the answer to a file, or why there is nothing to say.
+   * @param {string[] | {file?: number, text?: string, problem: string}} data
+   */
   hear(data) {
+    if (!Array.isArray(data) && data.file !== undefined) {
+      this.files[data.file](data);
+      return;
+    }
     if (!Array.isArray(data)) return this.failed(data.problem);
     if (!this.running) this.events.connected(true);
     this.running = true;
@@ -52,6 +61,22 @@ export class Alone extends Talk {
     this.giveUp("The solver has stopped.");
     this.events.connected(false);
     this.events.error(`The solver has stopped: ${why}`);
+  }
+
+  /**
+   * As of a server, by the worker.
+   * @param {"scene" | "edit" | "scene.toml"} path @param {string} name @param {string | null} body @returns {Promise<string>}
+   */
+  file(path, name, body) {
+    return new Promise((done, failed) => {
+      const file = this.files.push(({ text, problem }) => {
+        delete this.files[file];
+        if (text === undefined) failed(new Error(problem));
+        else done(text);
+      }) - 1;
+      if (this.worker) this.worker.postMessage({ file, path, name, body: body ?? "" });
+      else failed(new Error("The solver has stopped."));
+    });
   }
 
   /** @param {object} message @returns {boolean} */

@@ -53,6 +53,7 @@ export class Controls {
     this.pauseButton.addEventListener("click", () => this.pause());
     byId("step").addEventListener("click", () => this.step());
     byId("reset").addEventListener("click", () => this.reset());
+    byId("defaults").addEventListener("click", () => this.ask({ type: "defaults" }));
     for (const name of NAMES) {
       const slider = this.sliders[name];
       slider.max = String(STEPS);
@@ -87,9 +88,9 @@ export class Controls {
     this.ask({ type: "step", ticks: 1 });
   }
 
-  /** Back to the beginning. */
+  /** Back to the beginning: body and hand, and the parameters of the scene's file. */
   reset() {
-    this.ask({ type: "reset" });
+    this.ask({ type: "reset", parameters: true });
   }
 
   /** A value was typed. @param {ParameterName} name */
@@ -147,7 +148,7 @@ export class Controls {
   /** Shows what holds. @param {StateMessage} state */
   show(state) {
     this.state = state;
-    this.gallery.show(state.scene.title);
+    this.gallery.show(state);
     choose(this.number, state.number);
     this.evolution.value = state.evolution;
     if (![...this.speed.options].some(({ value }) => Number(value) === state.speed)) {

@@ -6,13 +6,18 @@ import { byId, setText } from "./dom.js";
 /** What the wheel scrolls in a window that does not scroll itself. */
 const wide = window.matchMedia("(min-width: 901px)");
 
+/**
+ * `content`: what the scene was when it was shown last, or null.
+ * @typedef {{input: HTMLInputElement, picture: HTMLElement, story: string | null, drawn: boolean, content: string | null}} Card
+ */
+
 export class Gallery {
   /** @param {(name: string) => Promise<boolean>} choose asks for a scene, perhaps for the one that is there; false where it is refused */
   constructor(choose) {
     this.choose = choose;
     this.cards = byId("cards");
     this.story = byId("story");
-    /** @type {Map<string, {input: HTMLInputElement, story: string | null}>} */
+    /** @type {Map<string, Card>} */
     this.scenes = new Map();
     /** The scene that is shown. */
     this.title = "";
@@ -25,8 +30,18 @@ export class Gallery {
   setHello({ scenes, stories }) {
     this.scenes.clear();
     this.cards.replaceChildren();
-    scenes.forEach((name, i) => this.add(name, stories?.[i] ?? null, stories !== undefined));
-    if (this.title) this.show(this.title);
+    this.cards.append(...scenes.map((name, i) => this.add(name, stories?.[i] ?? null, stories !== undefined)));
+    this.title = "";
+  }
+
+  /** Adds cards for new scenes, in front, and removes those of scenes that are gone. @param {string[]} names */
+  list(names) {
+    for (const [name, { input }] of this.scenes) {
+      if (names.includes(name)) continue;
+      input.closest("label")?.remove();
+      this.scenes.delete(name);
+    }
+    for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, false));
   }
 
   /** A card. @param {string} name @param {string | null} story @param {boolean} drawn there is a picture of it */
@@ -42,17 +57,29 @@ export class Gallery {
     const card = document.createElement("label");
     card.className = "card";
     card.append(input, picture, label);
-    this.cards.append(card);
-    this.scenes.set(name, { input, story });
+    this.scenes.set(name, { input, picture, story, drawn, content: null });
     if (drawn) draw(name, picture);
+    return card;
   }
 
-  /** The scene that is shown; it gets a card where it has none. @param {string} title */
-  show(title) {
-    if (!this.scenes.has(title)) this.add(title, null, false);
-    const { input, story } = /** @type {{input: HTMLInputElement, story: string | null}} */ (this.scenes.get(title));
+  /** What holds. The scene gets a card if it has none. @param {StateMessage} state */
+  show({ scene, scenes }) {
+    const { title, story } = scene;
+    this.list([...new Set([...(scenes ?? this.scenes.keys()), title])]);
+    const card = /** @type {Card} */ (this.scenes.get(title));
+    if (story !== undefined) card.story = story;
+    card.input.title = card.story ?? "";
     this.title = title;
-    if (this.waiting > 0) return;
+    // Only a program that lists its scenes has pictures of those that came later.
+    if (scenes && document.body.dataset.alone === undefined) redraw(card, scene);
+    this.select(title);
+  }
+
+  /** Shows a scene as the chosen one, unless another choice waits for its answer. @param {string} title */
+  select(title) {
+    const card = this.scenes.get(title);
+    if (this.waiting > 0 || !card) return;
+    const { input, story } = card;
     setText(this.story, story ?? "");
     if (input.checked) return;
     input.checked = true;
@@ -64,7 +91,7 @@ export class Gallery {
     this.waiting++;
     const taken = await this.choose(name);
     this.waiting--;
-    this.show(taken ? name : this.title);
+    this.select(taken ? name : this.title);
   }
 
   /** Scrolls the strip, and nothing else, until a card is in it. @param {HTMLElement} card */
@@ -80,6 +107,14 @@ export class Gallery {
     event.preventDefault();
     this.cards.scrollLeft += event.deltaY;
   }
+}
+
+/** Draws the picture of a scene that has none, or that was edited since. @param {Card} card @param {Scene} scene */
+function redraw(card, { title, body, surfaces, obstacles }) {
+  const content = JSON.stringify([body, surfaces, obstacles]);
+  const isDrawn = card.drawn && (card.content === null || card.content === content);
+  Object.assign(card, { content, drawn: true });
+  if (!isDrawn) draw(title, card.picture);
 }
 
 /** Pictures that a page of one file has in it. @type {{[name: string]: string} | null} */

@@ -102,6 +102,8 @@ function showState(message) {
   const { client } = message.hand;
   byId("let-go", HTMLButtonElement).disabled = board !== null || client === null || client !== server.hello?.you;
   address?.setState(message);
+  byId("scene-problem").hidden = !message.scene_problem;
+  setText(byId("scene-problem"), message.scene_problem ?? "");
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
   demonstration.setState(message);
@@ -196,12 +198,19 @@ function leaveBoard() {
   if (server.state) showState(server.state);
 }
 
+/** Does something with the scene as a file. @param {string} what a button @param {File} [file] one that was dropped */
+async function useFiles(what, file) {
+  const { use } = await import("./files.js");
+  if (stage.state && !board) use(what, file, { stage, feed: source, tell: note, transport: isAlone ? null : transport });
+}
+
 /** What the button of the board does now. */
 function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
-  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scenes"]) {
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scenes", "edit", "open-scene", "save-scene",
+    "defaults"]) {
     /** @type {HTMLButtonElement | HTMLSelectElement | HTMLFieldSetElement} */ (byId(id)).disabled = board !== null;
   }
   byId("no-serial").hidden = canSerial();
@@ -239,6 +248,12 @@ byId("film").hidden = typeof MediaRecorder === "undefined";
 byId("film").addEventListener("click", async () => (await import("./shown.js")).toggleFilm(stage, byId("film"), note));
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
+for (const id of ["edit", "open-scene", "save-scene"]) byId(id).addEventListener("click", () => useFiles(id));
+window.addEventListener("dragover", (event) => event.preventDefault());
+window.addEventListener("drop", (event) => {
+  event.preventDefault();
+  useFiles("drop", event.dataTransfer?.files[0]);
+});
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
 byId("serial").addEventListener("click", () => toggleBoard());
 for (const box of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[data-layer]"))) {
@@ -266,7 +281,7 @@ Object.defineProperty(window, "stiction", {
   }),
 });
 
-/** What is asked unless a board is there. @type {Feed} */
+/** What is asked unless a board is there. @type {Feed & Partial<Files>} */
 const source = isAlone ? await startAlone() : new Link(eventsFor(false));
 
 /** The solver in the page itself, and the address that says what it shows. */

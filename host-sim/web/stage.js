@@ -45,6 +45,8 @@ export class Stage {
     this.leading = null;
     /** What the pointer is over. @type {"object" | "knob" | null} */
     this.over = null;
+    /** The scene is being edited: the window rests. */
+    this.editing = false;
     this.asked = false;
     this.lastEcho = -1;
     /** Signs and texts are so much larger on a large screen. */
@@ -92,11 +94,13 @@ export class Stage {
     const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces, state.scene.obstacles]);
     if (key !== this.sceneKey) {
       this.sceneKey = key;
-      // The newest frame is one of the scene before.
-      this.message = null;
       this.leading = null;
       this.clear();
-      this.fit();
+      if (!this.editing) {
+        // The newest frame is one of the scene before.
+        this.message = null;
+        this.fit();
+      }
     }
     this.state = state;
     this.ask();
@@ -191,7 +195,7 @@ export class Stage {
     if (!this.fitted) {
       this.view.fit(scene, frame.pose, frame.hand);
       this.fitted = true;
-    } else if (!this.adjusted && this.view.follow(scene, frame.pose, frame.hand)) {
+    } else if (!this.adjusted && !this.editing && this.view.follow(scene, frame.pose, frame.hand)) {
       this.ask();
     }
   }

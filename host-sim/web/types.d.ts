@@ -135,6 +135,7 @@ interface Obstacle {
   vertices: Vec[];
   static?: number;
   dynamic?: number;
+  memory?: number | null;
 }
 
 /** What a contact is with, where it is: its normal towards the object, its friction. */
@@ -150,6 +151,8 @@ interface Peg {
 
 interface Scene {
   title: string;
+  /** A board has none. */
+  story?: string | null;
   body: Vec[];
   surfaces: Surface[];
   /** A board has none. */
@@ -188,6 +191,9 @@ interface StateMessage {
   replay: { what: string; seconds: number; demonstration?: boolean } | null;
   hand: { by: string | null; client: number | null };
   clients: number;
+  /** Of a board over Web Serial there are none of these. */
+  scenes?: string[];
+  scene_problem?: string | null;
 }
 
 interface Source {
@@ -215,6 +221,12 @@ interface Feed {
   hand(pose: Pose, held: boolean, sent: number): void;
   /** Anything else; resolves when it is done, rejects with what is wrong in words. */
   request(message: { type: string; [field: string]: unknown }): Promise<void>;
+}
+
+/** Scenes as files, which a board does not take. */
+interface Files {
+  /** Sends a file or asks for one; the text of the answer. */
+  file(path: "scene" | "edit" | "scene.toml", name: string, body: string | null): Promise<string>;
 }
 
 interface FeedEvents {

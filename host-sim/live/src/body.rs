@@ -90,9 +90,10 @@ enum Way<'a> {
 /// Whether a scene makes a scene of the solver that it needs, in f64.
 ///
 /// # Errors
-/// It does not: the key and the line.
+/// It does not: the key and the line; or its solver is not built in.
 pub fn check(scene: &SceneFile) -> Result<(), InputError> {
-    match scene.obstacles.is_empty() {
+    has_solver(scene)?;
+    match !OBSTACLES || scene.obstacles.is_empty() {
         true => <Full as HostModel>::scene::<f64>(scene).map(|_| ()),
         false => <Among as HostModel>::scene::<f64>(scene).map(|_| ()),
     }

@@ -25,6 +25,8 @@ pub struct Run {
     pub setting: Setting,
     /// A path that the hand follows, and its name.
     pub path: Option<(String, Way)>,
+    /// The scene is to be among those that can be shown.
+    pub is_new: bool,
 }
 
 /// A run that can begin.
@@ -33,6 +35,7 @@ pub struct Ready {
     /// The body at its start, and the reference beside it.
     pub pair: Pair,
     replay: Option<Replay>,
+    is_new: bool,
 }
 
 impl Change {
@@ -42,6 +45,7 @@ impl Change {
             stage,
             setting,
             path: None,
+            is_new: false,
         }))
     }
 
@@ -76,6 +80,7 @@ impl Run {
             stage: self.stage,
             pair,
             replay,
+            is_new: self.is_new,
         })
     }
 }
@@ -117,6 +122,9 @@ impl Live {
     /// Another run begins.
     pub fn begin(&mut self, ready: Ready) {
         let home = HandPose::of(&ready.stage.home);
+        if ready.is_new {
+            self.keep(ready.stage.clone());
+        }
         (self.stage, self.pair, self.replay) = (ready.stage, ready.pair, ready.replay);
         self.guide = Guide::at(home);
         self.begin_run(home);

@@ -8,9 +8,11 @@ use stiction_scene::SceneFile;
 
 use crate::counts::Counts;
 use crate::echo::Echo;
+use crate::number::Number;
 use crate::pair::{Comparison, SlipMark};
 use crate::record::Frame;
 use crate::say::{Fares, News};
+use crate::stage::Stage;
 
 /// So many records of the past are kept.
 const KEPT: usize = 1024;
@@ -26,8 +28,10 @@ pub struct Latest {
     pub scene: Arc<SceneFile>,
     /// Whitney's meter, where the scene has a peg and a hole.
     pub meter: Option<Arc<Meter>>,
-    /// The numbers have the digits of f32.
-    pub single: bool,
+    /// The scene as it is at a reset.
+    pub stage: Stage,
+    /// The number type.
+    pub number: Number,
     /// A client, and what it sent with the newest sample that is in the record.
     pub echo: Option<Echo>,
     /// The reference beside it.

@@ -65,7 +65,13 @@ pub enum Message {
         value: f64,
     },
     /// Body and hand as at the beginning.
-    Reset {},
+    Reset {
+        /// The parameters, too.
+        #[serde(default)]
+        parameters: bool,
+    },
+    /// The parameters of the scene's file.
+    Defaults {},
     /// A recording begins or ends.
     Record {
         /// Which.
@@ -251,6 +257,8 @@ mod tests {
             r#"{"type": "step", "ticks": 1000}"#,
             r#"{"type": "speed", "value": 0.001}"#,
             r#"{"type": "reset"}"#,
+            r#"{"type": "reset", "parameters": true}"#,
+            r#"{"type": "defaults"}"#,
             r#"{"type": "record", "value": false}"#,
             r#"{"type": "replay", "what": "upload"}"#,
             r#"{"type": "replay", "what": "scene", "demonstration": true}"#,

@@ -27,6 +27,7 @@ pub mod live;
 pub mod meter;
 pub mod number;
 pub mod orders;
+pub mod own;
 pub mod pair;
 pub mod record;
 pub mod replay;

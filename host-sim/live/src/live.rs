@@ -14,6 +14,7 @@ use crate::holder::{Holder, Source};
 use crate::pair::Pair;
 use crate::replay::Replay;
 use crate::say::{self, By, Fares, Replayed, Status};
+use crate::scenes::Offer;
 use crate::stage::Stage;
 use crate::step_times::StepTimes;
 
@@ -21,6 +22,8 @@ use crate::step_times::StepTimes;
 pub const PERIOD: Duration = Duration::from_millis(1);
 /// Whoever is later than this does not catch up.
 const PATIENCE: Duration = Duration::from_millis(100);
+/// So many scenes of clients are kept: of 1 MiB each at most.
+const MOST_OWN: usize = 32;
 /// Time in a tick for a seek.
 const SEEKING: Duration = Duration::from_micros(500);
 
@@ -42,8 +45,10 @@ pub struct Live {
     pub holder: Holder,
     /// The path that it follows instead.
     pub replay: Option<Replay>,
-    /// A scene besides the bundled ones.
-    pub own: Option<Stage>,
+    /// Scenes besides the bundled ones, the newest last.
+    pub own: Vec<Stage>,
+    /// Why the file of the scene, as it is now, cannot be shown.
+    pub scene_problem: Option<String>,
     /// The number of the newest tick.
     pub tick: u64,
     /// Time stands still.
@@ -81,7 +86,8 @@ impl Live {
             times: StepTimes::default(),
             holder: Holder::default(),
             replay: None,
-            own: None,
+            own: Vec::new(),
+            scene_problem: None,
             tick: 0,
             paused: false,
             steps: 0,
@@ -233,6 +239,30 @@ impl Live {
         }
     }
 
+    /// Keeps a scene, in the place of another one of its name.
+    pub fn keep(&mut self, stage: Stage) {
+        self.own.retain(|own| own.scene.title != stage.scene.title);
+        if self.own.len() == MOST_OWN {
+            self.own.remove(0);
+        }
+        self.own.push(stage);
+    }
+
+    /// The scenes that can be shown, those of clients first; `with_obstacles`: those with obstacles, too.
+    pub fn offers(&self, with_obstacles: bool) -> Vec<Offer> {
+        let is_own = |name: &str| self.own.iter().any(|own| own.scene.title == name);
+        let own = self.own.iter();
+        let own = own.map(|own| Offer::new(own.scene.title.clone(), own.scene.source()));
+        let bundled = Offer::bundled(with_obstacles).filter(|offer| !is_own(&offer.name));
+        own.chain(bundled).collect()
+    }
+
+    /// Their names.
+    pub fn scene_names(&self, with_obstacles: bool) -> Vec<String> {
+        let offers = self.offers(with_obstacles).into_iter();
+        offers.map(|offer| offer.name).collect()
+    }
+
     /// The state, with this status, waits to be shown.
     pub fn tell(&mut self, status: &Status) {
         let message = say::state(&self.stage, &self.pair, status);
@@ -266,6 +296,8 @@ impl Live {
             replay,
             hand,
             clients: self.clients,
+            scenes: self.scene_names(true),
+            scene_problem: self.scene_problem.clone(),
         }
     }
 
@@ -276,8 +308,9 @@ impl Live {
             tick: self.tick,
             frame: Arc::clone(&pair.frame),
             scene: Arc::clone(&pair.setting.scene),
+            stage: self.stage.clone(),
+            number: pair.setting.number,
             meter: pair.meter.clone(),
-            single: pair.setting.number.is_single(),
             echo: self.echoes.shown().clone(),
             reference: pair.comparison,
             counts: pair.counts,

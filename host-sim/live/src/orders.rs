@@ -71,7 +71,8 @@ impl Live {
                 self.speed = value;
                 self.changed = true;
             }
-            Message::Reset {} => return Ok(Some(self.anew())),
+            Message::Reset { parameters } => return Ok(Some(self.anew(parameters))),
+            Message::Defaults {} => return Ok(Some(self.defaults())),
             Message::Replay {
                 demonstration: true,
                 what,
@@ -120,7 +121,7 @@ impl Live {
     }
 
     fn scene(&self, name: &str) -> Result<Change, String> {
-        let own = self.own.as_ref().filter(|own| own.scene.title == name);
+        let own = self.own.iter().find(|own| own.scene.title == name);
         let number = self.pair.setting.number;
         let stage = match (own, scenes::find(FilePath::new(name))) {
             (Some(own), _) => own.clone(),
@@ -133,22 +134,37 @@ impl Live {
                 return Err(format!("no scene {name:?}, allowed: {}", scenes::names()));
             }
         };
-        let setting = Setting {
-            scene: Arc::clone(&stage.scene),
-            ..self.pair.setting.clone()
-        };
+        let setting = self.setting_of(&stage);
         Ok(Change::run(stage, setting))
     }
 
-    /// Body and hand as at the beginning; a path from its beginning. A recording may have begun elsewhere.
-    pub fn anew(&self) -> Change {
+    /// A scene of a client's own, from its beginning; it can be shown again later.
+    pub fn own_scene(&self, stage: Stage) -> Change {
+        Change::Run(Box::new(Run {
+            setting: self.setting_of(&stage),
+            stage,
+            path: None,
+            is_new: true,
+        }))
+    }
+
+    fn setting_of(&self, stage: &Stage) -> Setting {
+        Setting {
+            scene: Arc::clone(&stage.scene),
+            ..self.pair.setting.clone()
+        }
+    }
+
+    /// Body and hand as at the beginning, and the parameters of the file where `parameters` says so; a path from its beginning. A
+    /// recording may have begun elsewhere.
+    pub fn anew(&self, parameters: bool) -> Change {
         let mut setting = self.pair.setting.clone();
-        let (written, of_stage) = (
-            &mut Arc::make_mut(&mut setting.scene).written,
-            &self.stage.scene,
-        );
-        (written.start, written.holding_point) = (of_stage.start, of_stage.holding_point);
-        written.reach = of_stage.reach;
+        match parameters {
+            true => setting.scene = Arc::clone(&self.stage.scene),
+            false => Arc::make_mut(&mut setting.scene)
+                .written
+                .begin_as(&self.stage.scene),
+        }
         Change::Run(Box::new(Run {
             stage: self.stage.clone(),
             setting,
@@ -156,7 +172,17 @@ impl Live {
                 .replay
                 .as_ref()
                 .map(|replay| (replay.what.clone(), replay.way.clone())),
+            is_new: false,
         }))
+    }
+
+    /// The parameters of the scene's file.
+    fn defaults(&self) -> Change {
+        let mut setting = self.pair.setting.clone();
+        let mut scene = SceneFile::clone(&self.stage.scene);
+        scene.written.begin_as(&setting.scene);
+        setting.scene = Arc::new(scene);
+        Change::Setting(setting)
     }
 
     fn number(&self, number: Number) -> Change {
@@ -237,6 +263,7 @@ impl Live {
             stage: self.stage.clone(),
             setting: self.pair.setting.clone(),
             path: Some((name, way)),
+            is_new: false,
         })))
     }
 

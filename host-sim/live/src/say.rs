@@ -134,6 +134,10 @@ pub struct Status {
     pub hand: By,
     /// How many there are.
     pub clients: usize,
+    /// The names of the scenes that can be shown.
+    pub scenes: Vec<String>,
+    /// Why the file of the scene, as it is now, cannot be shown.
+    pub scene_problem: Option<String>,
 }
 
 /// A recording that is there.
@@ -249,6 +253,7 @@ fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
     let [x, y] = stage.home.position;
     json!({
         "title": scene.title,
+        "story": of_stage.source().story(),
         "body": scene.vertices,
         "surfaces": surfaces,
         "obstacles": obstacles,
@@ -358,7 +363,7 @@ impl News {
             r#type: "frame",
             tick: latest.tick,
             skipped,
-            frame: Record::new(&latest.frame, &scenery, latest.single),
+            frame: Record::new(&latest.frame, &scenery, latest.number.is_single()),
             holding: springs.holding,
             ghost: springs.ghost,
             small_angles: Formulas::of(latest),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use stiction_core::{Angle, Hand};
-use stiction_scene::{HandPath, InputError, Sample, SceneFile, Source};
+use stiction_scene::{HandPath, InputError, Motion, Sample, SceneFile, Source};
 
 use crate::body::Setting;
 use crate::input::open_path;
@@ -27,12 +27,26 @@ impl Stage {
     ///
     /// # Errors
     /// Its path cannot be read.
-    pub fn new(mut scene: SceneFile) -> Result<Self, InputError> {
+    pub fn new(scene: SceneFile) -> Result<Self, InputError> {
+        let opens = scene.hand.motion.is_some();
+        Self::with_path(scene, opens)
+    }
+
+    /// Of a scene file whose hand's path, where that is a file of its own, is not opened.
+    ///
+    /// # Errors
+    /// Its path is too long.
+    pub fn unopened(scene: SceneFile) -> Result<Self, InputError> {
+        let opens = matches!(scene.hand.motion, Some(Motion::Keyframes(_)));
+        Self::with_path(scene, opens)
+    }
+
+    fn with_path(mut scene: SceneFile, opens: bool) -> Result<Self, InputError> {
         let reach = graspable(&scene);
         scene.written.reach = reach;
-        let path = match &scene.hand.motion {
-            Some(_) => Some(Arc::new(open_path(&scene, None, Some(("view", 1000.0)))?.0)),
-            None => None,
+        let path = match opens {
+            true => Some(Arc::new(open_path(&scene, None, Some(("view", 1000.0)))?.0)),
+            false => None,
         };
         let first = path.as_ref().and_then(|path| path.frames(None).next());
         let home = first.map_or_else(|| at_start(&scene), |sample: Sample| sample.hand);
@@ -53,7 +67,7 @@ fn graspable(scene: &SceneFile) -> f64 {
 }
 
 /// A hand that pulls at nothing, at the holding point or at the body's origin.
-fn at_start(scene: &SceneFile) -> Hand<f64> {
+pub(crate) fn at_start(scene: &SceneFile) -> Hand<f64> {
     let [x, y, theta] = scene.start;
     let [gx, gy] = scene.holding_point.unwrap_or_default();
     let (sin, cos) = theta.sin_cos();

@@ -4,6 +4,7 @@ use std::ops::Deref;
 use std::path::Path;
 
 use stiction_core::{Full, Model, Real, Scene, SiFloat, Solver};
+use toml::Spanned;
 
 use crate::check::Check;
 use crate::hand_section::HandSection;
@@ -52,6 +53,29 @@ impl SceneFile {
             Some(rate) => self.source().error_at(rate.span().start, problem),
             None => self.source().error(problem),
         }
+    }
+
+    /// `[hand]` as the file has it, value by value, but with this origin of its path: x, y (m), phi (rad).
+    pub fn hand_text(&self, origin: &[f64; 3]) -> String {
+        let (hand, text) = (&self.written.document.hand, self.source().text());
+        let spans = [
+            ("rate", hand.rate.as_ref().map(Spanned::span)),
+            ("keyframes", hand.keyframes.as_ref().map(Spanned::span)),
+            ("path", hand.path.as_ref().map(Spanned::span)),
+            ("plane", hand.plane.as_ref().map(Spanned::span)),
+            ("scale", hand.scale.as_ref().map(Spanned::span)),
+        ];
+        let mut section = "[hand]\n".to_owned();
+        for (key, span) in spans {
+            let value = span.and_then(|span| text.get(span));
+            if let Some(value) = value {
+                section += &format!("{key} = {value}\n");
+            }
+        }
+        if hand.origin.is_some() || *origin != [0.0; 3] {
+            section += &format!("origin = {origin:?}\n");
+        }
+        section
     }
 
     /// The scene for a solver without obstacles.

@@ -172,6 +172,12 @@ impl WrittenScene {
         take(&described)
     }
 
+    /// Puts the body's start, the holding point and the reach where another scene has them.
+    pub fn begin_as(&mut self, other: &Self) {
+        (self.start, self.holding_point) = (other.start, other.holding_point);
+        self.reach = other.reach;
+    }
+
     /// The file.
     pub const fn source(&self) -> &Source {
         &self.source

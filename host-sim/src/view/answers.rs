@@ -19,14 +19,12 @@ impl Engine {
                         let result = result.and_then(|()| self.apply(change));
                         self.answers.push((reply, result));
                     }
-                    while let Some((client, message, reply)) =
-                        self.board.as_mut().and_then(Remote::waited)
-                    {
-                        self.take(client, message, reply, now);
+                    while let Some((wish, reply)) = self.board.as_mut().and_then(Remote::waited) {
+                        self.take(wish, reply, now);
                     }
                 }
                 // What it is told anew is what it was told before: there is nothing to refuse.
-                Word::Back => self.apply(self.live.anew().into())?,
+                Word::Back => self.apply(self.live.anew(false).into())?,
                 Word::Fares(fares) => {
                     if let Some(board) = &mut self.board {
                         board.fares = fares;

@@ -31,19 +31,31 @@ impl From<Change> for Wanted {
 
 /// Whoever waits for an answer.
 #[derive(Debug)]
-pub(super) struct Reply {
-    pub(super) id: Option<i64>,
-    pub(super) answers: Sender<String>,
+pub(super) enum Reply {
+    /// A client of the socket.
+    Client {
+        id: Option<i64>,
+        answers: Sender<String>,
+    },
+    /// Somebody in this program.
+    Direct(Sender<Result<(), String>>),
 }
 
 impl Reply {
     /// Tells it.
     pub(super) fn send(&self, result: Result<(), String>) {
-        let Some(answer) = say::answer(self.id, result) else {
-            return;
-        };
-        // A client that does not read loses answers.
-        let _ = self.answers.try_send(answer);
+        match self {
+            Self::Client { id, answers } => {
+                if let Some(answer) = say::answer(*id, result) {
+                    // A client that does not read loses answers.
+                    let _ = answers.try_send(answer);
+                }
+            }
+            // Whoever has gone meanwhile needs no answer.
+            Self::Direct(answers) => {
+                let _ = answers.try_send(result);
+            }
+        }
     }
 }
 

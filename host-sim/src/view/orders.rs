@@ -19,7 +19,6 @@ use super::engine::Engine;
 use super::recording::Recording;
 use super::resume::resumed;
 use crate::body::{Setting, without_obstacles};
-use crate::scenes::Offer;
 
 /// What the solver is told.
 #[derive(Debug)]
@@ -41,6 +40,28 @@ pub(super) enum Order {
     Upload(String, Arc<HandPath>),
     /// A recording that was made before the program was started.
     Earlier(Box<Recording>),
+    /// A scene that somebody wrote, to be shown.
+    Scene(Box<Stage>, Reply),
+    /// Why the file of the scene, as it is now, cannot be shown; none where it is.
+    SceneProblem(Option<String>),
+}
+
+/// What concerns the body: it waits where a change of it is under way.
+#[derive(Debug)]
+pub(super) enum Wish {
+    /// What a client says.
+    Said(u32, Message),
+    /// A scene that somebody wrote.
+    Scene(Box<Stage>),
+}
+
+impl Wish {
+    const fn is_of_body(&self) -> bool {
+        match self {
+            Self::Said(_, message) => message.is_of_body(),
+            Self::Scene(_) => true,
+        }
+    }
 }
 
 impl Engine {
@@ -67,24 +88,53 @@ impl Engine {
                 id,
                 message,
                 answers,
-            } => {
-                let reply = Reply { id, answers };
-                match &mut self.board {
-                    Some(board) if board.is_busy() && message.is_of_body() => {
-                        board.keep(client, message, reply);
-                    }
-                    _ => self.take(client, message, reply, now),
-                }
+            } => self.hear(
+                Wish::Said(client, message),
+                Reply::Client { id, answers },
+                now,
+            ),
+            Order::Scene(stage, reply) => self.hear(Wish::Scene(stage), reply, now),
+            Order::SceneProblem(problem) => {
+                self.live.changed |= self.live.scene_problem != problem;
+                self.live.scene_problem = problem;
             }
         }
     }
 
-    /// Does what a client says, and answers.
-    pub(super) fn take(&mut self, client: u32, message: Message, reply: Reply, now: Instant) {
-        match self.carry_out(client, message, now) {
+    /// Does what somebody wishes, or keeps it until the board has answered.
+    fn hear(&mut self, wish: Wish, reply: Reply, now: Instant) {
+        match &mut self.board {
+            Some(board) if board.is_busy() && wish.is_of_body() => board.keep(wish, reply),
+            _ => self.take(wish, reply, now),
+        }
+    }
+
+    /// Does what somebody wishes, and answers.
+    pub(super) fn take(&mut self, wish: Wish, reply: Reply, now: Instant) {
+        let result = match wish {
+            Wish::Said(client, message) => self.carry_out(client, message, now),
+            Wish::Scene(stage) => self.own_scene(*stage).map(Some),
+        };
+        match result {
             Ok(Some(change)) => self.change(change, reply),
             Ok(None) => self.answers.push((reply, Ok(()))),
             Err(problem) => self.answers.push((reply, Err(problem))),
+        }
+    }
+
+    fn own_scene(&self, stage: Stage) -> Result<Wanted, String> {
+        let change = self.live.own_scene(stage);
+        self.may_have(&change)?;
+        Ok(change.into())
+    }
+
+    /// Whether whoever has the solver can have the scene of a change.
+    fn may_have(&self, change: &Change) -> Result<(), String> {
+        match self.board {
+            Some(_) => {
+                without_obstacles(&change.setting().scene).map_err(|error| error.to_string())
+            }
+            None => Ok(()),
         }
     }
 
@@ -123,11 +173,8 @@ impl Engine {
             self.may_board(&message)?;
         }
         let change = self.live.carry_out(client, message, now)?;
-        if self.board.is_some()
-            && let Some(change) = &change
-        {
-            let scene = &change.setting().scene;
-            without_obstacles(scene).map_err(|error| error.to_string())?;
+        if let Some(change) = &change {
+            self.may_have(change)?;
         }
         Ok(change.map(Wanted::from))
     }
@@ -176,6 +223,7 @@ impl Engine {
             stage: recorded.stage.clone(),
             setting: recorded.setting.clone(),
             path: Some(("recording".to_owned(), way)),
+            is_new: false,
         })))
     }
 
@@ -204,10 +252,4 @@ impl Engine {
             recording: Some(Box::new((recording, now))),
         })
     }
-}
-
-/// The scenes that can be shown: a board takes no obstacles.
-pub(super) fn offers(own: Option<&Stage>, has_board: bool) -> Vec<Offer> {
-    let own = own.map(|own| Offer::new(own.scene.title.clone(), own.scene.source()));
-    own.into_iter().chain(Offer::bundled(!has_board)).collect()
 }

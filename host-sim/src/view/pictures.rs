@@ -1,4 +1,4 @@
-//! Pictures of the scenes that can be shown: from the name of a scene to an SVG. They are drawn as they are asked for.
+//! Pictures of the scenes that can be shown: from the name of a scene to an SVG. They are drawn when they are requested.
 
 use std::path::Path as FilePath;
 use std::sync::Arc;
@@ -6,7 +6,6 @@ use std::sync::Arc;
 use axum::extract::{Path, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use stiction_live::stage::Stage;
 use stiction_live::thumbnail::thumbnail;
 use stiction_scene::Source;
 use tokio::task::spawn_blocking;
@@ -14,34 +13,18 @@ use tokio::task::spawn_blocking;
 use super::server::{Hub, problem};
 use crate::scenes;
 
-/// What there are pictures of, besides the bundled scenes.
-#[derive(Clone, Debug)]
-pub(super) struct Pictures {
-    own: Option<(String, Source)>,
-}
-
-impl Pictures {
-    /// With a scene file of its own.
-    pub(super) fn new(own: Option<&Stage>) -> Self {
-        let named = |own: &Stage| (own.scene.title.clone(), own.scene.source().clone());
-        Self {
-            own: own.map(named),
-        }
-    }
-
-    fn source(&self, name: &str) -> Option<Source> {
-        let own = self.own.as_ref().filter(|(title, _)| title == name);
-        let own = own.map(|(_, source)| source.clone());
-        own.or_else(|| scenes::find(FilePath::new(name)))
-    }
+/// The scene of a name: the one that is shown, or a bundled one.
+fn source(hub: &Hub, name: &str) -> Option<Source> {
+    let latest = hub.feed.read().latest.clone();
+    let shown = latest.filter(|latest| latest.stage.scene.title == name);
+    let shown = shown.map(|latest| latest.stage.scene.source().clone());
+    shown.or_else(|| scenes::find(FilePath::new(name)))
 }
 
 /// `NAME.svg`.
 pub(super) async fn picture(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Response {
-    let source = file
-        .strip_suffix(".svg")
-        .and_then(|name| hub.pictures.source(name));
-    let Some(source) = source else {
+    let name = file.strip_suffix(".svg");
+    let Some(source) = name.and_then(|name| source(&hub, name)) else {
         return problem(StatusCode::NOT_FOUND, "there is no such scene");
     };
     match spawn_blocking(move || thumbnail(&source)).await {

@@ -5,14 +5,14 @@ use std::collections::VecDeque;
 use stiction_scene::Sample;
 
 use super::change::{Reply, Wanted};
+use super::orders::Wish;
 use crate::board::{Identity, LiveBoard, Word};
-use stiction_live::hear::Message;
 use stiction_live::say::Fares;
 
 /// Periods of the engine in a second.
 const PERIODS: u32 = 1000;
 
-/// Messages that wait for the answer to a change.
+/// Wishes that wait for the answer to a change.
 const MOST_WAITING: usize = 64;
 
 /// A board, with what it owes.
@@ -22,7 +22,7 @@ pub(super) struct Remote {
     /// A change that the board was asked for.
     asked: Option<(Wanted, Reply)>,
     /// What clients said meanwhile: it is of the body as it will be then.
-    waiting: VecDeque<(u32, Message, Reply)>,
+    waiting: VecDeque<(Wish, Reply)>,
     pub(super) fares: Fares,
     /// Periods until the next sample: a board slower than the engine gets one with each of its ticks.
     left: u32,
@@ -73,17 +73,17 @@ impl Remote {
         self.asked.take()
     }
 
-    /// Keeps a message until the change is made.
-    pub(super) fn keep(&mut self, client: u32, message: Message, reply: Reply) {
+    /// Keeps a wish until the change is made.
+    pub(super) fn keep(&mut self, wish: Wish, reply: Reply) {
         if self.waiting.len() < MOST_WAITING {
-            self.waiting.push_back((client, message, reply));
+            self.waiting.push_back((wish, reply));
         } else {
             reply.send(Err("too much to do, allowed: to send it again".to_owned()));
         }
     }
 
-    /// A message that waits no longer.
-    pub(super) fn waited(&mut self) -> Option<(u32, Message, Reply)> {
+    /// A wish that waits no longer.
+    pub(super) fn waited(&mut self) -> Option<(Wish, Reply)> {
         match self.asked {
             Some(_) => None,
             None => self.waiting.pop_front(),

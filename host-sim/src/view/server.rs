@@ -20,10 +20,10 @@ use super::doors::Seat;
 use super::feed::Feed;
 use super::kept::Kept;
 use super::orders::Order;
-use super::pictures::{Pictures, picture};
+use super::pictures::picture;
 use super::recording::Recording;
 use super::upload::upload;
-use super::{client, page};
+use super::{client, page, written};
 use crate::board::Identity;
 use crate::scenes::Offer;
 
@@ -37,14 +37,14 @@ pub(super) struct Hub {
     pub(super) feed: Arc<Feed>,
     pub(super) orders: mpsc::Sender<Order>,
     pub(super) scenes: Vec<Offer>,
-    pub(super) pictures: Pictures,
     /// The board that has the solver.
     pub(super) board: Option<Identity>,
     /// True when the server ends.
     pub(super) stop: watch::Receiver<bool>,
     pub(super) clients: AtomicU32,
-    /// Places for paths that are uploaded.
+    /// Places for paths that are uploaded, and for scenes.
     pub(super) uploads: Arc<Semaphore>,
+    pub(super) scene_places: Arc<Semaphore>,
     /// Paths that were uploaded, and recordings.
     pub(super) kept: Kept,
 }
@@ -71,7 +71,10 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
         .route("/ws", get(socket))
         .route("/recording/{file}", get(recording))
         .route("/scenes/{file}", get(picture))
-        .route("/upload", post(upload));
+        .route("/upload", post(upload))
+        .route("/scene", post(written::scene))
+        .route("/edit", post(written::edit))
+        .route("/scene.toml", get(written::text));
     let router = match with_page {
         true => router.fallback(file),
         false => router,

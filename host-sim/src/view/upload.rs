@@ -13,7 +13,7 @@ use futures_util::StreamExt;
 use serde::Deserialize;
 use serde_json::json;
 use stiction_scene::{HandPath, InputError, Source};
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::spawn_blocking;
 use tokio::time::timeout;
 
@@ -33,16 +33,17 @@ const WHOLE: Duration = Duration::from_secs(60);
 const NAME: usize = 100;
 
 /// What a client is told where its path is not taken.
-type Refusal = (StatusCode, String);
+pub(super) type Refusal = (StatusCode, String);
 
 /// The places for paths that are taken and read.
 pub(super) fn places() -> Arc<Semaphore> {
     Arc::new(Semaphore::new(AT_ONCE))
 }
 
+/// What a file that is sent is called.
 #[derive(Deserialize)]
 pub(super) struct Name {
-    name: String,
+    pub(super) name: String,
 }
 
 /// Takes a path.
@@ -51,29 +52,30 @@ pub(super) async fn upload(
     name: Result<Query<Name>, QueryRejection>,
     body: Body,
 ) -> Response {
-    let Ok(Query(Name { name })) = name else {
-        return problem(
-            StatusCode::BAD_REQUEST,
-            "`name` is missing, allowed: the name of the file",
-        );
-    };
-    match taken(&hub, &name, body).await {
+    answered(match name {
+        Ok(Query(Name { name })) => taken(&hub, &name, body).await,
+        Err(_) => Err(nameless()),
+    })
+}
+
+/// The response to a file that was sent.
+pub(super) fn answered(result: Result<String, Refusal>) -> Response {
+    match result {
         Ok(answer) => ([(header::CONTENT_TYPE, "application/json")], answer).into_response(),
         Err((status, text)) => problem(status, &text),
     }
 }
 
+/// A file that has no name.
+pub(super) fn nameless() -> Refusal {
+    let text = "`name` is missing, allowed: the name of the file";
+    (StatusCode::BAD_REQUEST, text.to_owned())
+}
+
 async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
     let busy = |text: &str| (StatusCode::SERVICE_UNAVAILABLE, text.to_owned());
     let refused = |text: String| (StatusCode::BAD_REQUEST, text);
-    let free = timeout(PIECE, Arc::clone(&hub.uploads).acquire_owned());
-    let Ok(Ok(place)) = free.await else {
-        return Err(busy(
-            "other paths are being taken, allowed: to send it again",
-        ));
-    };
-    let whole = timeout(WHOLE, gathered(body));
-    let bytes = whole.await.unwrap_or_else(|_| Err(late()))?;
+    let (place, bytes) = received(&hub.uploads, body, LARGEST).await?;
     // The name of a file, whatever stands before it.
     let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let name: String = name.chars().take(NAME).collect();
@@ -99,16 +101,32 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
     }
 }
 
+/// A body of so many bytes at most, and the place that it has until it is read.
+pub(super) async fn received(
+    places: &Arc<Semaphore>,
+    body: Body,
+    largest: usize,
+) -> Result<(OwnedSemaphorePermit, Vec<u8>), Refusal> {
+    let free = timeout(PIECE, Arc::clone(places).acquire_owned());
+    let Ok(Ok(place)) = free.await else {
+        let text = "others are being taken, allowed: to send it again";
+        return Err((StatusCode::SERVICE_UNAVAILABLE, text.to_owned()));
+    };
+    let whole = timeout(WHOLE, gathered(body, largest));
+    let bytes = whole.await.unwrap_or_else(|_| Err(late()))?;
+    Ok((place, bytes))
+}
+
 /// All pieces.
-async fn gathered(body: Body) -> Result<Vec<u8>, Refusal> {
+async fn gathered(body: Body, largest: usize) -> Result<Vec<u8>, Refusal> {
     let (mut bytes, mut pieces) = (Vec::new(), body.into_data_stream());
     loop {
         let piece = timeout(PIECE, pieces.next());
         match piece.await.map_err(|_| late())? {
             None => return Ok(bytes),
             Some(Err(error)) => return Err((StatusCode::BAD_REQUEST, error.to_string())),
-            Some(Ok(piece)) if bytes.len() + piece.len() > LARGEST => {
-                let text = format!("it is longer than {LARGEST} bytes, allowed: at most so many");
+            Some(Ok(piece)) if bytes.len() + piece.len() > largest => {
+                let text = format!("it is longer than {largest} bytes, allowed: at most so many");
                 return Err((StatusCode::PAYLOAD_TOO_LARGE, text));
             }
             Some(Ok(piece)) => bytes.extend_from_slice(&piece),

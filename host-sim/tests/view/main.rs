@@ -17,3 +17,4 @@ mod refusals;
 mod several;
 #[cfg(unix)]
 mod station;
+mod written;

@@ -10,6 +10,7 @@ use stiction_live::feed::{Shown, Told};
 use stiction_live::hear::{self, Message, Said};
 use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
+use stiction_live::own;
 use stiction_live::say::{self, Source};
 use stiction_live::scenes::{self, Offer};
 use stiction_live::simulate;
@@ -75,8 +76,7 @@ impl Page {
 
     /// The first message.
     pub fn hello(&self) -> String {
-        let scenes: Vec<Offer> = Offer::bundled(true).collect();
-        say::hello(CLIENT, &scenes, &Source::Core)
+        say::hello(CLIENT, &self.live.offers(true), &Source::Core)
     }
 
     /// Whether only the whole solver can handle a message: a scene with obstacles, if this build has none. Another page should
@@ -102,6 +102,48 @@ impl Page {
             json!({"type": "rate", "value": 1.0 / self.period.as_secs_f64()}),
         ];
         messages.iter().map(ToString::to_string).collect()
+    }
+
+    /// The page's own scenes, as pairs of name and text; another page takes them after [`Page::handed_over`].
+    #[wasm_bindgen(js_name = handedScenes)]
+    pub fn handed_scenes(&self) -> Vec<String> {
+        let own = self.live.own.iter().map(|own| own.scene.source());
+        let pairs = own.flat_map(|source| {
+            let name = source.file().to_string_lossy().into_owned();
+            [name, source.text().to_owned()]
+        });
+        pairs.collect()
+    }
+
+    /// The message that shows the present scene.
+    #[wasm_bindgen(js_name = handedShown)]
+    pub fn handed_shown(&self) -> String {
+        json!({"type": "scene", "name": self.live.stage.scene.title}).to_string()
+    }
+
+    /// Shows the scene of a text, under a name given by the page. Returns its title.
+    ///
+    /// Throws if the text is no scene: the message names the key and the line.
+    #[wasm_bindgen(js_name = putScene)]
+    pub fn put_scene(&mut self, name: &str, text: &str) -> Result<String, JsError> {
+        let stage = own::parse(name, text.into(), self.live.pair.setting.number.limit());
+        self.show(stage.map_err(|error| error.to_string()))
+    }
+
+    /// Changes the present scene (JSON), under a name given by the page. Returns its title.
+    ///
+    /// Throws if the result is no scene.
+    #[wasm_bindgen(js_name = putEdit)]
+    pub fn put_edit(&mut self, name: &str, json: &str) -> Result<String, JsError> {
+        let limit = self.live.pair.setting.number.limit();
+        let stage = own::edited(&self.live.stage, name, json.as_bytes(), limit);
+        self.show(stage)
+    }
+
+    /// The present scene, as a file that can be run.
+    #[wasm_bindgen(js_name = sceneFile)]
+    pub fn scene_file(&self) -> String {
+        own::text(&self.live.stage, &self.live.pair.setting.scene)
     }
 
     /// Handles a message of the page.
@@ -151,6 +193,15 @@ impl Page {
     pub fn until_due(&self) -> f64 {
         let wait = self.due.saturating_duration_since(Instant::now());
         wait.as_secs_f64() * 1e3
+    }
+
+    fn show(&mut self, stage: Result<Stage, String>) -> Result<String, JsError> {
+        let shown = stage.and_then(|stage| {
+            let title = stage.scene.title.clone();
+            self.live.apply(self.live.own_scene(stage))?;
+            Ok(title)
+        });
+        shown.map_err(|problem| JsError::new(&problem))
     }
 
     fn publish(&mut self) {

@@ -47,10 +47,15 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         "worker": packed(&all.whole_worker()),
         "wasm": packed(&all.whole.wasm),
     });
-    let style = STANDARD.encode(find(files, "insertion.css")?);
-    if let Some(code) = modules.get_mut("insertion.js") {
-        let data = format!("\"data:text/css;base64,{style}\"");
-        put(code, "\"insertion.css\"", &data)?;
+    for (module, name) in [
+        ("insertion.js", "insertion.css"),
+        ("files.js", "editor.css"),
+    ] {
+        let style = STANDARD.encode(find(files, name)?);
+        if let Some(code) = modules.get_mut(module) {
+            let data = format!("\"data:text/css;base64,{style}\"");
+            put(code, &format!("\"{name}\""), &data)?;
+        }
     }
     let pictures: Map<String, Value> = all
         .pictures

@@ -1,0 +1,205 @@
+//! Scenes of a client's own: from the text of a scene file, or from what is changed in the scene that is shown, to a scene that can
+//! be shown; and back to the text of a file that `stiction run` takes.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use stiction_core::Hand;
+use stiction_scene::{InputError, Motion, ObstacleInfo, SceneFile, Source, SurfaceInfo};
+
+use crate::body::check;
+use crate::scenes;
+use crate::stage::{Stage, at_start, written};
+
+/// The longest name of a file, in characters.
+const NAME: usize = 100;
+/// Digits after the point that an origin keeps (m, rad): a path that was moved and moved back has no rest of rounding.
+const DIGITS: i32 = 12;
+/// Frames a second (Hz) and length (s) of the path of a hand that rests.
+const RATE: f64 = 1000.0;
+const REST: f64 = 1.0;
+
+/// The file of a scene that a client calls so: never the name of a bundled one, which stays what it is.
+pub fn file_of(name: &str) -> PathBuf {
+    let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let name = name.strip_suffix(".toml").unwrap_or(name);
+    let name: String = name.chars().take(NAME).collect();
+    let before = match scenes::find(Path::new(&name)) {
+        Some(_) => "my-",
+        None => "",
+    };
+    match name.trim_matches('.').trim() {
+        "" => PathBuf::from("scene.toml"),
+        name => PathBuf::from(format!("{before}{name}.toml")),
+    }
+}
+
+/// The scene of a text, for a number type whose largest number is `limit`. A file with the hand's path is not opened: the text comes
+/// from whoever can reach the program.
+///
+/// # Errors
+/// It is no scene: the key and the line.
+pub fn parse(name: &str, text: Vec<u8>, limit: f64) -> Result<Stage, InputError> {
+    let source = Source::of_bytes(&file_of(name), text)?;
+    let scene = SceneFile::parse(source, limit)?;
+    check(&scene)?;
+    Stage::unopened(scene)
+}
+
+/// What a client changes in a scene: the sections of a scene file but the hand's, with every value.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Edit {
+    body: Body,
+    grasp: Grasp,
+    spring: Spring,
+    surface: Vec<Surface>,
+    obstacle: Vec<Obstacle>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Body {
+    vertices: Vec<[f64; 2]>,
+    start: [f64; 3],
+    weight: f64,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Grasp {
+    point: Option<[f64; 2]>,
+    reach: f64,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Spring {
+    translation: f64,
+    rotation: f64,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Surface {
+    name: String,
+    normal: [f64; 2],
+    offset: f64,
+    r#static: f64,
+    dynamic: f64,
+    memory: Option<f64>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Obstacle {
+    name: String,
+    vertices: Vec<[f64; 2]>,
+    r#static: f64,
+    dynamic: f64,
+    memory: Option<f64>,
+}
+
+/// The scene of `base` with changes (JSON), under a name of the client. The hand's path stays, and moves with the point that it holds.
+///
+/// # Errors
+/// The changes do not make a scene: the key and the line in the text that was made of them.
+pub fn edited(base: &Stage, name: &str, json: &[u8], limit: f64) -> Result<Stage, String> {
+    let edit: Edit = serde_json::from_slice(json).map_err(|error| error.to_string())?;
+    let mut scene = SceneFile::clone(&base.scene);
+    edit.put(&mut scene);
+    let text = whole(&scene, &moved(&base.scene, &scene));
+    // A path that was opened lies where the file of the scene does.
+    let file = base.scene.source().file().with_file_name(file_of(name));
+    let scene = SceneFile::parse(Source::new(file, text), limit);
+    let stage = scene.and_then(|scene| {
+        check(&scene)?;
+        match base.path.is_some() {
+            true => Stage::new(scene),
+            false => Stage::unopened(scene),
+        }
+    });
+    stage.map_err(|error| error.to_string())
+}
+
+impl Edit {
+    fn put(self, scene: &mut SceneFile) {
+        let written = &mut scene.written;
+        written.vertices = self.body.vertices;
+        (written.start, written.weight) = (self.body.start, self.body.weight);
+        (written.holding_point, written.reach) = (self.grasp.point, self.grasp.reach);
+        written.stiffness_translation = self.spring.translation;
+        written.stiffness_rotation = self.spring.rotation;
+        let surface = |surface: Surface| SurfaceInfo {
+            name: surface.name,
+            normal: surface.normal,
+            offset: surface.offset,
+            friction_static: surface.r#static,
+            friction_dynamic: surface.dynamic,
+            memory: surface.memory,
+        };
+        let obstacle = |obstacle: Obstacle| ObstacleInfo {
+            name: obstacle.name,
+            vertices: obstacle.vertices,
+            friction_static: obstacle.r#static,
+            friction_dynamic: obstacle.dynamic,
+            memory: obstacle.memory,
+        };
+        written.surfaces = self.surface.into_iter().map(surface).collect();
+        written.obstacles = self.obstacle.into_iter().map(obstacle).collect();
+    }
+}
+
+/// x, y (m) and phi (rad) of a hand.
+fn pose(hand: &Hand<f64>) -> [f64; 3] {
+    let [x, y] = hand.position;
+    [x, y, hand.angle.radians()]
+}
+
+/// Where the hand's path lies in a scene whose holding point was elsewhere before.
+fn moved(before: &SceneFile, now: &SceneFile) -> [f64; 3] {
+    let (old, new) = (pose(&at_start(before)), pose(&at_start(now)));
+    let (origin, scale) = (now.hand.placement.origin, 10_f64.powi(DIGITS));
+    std::array::from_fn(|i| {
+        let place = origin[i] + (new[i] - old[i]);
+        match new[i] == old[i] {
+            true => origin[i],
+            false => (place * scale).round() / scale,
+        }
+    })
+}
+
+/// The text of the scene that is shown: that of its file, unless a parameter was changed since or the file has no path of the hand,
+/// without which it could not be run. `stage`: the scene as it is at a reset; `now`: with the parameters that hold.
+pub fn text(stage: &Stage, now: &SceneFile) -> String {
+    let (of_file, source) = (&stage.scene, stage.scene.source());
+    let is_as_in_file = of_file.stiffness_translation == now.stiffness_translation
+        && of_file.stiffness_rotation == now.stiffness_rotation
+        && of_file.weight == now.weight
+        && of_file.surfaces == now.surfaces
+        && of_file.obstacles == now.obstacles;
+    if is_as_in_file && of_file.hand.motion.is_some() {
+        return source.text().to_owned();
+    }
+    let mut scene = now.clone();
+    scene.written.begin_as(of_file);
+    whole(&scene, &scene.hand.placement.origin)
+}
+
+/// A scene file with its hand, whose path has this origin.
+fn whole(scene: &SceneFile, origin: &[f64; 3]) -> String {
+    let hand = match scene.hand.motion {
+        Some(Motion::Keyframes(_) | Motion::Recorded(_)) => scene.hand_text(origin),
+        None => resting(scene),
+    };
+    format!("{}\n{hand}", written(scene))
+}
+
+/// The section of a hand that rests where it pulls at nothing.
+fn resting(scene: &SceneFile) -> String {
+    let [x, y, phi] = pose(&at_start(scene));
+    let rate = scene.hand.rate.unwrap_or(RATE);
+    format!(
+        "[hand]\nrate = {rate:?}\nkeyframes = [\n  [0.0, {x:?}, {y:?}, {phi:?}],\n  [{REST:?}, {x:?}, {y:?}, {phi:?}],\n]\n"
+    )
+}

@@ -1,0 +1,100 @@
+//! The file of the scene that is shown, while somebody edits it: read again and again, and shown anew where it has another content.
+//! What cannot be shown is told to the clients and on the terminal, and the scene before goes on.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::SyncSender;
+use std::thread;
+use std::time::Duration;
+
+use stiction_live::body::{check, without_obstacles};
+use stiction_live::number::Number;
+use stiction_live::stage::Stage;
+use stiction_scene::{InputError, SceneFile, Source};
+use tokio::sync::mpsc::{Sender, channel};
+
+use super::change::Reply;
+use super::orders::Order;
+
+/// The file is read so often. Its content counts when it is the same twice: an editor may be writing it.
+const EVERY: Duration = Duration::from_millis(400);
+
+/// What the file holds, or why it cannot be read.
+type Content = Result<Vec<u8>, String>;
+
+/// A file that is looked after.
+struct Watch {
+    file: PathBuf,
+    number: Number,
+    has_board: bool,
+    orders: Sender<Order>,
+    notes: SyncSender<String>,
+}
+
+/// Looks after a file from now on, for a number type, with a board or without.
+pub(super) fn begin(
+    file: &Path,
+    (number, has_board): (Number, bool),
+    orders: &Sender<Order>,
+    notes: SyncSender<String>,
+) {
+    let watch = Watch {
+        file: file.to_owned(),
+        number,
+        has_board,
+        orders: orders.clone(),
+        notes,
+    };
+    thread::spawn(move || watch.go());
+}
+
+impl Watch {
+    /// Until the program ends.
+    fn go(self) {
+        let mut shown = stiction_text::read(&self.file);
+        let mut last = shown.clone();
+        loop {
+            thread::sleep(EVERY);
+            let content = stiction_text::read(&self.file);
+            let is_whole = content == last;
+            last = content;
+            if !is_whole || last == shown {
+                continue;
+            }
+            shown = last.clone();
+            let problem = self.show(&last).err();
+            if let Some(problem) = &problem {
+                // A terminal that does not keep up loses lines.
+                let _ = self.notes.try_send(format!("{problem}\n"));
+            }
+            if self
+                .orders
+                .blocking_send(Order::SceneProblem(problem))
+                .is_err()
+            {
+                return;
+            }
+        }
+    }
+
+    /// Has a content shown.
+    fn show(&self, content: &Content) -> Result<(), String> {
+        let stage = self.stage(content).map_err(|error| error.to_string())?;
+        let (reply, mut result) = channel(1);
+        let order = Order::Scene(Box::new(stage), Reply::Direct(reply));
+        let ends = || "the program ends".to_owned();
+        self.orders.blocking_send(order).map_err(|_| ends())?;
+        result.blocking_recv().ok_or_else(ends)?
+    }
+
+    fn stage(&self, content: &Content) -> Result<Stage, InputError> {
+        let bytes = content.clone();
+        let bytes = bytes.map_err(|problem| InputError::of_file(&self.file, problem))?;
+        let source = Source::of_bytes(&self.file, bytes)?;
+        let scene = SceneFile::parse(source, self.number.limit())?;
+        match self.has_board {
+            true => without_obstacles(&scene)?,
+            false => check(&scene)?,
+        }
+        Stage::new(scene)
+    }
+}

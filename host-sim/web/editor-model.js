@@ -1,0 +1,181 @@
+// The scene that is edited, as plain numbers: from the state to them, from them to what VIEW.md calls an edit, and the geometry in
+// between. SI units; the object's corners are in its own frame.
+
+/**
+ * @typedef {{name: string, normal: Vec, offset: number, static: number, dynamic: number, memory: number | null}} EditedSurface
+ * @typedef {{name: string, vertices: Vec[], static: number, dynamic: number, memory: number | null}} EditedObstacle
+ * @typedef {{body: Vec[], start: Pose, weight: number, grasp: Vec | null, reach: number, stiffness: Vec,
+ *   surfaces: EditedSurface[], obstacles: EditedObstacle[]}} Model
+ */
+
+/** Numbers that differ by less, as a part of their size, are the same: the solver's side makes normals of length 1 anew. */
+const ROUNDING = 1e-9;
+/** Friction of what is added to a scene without any. */
+const FRICTION = { static: 0.5, dynamic: 0.3, memory: null };
+/** Directions of surfaces that are added, in this order. @type {[string, Vec][]} */
+const DIRECTIONS = [["floor", [0, 1]], ["wall", [-1, 0]], ["wall", [1, 0]], ["ceiling", [0, -1]]];
+/** Surfaces that are nearer to each other's direction than this have the same one (cosine). */
+const SAME_DIRECTION = 0.98;
+/** What the page places is round, not coarser than this, in sizes of the object. */
+const FINENESS = 1e-3;
+/** How far from the object something is added, in sizes of the object. */
+const APART = 1.6;
+
+/** The scene that a state tells of. @param {StateMessage} state @returns {Model} */
+export function modelOf({ scene, parameters }) {
+  const friction = (/** @type {any} */ { static: s, dynamic, memory }) => ({ static: s, dynamic, memory: memory ?? null });
+  return structuredClone({
+    body: scene.body,
+    start: scene.start,
+    weight: scene.weight,
+    grasp: scene.grasp,
+    reach: scene.reach,
+    stiffness: [parameters.stiffness_translation, parameters.stiffness_rotation],
+    surfaces: scene.surfaces.map(({ name, normal, offset, ...rest }) => ({ name, normal, offset, ...friction(rest) })),
+    obstacles: (scene.obstacles ?? []).map(({ name, vertices, ...rest }) => ({ name, vertices, ...friction(rest) })),
+  });
+}
+
+/** What `POST /edit` takes. @param {Model} model */
+export function editOf({ body, start, weight, grasp, reach, stiffness, surfaces, obstacles }) {
+  return JSON.stringify({
+    body: { vertices: body, start, weight },
+    grasp: { point: grasp, reach },
+    spring: { translation: stiffness[0], rotation: stiffness[1] },
+    surface: surfaces,
+    obstacle: obstacles,
+  });
+}
+
+/** True if two values are the same but for rounding. @param {any} a @param {any} b @returns {boolean} */
+export function same(a, b) {
+  if (typeof a === "number" && typeof b === "number") {
+    return Math.abs(a - b) <= ROUNDING * Math.max(1, Math.abs(a), Math.abs(b));
+  }
+  if (a === null || b === null || typeof a !== "object" || typeof b !== "object") return a === b;
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => same(a[key], b[key]));
+}
+
+/** A point of the object in the world. @param {Model} model @param {Vec} point @returns {Vec} */
+export function toWorld({ start: [x, y, theta] }, [u, v]) {
+  const c = Math.cos(theta), s = Math.sin(theta);
+  return [x + c * u - s * v, y + s * u + c * v];
+}
+
+/** A point of the world in the frame of the object. @param {Model} model @param {Vec} point @returns {Vec} */
+export function toBody({ start: [x, y, theta] }, [px, py]) {
+  const c = Math.cos(theta), s = Math.sin(theta);
+  return [c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)];
+}
+
+/** Largest distance of a corner from the object's origin; of a point, a length to draw by (m). @param {Model} model */
+export const sizeOf = ({ body }) => Math.max(...body.map(([x, y]) => Math.hypot(x, y))) || 0.04;
+
+/** Twice the area of a triangle, positive where it is counter-clockwise. @param {Vec} a @param {Vec} b @param {Vec} c */
+const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+
+/** The convex hull, counter-clockwise; of points in a line, its ends. @param {Vec[]} points @returns {Vec[]} */
+export function hull(points) {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1])
+    .filter((point, k, all) => k === 0 || point[0] !== all[k - 1][0] || point[1] !== all[k - 1][1]);
+  if (sorted.length < 3) return sorted;
+  const half = (/** @type {Vec[]} */ row) => {
+    /** @type {Vec[]} */
+    const chain = [];
+    for (const point of row) {
+      while (chain.length > 1 && turn(chain[chain.length - 2], chain[chain.length - 1], point) <= 0) chain.pop();
+      chain.push(point);
+    }
+    return chain.slice(0, -1);
+  };
+  return [...half(sorted), ...half(sorted.reverse())];
+}
+
+/** The centroid of a convex polygon, of a rod or of a point. @param {Vec[]} corners @returns {Vec} */
+export function centroid(corners) {
+  let area = 0, x = 0, y = 0;
+  const [first] = corners;
+  for (let k = 2; k < corners.length; k++) {
+    const [a, b] = [corners[k - 1], corners[k]];
+    const part = turn(first, a, b);
+    area += part;
+    x += part * (first[0] + a[0] + b[0]) / 3;
+    y += part * (first[1] + a[1] + b[1]) / 3;
+  }
+  if (area !== 0) return [x / area, y / area];
+  const mean = (/** @type {0 | 1} */ axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length;
+  return [mean(0), mean(1)];
+}
+
+/**
+ * A new corner on side `k` at a point of the same frame, a little outside: three corners in a line are none.
+ * @param {Vec[]} corners @param {number} k @param {Vec} point @returns {Vec[]}
+ */
+export function withCorner(corners, k, point) {
+  const [a, b] = [corners[k], corners[(k + 1) % corners.length]];
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const along = Math.min(0.9, Math.max(0.1, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy)));
+  const out = corners.length > 2 ? 0.04 : 0.3;
+  /** @type {Vec} */
+  const corner = [digits(a[0] + along * dx + out * dy), digits(a[1] + along * dy - out * dx)];
+  return [...corners.slice(0, k + 1), corner, ...corners.slice(k + 1)];
+}
+
+/**
+ * The object with a polygon that was drawn in the world: its origin is the centroid.
+ * @param {Model} model @param {Vec[]} corners
+ */
+export function withBody(model, corners) {
+  const [u, v] = centroid(corners);
+  const size = Math.max(...corners.map(([px, py]) => Math.hypot(px - u, py - v))) || sizeOf(model);
+  const [x, y] = [round(u, FINENESS * size), round(v, FINENESS * size)];
+  model.body = corners.map(([px, py]) => [digits(px - x), digits(py - y)]);
+  model.start = [x, y, 0];
+  if (model.grasp) model.grasp = [0, 0];
+}
+
+/** A name that nothing has yet. @param {Model} model @param {string} base */
+function freeName(model, base) {
+  const taken = new Set([...model.surfaces, ...model.obstacles].map(({ name }) => name));
+  let name = base;
+  for (let k = 2; taken.has(name); k++) name = `${base} ${k}`;
+  return name;
+}
+
+/** Friction as that of the first surface or obstacle. @param {Model} model */
+function friction({ surfaces, obstacles }) {
+  const [first] = [...surfaces, ...obstacles];
+  return first ? { static: first.static, dynamic: first.dynamic, memory: first.memory } : { ...FRICTION };
+}
+
+/** Adds a surface near the object, where none of its direction is. @param {Model} model */
+export function addSurface(model) {
+  const isFree = (/** @type {[string, Vec]} */ [, [nx, ny]]) =>
+    !model.surfaces.some(({ normal }) => nx * normal[0] + ny * normal[1] > SAME_DIRECTION);
+  const [base, normal] = DIRECTIONS.find(isFree) ?? DIRECTIONS[0];
+  const [x, y] = model.start;
+  const offset = round(normal[0] * x + normal[1] * y - APART * sizeOf(model), FINENESS * sizeOf(model));
+  model.surfaces.push({ name: freeName(model, base), normal: [...normal], offset, ...friction(model) });
+}
+
+/** Adds an obstacle with these corners; without any, a box near the object. @param {Model} model @param {Vec[]} corners */
+export function addObstacle(model, corners) {
+  const [x, y] = model.start, size = sizeOf(model);
+  const [left, low] = [x + APART * size, y - 0.5 * size];
+  /** @type {Vec[]} */
+  const box = [[left, low], [left + size, low], [left + size, low + size], [left, low + size]];
+  const place = (/** @type {number} */ value) => round(value, FINENESS * size);
+  const vertices = corners.length > 0 ? corners : box.map(([u, v]) => /** @type {Vec} */ ([place(u), place(v)]));
+  const base = ["", "pin", "wall"][vertices.length] ?? "block";
+  model.obstacles.push({ name: freeName(model, base), vertices, ...friction(model) });
+}
+
+/** A number without what rounding left in its last digits. @param {number} value */
+const digits = (value) => Number(value.toPrecision(6));
+
+/** A multiple of the power of ten below a step. @param {number} value @param {number} step */
+export function round(value, step) {
+  const unit = 10 ** Math.floor(Math.log10(step));
+  return Number((Math.round(value / unit) * unit).toPrecision(12));
+}
