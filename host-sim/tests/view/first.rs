@@ -93,12 +93,11 @@ fn a_demonstration_goes_on_until_somebody_takes_the_hand() {
     other.say(&json!({"type": "hand", "pose": hand, "held": true, "sent": 1}));
     let state = other.state(|state| state["replay"].is_null());
     assert_eq!(state["hand"]["client"], other.hello["you"]);
-    let taken = other.frame(|frame| frame["position"].is_null());
+    other.done(json!({"type": "pause", "value": false}));
+    let taken = other.frame(|frame| frame["echo"] == 1);
     for part in ["hand", "pose"] {
         assert_eq!(taken["frame"][part], there["frame"][part]);
     }
-    other.done(json!({"type": "pause", "value": false}));
-    other.frame(|frame| frame["echo"] == 1);
     // It is not taken from there, but for a demonstration of its own.
     let why = demonstration(&mut page).expect_err("the other one holds the hand");
     assert!(why.contains("client 2 holds the hand, allowed"), "{why}");
