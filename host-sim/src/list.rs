@@ -112,7 +112,7 @@ mod tests {
         );
         let wide = list(None);
         let (scenes, _) = wide.split_once("\n\n").expect("a hint below the list");
-        assert_eq!(scenes.lines().count(), crate::scenes::ALL.len(), "{wide}");
+        assert_eq!(scenes.lines().count(), scenes::ALL.len(), "{wide}");
         // The stories stand below each other.
         let begins = |line: &str| line.find(|c: char| c.is_ascii_uppercase());
         let first = scenes.lines().next().and_then(begins);

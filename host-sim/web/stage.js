@@ -184,7 +184,7 @@ export class Stage {
   /** The hand can be turned by its handle: it holds, or the pointer is at the object and it could. */
   handleShown() {
     const { state, message } = this;
-    if (!state || !message || state.replay) return false;
+    if (!state || !message || state.replay || this.editing) return false;
     const [x, y] = message.frame.hand;
     return message.holding !== null || (this.over !== null && placeOf(state.scene, message.frame.pose, [x, y], 0) !== null);
   }

@@ -128,7 +128,7 @@ async function edits(live) {
   await drop(live, "saved.toml", text);
   await live.until(() => window.stiction.state?.scene.title === "saved");
   assert.deepEqual((await live.state()).scene, { ...wanted, title: "saved" });
-  assert.ok(await page.locator('#scene option[value="my-box-flat"]').count() === 1);
+  assert.ok(await page.locator('#scenes input[value="my-box-flat"]').count() === 1);
 
   // A file with a mistake is refused with its line, and the scene goes on.
   await drop(live, "broken.toml", text.replace(/weight = .*/, 'weight = "much"'));

@@ -12,7 +12,7 @@ use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
 use stiction_live::own;
 use stiction_live::say::{self, Source};
-use stiction_live::scenes::{self, Offer};
+use stiction_live::scenes;
 use stiction_live::simulate;
 use stiction_live::stage::Stage;
 use stiction_scene::SceneFile;
