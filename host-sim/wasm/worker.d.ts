@@ -8,7 +8,6 @@ interface SolverPage {
   untilDue(): number;
   isBeyond(text: string): boolean;
   handedOver(): string[];
-  handedScenes(): string[];
   handedShown(): string;
   putScene(name: string, text: string): string;
   putEdit(name: string, json: string): string;

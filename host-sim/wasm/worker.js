@@ -41,10 +41,9 @@ function take(said) {
   else answer(page, said);
 }
 
-/** What only the whole solver can do: what has obstacles. @param {SolverPage} part @param {string | FileRequest} said */
+/** What only the whole solver can do: obstacles, and scenes of the page's own. @param {SolverPage} part @param {string | FileRequest} said */
 function isBeyond(part, said) {
-  if (typeof said === "string") return part.isBeyond(said);
-  return /\bobstacle\b(?!":\[\])/.test(said.body);
+  return typeof said === "string" ? part.isBeyond(said) : said.path !== "scene.toml";
 }
 
 /** Answers what is asked of a file. @param {SolverPage} page @param {FileRequest} request */
@@ -76,8 +75,6 @@ async function grow(files, part, said) {
   await stiction_whole({ module_or_path: files.wasm });
   page = new stiction_whole.Page();
   for (const message of part.handedOver()) page.take(message);
-  const scenes = part.handedScenes();
-  for (let k = 0; k < scenes.length; k += 2) page.putScene(scenes[k], scenes[k + 1]);
   page.take(part.handedShown());
   part.free();
   take(said);

@@ -26,6 +26,19 @@ const NEAR = 4;
 /** Characters for which there is room at an axis. */
 const ROOM = 6;
 
+/** Loads the library that draws the charts, unless the page contains it, and starts them. */
+export async function startCharts() {
+  if (!("uPlot" in globalThis)) {
+    const script = document.createElement("script");
+    script.src = "uplot/uplot.min.js";
+    await new Promise((loaded, failed) => {
+      Object.assign(script, { onload: loaded, onerror: failed });
+      document.head.append(script);
+    });
+  }
+  return new Charts();
+}
+
 export class Charts {
   constructor() {
     this.surface = 0;

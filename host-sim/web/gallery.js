@@ -21,6 +21,12 @@ export class Gallery {
     this.scenes = new Map();
     /** The scene that is shown. */
     this.title = "";
+    /** Loads the picture of a card when the card comes into view. */
+    this.near = new IntersectionObserver((entries) => entries.forEach(({ isIntersecting, target }) => {
+      if (!isIntersecting || !(target instanceof HTMLElement)) return;
+      this.near.unobserve(target);
+      draw(target.dataset.scene ?? "", target);
+    }), { root: this.cards });
     /** Choices without an answer: until then the strip shows what was chosen last, from which arrow keys go on. */
     this.waiting = 0;
     this.cards.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -58,7 +64,8 @@ export class Gallery {
     card.className = "card";
     card.append(input, picture, label);
     this.scenes.set(name, { input, picture, story, drawn, content: null });
-    if (drawn) draw(name, picture);
+    picture.dataset.scene = name;
+    if (drawn) this.near.observe(picture);
     return card;
   }
 

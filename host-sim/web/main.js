@@ -1,7 +1,6 @@
 // The page: what shows and what asks, put together around one feed, which is the server, a board on Web Serial, or, where no server
 // has the solver, the page itself.
 
-import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
 import { Demonstration } from "./demonstration.js";
 import { Diagram } from "./diagram.js";
@@ -26,7 +25,8 @@ startTheme();
 startTips();
 const stage = new Stage(byId("stage", HTMLCanvasElement));
 const diagram = new Diagram(byId("diagram"));
-const charts = new Charts();
+/** The strip charts, from the first drawing on. @type {import("./charts.js").Charts | null} */
+let charts = null;
 const readout = new Readout(stage);
 /** The board on Web Serial, instead of the server. @type {import("./board.js").Board | null} */
 let board = null;
@@ -86,7 +86,7 @@ function eventsFor(serial) {
         connected = yes;
       }
       readout.setConnected(connected || board !== null, board !== null);
-      if (!yes) charts.clear();
+      if (!yes) charts?.clear();
     },
     error: note,
   };
@@ -95,7 +95,7 @@ function eventsFor(serial) {
 /** @param {StateMessage} message */
 function showState(message) {
   stage.setState(message);
-  charts.setState(message);
+  charts?.setState(message);
   controls.show(message);
   transport.show(message);
   readout.setState(message);
@@ -120,7 +120,7 @@ function showFrame(received) {
   const message = withoutNoise(received, stage.state);
   framesReceived++;
   insertion?.take(message);
-  charts.take(message);
+  charts?.take(message);
   transport.count();
   stage.setFrame(message);
   if (stage.state) felt?.take(message, stage.state.scene);
@@ -150,15 +150,27 @@ function note(text) {
 }
 let noteTimer = 0;
 
+/** Loads the charts, which the first drawing does not need, and marks that this has been made. */
+async function loadCharts() {
+  performance.mark("first-drawing");
+  const { startCharts } = await import("./charts.js");
+  charts = await startCharts();
+  if (stage.state) charts.setState(stage.state);
+  stage.ask();
+}
+/** @type {Promise<void> | null} */
+let loadingCharts = null;
+
 stage.also.push(() => {
   const { message, state } = stage;
   if (!message || !state) return;
+  loadingCharts ??= loadCharts();
   if (!stage.view.shows(state.scene.body, message.frame.pose)) {
     away ??= import("./away.js").then(({ Away }) => new Away(stage));
   }
   diagram.show(message);
   transport.take(message);
-  const words = readout.update(), lines = charts.draw(), peg = insertion?.draw() ?? false;
+  const words = readout.update(), lines = charts?.draw() ?? false, peg = insertion?.draw() ?? false;
   if (words || lines || peg) stage.ask();
 });
 
@@ -176,7 +188,7 @@ async function toggleBoard() {
   const { Board } = await import("./board.js");
   const next = new Board(eventsFor(true), stage.state);
   board = next;
-  charts.clear();
+  charts?.clear();
   try {
     await next.start(baud);
     showBoardButton();

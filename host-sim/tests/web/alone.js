@@ -68,3 +68,13 @@ export function there(value) {
   assert.ok(value !== null && value !== undefined);
   return value;
 }
+
+/** The files that a page asks for until its first drawing, the worker's included. @param {import("./live.js").Live} live */
+export async function filesOfFirstDrawing(live) {
+  const names = await live.page.evaluate(() => {
+    const [{ startTime: drawn }] = performance.getEntriesByName("first-drawing");
+    const files = performance.getEntriesByType("resource").filter(({ startTime }) => startTime < drawn);
+    return files.map(({ name }) => new URL(name).pathname);
+  });
+  return [...new Set(["/index.html", "/worker.js", "/part.wasm", ...names])];
+}

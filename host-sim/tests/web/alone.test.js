@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { brotliCompressSync } from "node:zlib";
-import { folder, Host, missingPage, oneFile } from "./alone.js";
+import { filesOfFirstDrawing, folder, Host, missingPage, oneFile } from "./alone.js";
 import { Live, shared } from "./live.js";
 
 const WINDOW = { width: 1280, height: 800 };
@@ -27,7 +27,7 @@ function aloneTest(name, work, { file = false } = {}) {
       const live = new Live(await context.newPage(), file ? "null" : host.origin);
       pages.push(live);
       await live.page.goto(`${file ? oneFile : `${host.origin}/`}${hash}`);
-      await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+      await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0 && document.querySelector("#chart-steps canvas"));
       return live;
     };
     try {
@@ -140,10 +140,7 @@ aloneTest("an address that changes while another one is followed is followed nex
 });
 
 aloneTest("the page with its solver weighs at most 400 kB, and shows its first frame from these files alone", async (live) => {
-  const loaded = await live.page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname));
-  // What the worker asks for is not among them.
-  const files = new Set(["/index.html", "/worker.js", "/part.wasm", ...loaded]);
-  const sizes = [...files].map((name) => brotliCompressSync(readFileSync(join(folder, name))).length);
+  const sizes = (await filesOfFirstDrawing(live)).map((name) => brotliCompressSync(readFileSync(join(folder, name))).length);
   const sum = sizes.reduce((all, size) => all + size, 0);
   assert.ok(sum <= 400_000, `${sum} bytes`);
 });

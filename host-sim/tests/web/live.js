@@ -438,7 +438,7 @@ export class Bench {
     this.pages.push(live);
     await before(live.page);
     await live.page.goto(`${this.program.origin}/`);
-    await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+    await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0 && document.querySelector("#chart-steps canvas"));
     return live;
   }
 

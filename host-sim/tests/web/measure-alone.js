@@ -12,7 +12,7 @@ import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { brotliCompressSync, gzipSync } from "node:zlib";
-import { folder, Host, npm, oneFile } from "./alone.js";
+import { filesOfFirstDrawing, folder, Host, npm, oneFile } from "./alone.js";
 import { Live, startBrowser } from "./live.js";
 
 const { values: options } = parseArgs({
@@ -77,11 +77,9 @@ const weight = (names, pack) =>
 /** The files that a page asks for until its first frame. @param {string} address */
 async function files(address) {
   const { live } = await opened(address);
-  const names = await live.page.evaluate(() =>
-    performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname),
-  );
+  const names = await filesOfFirstDrawing(live);
   await live.page.context().close();
-  return [...new Set(["/index.html", "/worker.js", "/part.wasm", ...names])];
+  return names;
 }
 
 /** Time of a sample in `run`, median of scenes, for a number type (µs). @param {"f32" | "f64" | "fixed"} number */

@@ -104,17 +104,6 @@ impl Page {
         messages.iter().map(ToString::to_string).collect()
     }
 
-    /// The page's own scenes, as pairs of name and text; another page takes them after [`Page::handed_over`].
-    #[wasm_bindgen(js_name = handedScenes)]
-    pub fn handed_scenes(&self) -> Vec<String> {
-        let own = self.live.own.iter().map(|own| own.scene.source());
-        let pairs = own.flat_map(|source| {
-            let name = source.file().to_string_lossy().into_owned();
-            [name, source.text().to_owned()]
-        });
-        pairs.collect()
-    }
-
     /// The message that shows the present scene.
     #[wasm_bindgen(js_name = handedShown)]
     pub fn handed_shown(&self) -> String {
@@ -124,6 +113,7 @@ impl Page {
     /// Shows the scene of a text, under a name given by the page. Returns its title.
     ///
     /// Throws if the text is no scene: the message names the key and the line.
+    #[cfg(feature = "obstacles")]
     #[wasm_bindgen(js_name = putScene)]
     pub fn put_scene(&mut self, name: &str, text: &str) -> Result<String, JsError> {
         let stage = own::parse(name, text.into(), self.live.pair.setting.number.limit());
@@ -133,6 +123,7 @@ impl Page {
     /// Changes the present scene (JSON), under a name given by the page. Returns its title.
     ///
     /// Throws if the result is no scene.
+    #[cfg(feature = "obstacles")]
     #[wasm_bindgen(js_name = putEdit)]
     pub fn put_edit(&mut self, name: &str, json: &str) -> Result<String, JsError> {
         let limit = self.live.pair.setting.number.limit();
@@ -195,6 +186,7 @@ impl Page {
         wait.as_secs_f64() * 1e3
     }
 
+    #[cfg(feature = "obstacles")]
     fn show(&mut self, stage: Result<Stage, String>) -> Result<String, JsError> {
         let shown = stage.and_then(|stage| {
             let title = stage.scene.title.clone();

@@ -37,11 +37,6 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         let link = format!(r#"<link rel="stylesheet" href="{name}">"#);
         put(&mut page, &link, &element("style", &text(files, name)?)?)?;
     }
-    put(
-        &mut page,
-        r#"<script defer src="uplot/uplot.min.js"></script>"#,
-        &element("script", &text(files, "uplot/uplot.min.js")?)?,
-    )?;
     let mut modules = modules(files)?;
     let packed = json!({
         "worker": packed(&all.whole_worker()),
@@ -74,9 +69,10 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
     let map = json!({ "imports": imports });
     // A text in which no tag is seen.
     let pictures = Value::Object(pictures).to_string().replace('<', "\\u003c");
+    let uplot = element("script", &text(files, "uplot/uplot.min.js")?)?;
     let _ = write!(
         scripts,
-        "<script type=\"importmap\">{map}</script>\n\
+        "{uplot}\n<script type=\"importmap\">{map}</script>\n\
          <script type=\"application/json\" id=\"packed\">{packed}</script>\n\
          <script type=\"application/json\" id=\"pictures\">{pictures}</script>\n\
          <script type=\"module\">{}</script>",
