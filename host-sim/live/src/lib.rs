@@ -2,7 +2,7 @@
 //! from a scene and samples of the hand, and answers from a client's messages.
 //!
 //! ```text
-//! samples ─ session ─ frames                                   (a path at once)
+//! samples ─ session ─ frames                                   (a whole path)
 //!
 //! messages ─ hear ─ orders ─ live ─ pair ─ feed ─ say ─ messages (tick by tick)
 //!                     │        │      └ body: the solver; the f64 path reference
