@@ -4,7 +4,7 @@ import { EVENTS } from "./events.js";
 import { STATES, statusName } from "./frame.js";
 
 const TURN = 2 * Math.PI;
-/** Number of slips in a frame message. */
+/** Largest number of slips in a frame message. */
 const SLIPS = 32;
 /** Number of poses over which latencies are averaged. */
 const SMOOTH = 50;

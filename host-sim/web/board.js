@@ -162,7 +162,7 @@ export class Board {
 
   /**
    * Returns the board's mode: in time with its ticks, with as many poses and forces as line and screen can take.
-   * @param {number} [evolution] as it is, unless it is said
+   * @param {number} [evolution] by default the present one
    */
   modeMessage(evolution = this.model.info.evolution) {
     const { info } = this.model;

@@ -36,7 +36,7 @@ export class Demonstration {
     /** The last caption, and the end of its time. */
     this.word = "";
     this.until = 0;
-    /** Number of past events. @type {{[event: string]: number}} */
+    /** Number of past events, by name. @type {{[event: string]: number}} */
     this.counts = {};
     this.openSince = Infinity;
     this.button = byId("show-me", HTMLButtonElement);

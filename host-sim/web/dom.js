@@ -45,7 +45,7 @@ export function digits(value) {
 }
 
 /**
- * Formats a number with so many decimals; if it is too long, with fewer or with an exponent.
+ * Formats a number with a number of decimals; if it is too long, with fewer or with an exponent.
  * @param {number} value @param {number} decimals
  */
 export function fixed(value, decimals) {

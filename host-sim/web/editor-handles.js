@@ -27,7 +27,7 @@ const MARGIN = 28;
 const STEP = 5;
 const FINE = 0.1;
 const ANGLE = Math.PI / 180;
-/** Positions are rounded to at most this (px). */
+/** Coarsest rounding of positions (px). */
 const UNIT = 0.1;
 
 /** @type {{[key: string]: Vec}} */

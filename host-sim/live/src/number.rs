@@ -19,7 +19,7 @@ impl Number {
     /// All number types.
     pub const ALL: [Self; 3] = [Self::F64, Self::F32, Self::Fixed];
 
-    /// The name on the command line.
+    /// Returns the name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",

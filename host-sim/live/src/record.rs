@@ -150,7 +150,7 @@ pub struct ContactRecord {
     pub friction: f64,
     /// 0 if it sticks, 1 or -1 if it slides along t or against it.
     pub sliding: i8,
-    /// The unit normal n towards the body; `None` in a scene without obstacles, where it is the surface's.
+    /// The unit normal n towards the body; `None` in a scene without obstacles: there it is the surface's.
     pub direction: Option<[f64; 2]>,
 }
 

@@ -124,8 +124,8 @@ fn solver<R: Real<Si: SiFloat>, M: HostModel>(
     Ok((Solver::new(scene, evolution), indices))
 }
 
-/// The holding point applies only to the first hold. The state continues in the solver that made it: the length unit of a point
-/// depends on its holding point.
+/// Settles the body. The holding point applies only to the first hold. The state continues in the solver that made it: the length
+/// unit of a point depends on its holding point.
 fn settled<R: Real<Si: SiFloat>, M: HostModel>(
     (written, description): Described<'_, '_, R::Si>,
     evolution: Evolution,
