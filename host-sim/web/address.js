@@ -1,17 +1,17 @@
-// The address of a page without a server: scene, parameters and window, so that a link shows what its sender saw. What is as the
-// scene's file has it is left out.
+// The address of a page without a server: scene, parameters and window, so that a link shows what its sender saw. Values equal
+// to those of the scene's file are left out.
 //
 //     #scene=ladder&k_h=800&mu_s=0.4&number=fixed&evolution=frame&view=0.1,0.2,0.5&hide=ghost,trails
 
-/** Names in the address of what `set` takes. */
+/** Names in the address of the parameters of `set`. */
 const PARAMETERS = /** @type {const} */ ({
   k_h: "stiffness_translation", k_theta: "stiffness_rotation", mu_s: "static", mu_d: "dynamic", memory: "memory",
   weight: "weight",
 });
-/** What a page begins with. */
+/** Defaults of a page. */
 const NUMBER = "f32";
 const EVOLUTION = "path";
-/** Between two changes of the address: a browser takes 200 in 30 s (ms). */
+/** Time between two changes of the address (ms): a browser allows 200 in 30 s. */
 const PAUSE = 250;
 
 export class Address {
@@ -24,29 +24,32 @@ export class Address {
     this.ask = ask;
     this.showLayer = showLayer;
     this.tell = tell;
-    /** The parameters that a scene begins with, by its name. @type {Map<string, SceneParameters>} */
+    /** Initial parameters of every scene, by its name. @type {Map<string, SceneParameters>} */
     this.own = new Map();
-    /** The scenes that every page has; one's own is in no address. @type {string[] | null} */
+    /** Scenes that every page has; a user's own scene is in no address. @type {string[] | null} */
     this.bundled = null;
-    /** The window that is wanted: its middle and its width (m). @type {number[] | null} */
+    /** Requested window: its middle and its width (m). @type {number[] | null} */
     this.view = null;
-    /** The address that was followed or written last. Another one is a wish of the user, to be followed and not to be written over. */
+    /**
+     * The address that was followed or written last. A different one was entered by the user: it is followed and not
+     * overwritten.
+     */
     this.known = "";
-    /** The address is being followed. */
+    /** An address is being followed. */
     this.busy = false;
     this.timer = 0;
     window.addEventListener("hashchange", () => this.follow());
     stage.also.push(() => this.drawn());
   }
 
-  /** Scene and setting, whenever they change; an address that is new is followed. @param {StateMessage} state */
+  /** Takes scene and setting whenever they change; follows a new address. @param {StateMessage} state */
   setState({ scene, parameters, scenes }) {
     this.bundled ??= scenes ?? null;
     if (!this.own.has(scene.title)) this.own.set(scene.title, parameters);
     this.follow();
   }
 
-  /** Does what the address says, until it says nothing new: it may change while it is being followed. */
+  /** Follows the address until it no longer changes: it may change in the meantime. */
   async follow() {
     if (!this.stage.state || this.busy) return;
     this.busy = true;
@@ -59,7 +62,7 @@ export class Address {
     this.later();
   }
 
-  /** Does what one address says. @param {string} hash @param {StateMessage} state */
+  /** Applies one address. @param {string} hash @param {StateMessage} state */
   async obey(hash, state) {
     const wanted = new URLSearchParams(hash.slice(1));
     const name = wanted.get("scene") ?? state.scene.title;
@@ -72,7 +75,7 @@ export class Address {
     this.view = this.numbers(wanted, "view", 3);
   }
 
-  /** What `set` is to be told. @param {URLSearchParams} wanted */
+  /** Returns the parameters for `set`. @param {URLSearchParams} wanted */
   parameters(wanted) {
     /** @type {Partial<SceneParameters>} */
     const parameters = {};
@@ -84,7 +87,7 @@ export class Address {
   }
 
   /**
-   * Numbers of the address, or null.
+   * Returns numbers of the address, or null.
    * @param {URLSearchParams} wanted @param {string} key @param {number} count
    */
   numbers(wanted, key, count) {
@@ -96,12 +99,12 @@ export class Address {
     return null;
   }
 
-  /** Draws all layers but these. @param {string[]} hidden */
+  /** Shows all layers but these. @param {string[]} hidden */
   layers(hidden) {
     for (const layer of Object.keys(this.stage.layers)) this.showLayer(layer, !hidden.includes(layer));
   }
 
-  /** After a drawing: the window that is wanted, once there is one; and the address follows. */
+  /** After a drawing: applies the requested window, once there is one, and updates the address. */
   drawn() {
     const { stage, view: wanted } = this;
     if (wanted && !this.busy && stage.fitted) {
@@ -119,7 +122,7 @@ export class Address {
     if (!this.timer) this.timer = window.setTimeout(() => this.write(), PAUSE);
   }
 
-  /** Writes the address, unless it is being followed or is to be. */
+  /** Writes the address, unless it is being followed or is about to be. */
   write() {
     this.timer = 0;
     const { state } = this.stage;
@@ -131,7 +134,7 @@ export class Address {
     this.known = location.hash;
   }
 
-  /** What the page shows, as the address has it. @param {StateMessage} state */
+  /** Returns the address of what the page shows. @param {StateMessage} state */
   text({ scene, parameters, number, evolution }) {
     const { stage } = this;
     const isOwn = this.bundled?.includes(scene.title) === false;

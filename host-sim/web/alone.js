@@ -1,14 +1,14 @@
-// The solver in the page itself, where no server has it: a worker that says and takes what the server would. What a page
-// without a program cannot do is hidden.
+// The solver in the page itself, if there is no server: a worker that exchanges the messages of the server. Controls that need
+// a program are hidden.
 
 import { byId } from "./dom.js";
 import { Talk } from "./talk.js";
 
-/** What needs a program: recordings, uploads, other pages. */
+/** Controls that need a program: recordings, uploads, other pages. */
 const HIDDEN = ["record", "upload", "recording-section", "let-go", "clients", "holder"];
 const CHOICES = ["recording", "upload"];
 
-/** What is beside the page: the solver for scenes without obstacles, and the whole one. */
+/** Files next to the page: the solver for scenes without obstacles, and the complete one. */
 const BESIDE = { script: "worker.js", wasm: "part.wasm", whole: { script: "whole.js", wasm: "whole.wasm" } };
 
 export class Alone extends Talk {
@@ -17,16 +17,16 @@ export class Alone extends Talk {
     super(events);
     /** @type {Worker | null} */
     this.worker = null;
-    /** It has said something. */
+    /** The worker has sent something. */
     this.running = false;
-    /** Files that are asked for. @type {((answer: {text?: string, problem?: string}) => void)[]} */
+    /** Requests for files. @type {((answer: {text?: string, problem?: string}) => void)[]} */
     this.files = [];
     for (const id of HIDDEN) byId(id).hidden = true;
     for (const value of CHOICES) document.querySelector(`#replay [value=${value}]`)?.setAttribute("hidden", "");
     this.start().catch((why) => events.error(`The solver cannot be started here: ${why.message}`));
   }
 
-  /** Starts the worker; in a page of one file, with what is packed in it. */
+  /** Starts the worker; if the page is a single file, from the data packed in it. */
   async start() {
     const packed = document.querySelector("#packed")?.textContent;
     const { script, ...files } = packed ? await unpacked(packed) : BESIDE;
@@ -39,7 +39,7 @@ export class Alone extends Talk {
   }
 
   /**
-   * What the worker says: messages, the answer to a file, or why there is nothing to say.
+   * Takes what the worker sends: messages, the answer to a request for a file, or the reason of a failure.
    * @param {string[] | {file?: number, text?: string, problem: string}} data
    */
   hear(data) {
@@ -53,7 +53,7 @@ export class Alone extends Talk {
     for (const text of data) this.take(text);
   }
 
-  /** The solver is gone. @param {string} why */
+  /** Handles the loss of the solver. @param {string} why */
   failed(why) {
     this.worker?.terminate();
     this.worker = null;
@@ -64,7 +64,7 @@ export class Alone extends Talk {
   }
 
   /**
-   * As of a server, by the worker.
+   * Requests a file from the worker as from a server.
    * @param {"scene" | "edit" | "scene.toml"} path @param {string} name @param {string | null} body @returns {Promise<string>}
    */
   file(path, name, body) {
@@ -86,14 +86,14 @@ export class Alone extends Talk {
   }
 }
 
-/** Script and wasm of a page of one file. @param {string} packed */
+/** Returns script and wasm of a page that is a single file. @param {string} packed */
 async function unpacked(packed) {
   const { worker, wasm } = JSON.parse(packed);
   const script = new Blob([await bytes(worker)], { type: "text/javascript" });
   return { script: URL.createObjectURL(script), wasm: await bytes(wasm) };
 }
 
-/** Bytes that were compressed and written as text. @param {string} text */
+/** Unpacks bytes that were compressed and encoded as text. @param {string} text */
 function bytes(text) {
   const raw = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([raw]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -1,9 +1,9 @@
-// Where the object is when it is out of the window: an arrow at the border that points to it, with its distance from there. A click on it
+// An arrow at the border that points to the object while it is outside the window, with its distance from there. A click on it
 // fits the scene.
 
 import { byId, digits, setText } from "./dom.js";
 
-/** The middle of the arrow stays so far inside the borders (CSS px): clear of the texts, of the buttons and of its own half. */
+/** Distance of the arrow's middle from the borders (CSS px): clear of the texts, of the buttons and of its own half. */
 const INSET = { left: 60, right: 112, top: 70, bottom: 48 };
 
 export class Away {
@@ -21,7 +21,7 @@ export class Away {
     stage.ask();
   }
 
-  /** With every drawing. */
+  /** Updates the arrow, with every drawing. */
   show() {
     const { view, magnify, state, message } = this.stage;
     if (!state || !message) return;

@@ -1,15 +1,14 @@
-// What a board says, put together: poses, forces, events and health become the frame and state messages that the page
-// shows.
+// Combines the messages of a board: poses, forces, events and health become the frame and state messages that the page shows.
 
 import { EVENTS } from "./events.js";
 import { STATES, statusName } from "./frame.js";
 
 const TURN = 2 * Math.PI;
-/** Slips that a frame message carries. */
+/** Largest number of slips in a frame message. */
 const SLIPS = 32;
-/** Latencies are averaged over so many poses. */
+/** Number of poses over which latencies are averaged. */
 const SMOOTH = 50;
-/** Number types by their code. */
+/** Number types in the order of their codes. */
 const NUMBERS = ["f32", "fixed"];
 
 /** The scene of a board after power-up: a box on a floor. @type {Scene} */
@@ -24,7 +23,7 @@ export const BOX_PARAMETERS = {
 };
 
 /**
- * True if a board has room for a scene, and for the frame that brings it (FRAME 4.4).
+ * Returns true if a board has room for a scene, and for the frame that transfers it (FRAME 4.4).
  * @param {Scene} scene @param {Message} info
  */
 function fits({ body, surfaces }, info) {
@@ -32,16 +31,19 @@ function fits({ body, surfaces }, info) {
     && 50 + 8 * body.length + 25 * surfaces.length <= info.longest_frame;
 }
 
-/** The first memory length that is given; null is one: that of a scene that gives none. @param {(number | null | undefined)[]} all */
+/**
+ * Returns the first memory length that is given; null counts as one: the default length of a scene.
+ * @param {(number | null | undefined)[]} all
+ */
 const firstGiven = (...all) => all.find((memory) => memory !== undefined) ?? null;
 
-/** What is counted from the start pose on. */
+/** Values that are counted from the start pose on. */
 const newRun = () => ({
-  /** Where the board's clock stands (µs), and the seconds since the start. */
+  /** The board's clock (µs), and the seconds since the start. */
   clock: NaN,
   time: 0,
   turns: 0,
-  /** The state of the pose before. @type {string | null} */
+  /** State of the previous pose. @type {string | null} */
   before: null,
   /** Events and slips since the last pose. @type {string[]} */
   happened: [],
@@ -65,7 +67,7 @@ export class BoardModel {
     this.info = { number: 0, evolution: 0, name: "" };
     /** @type {Message | null} */
     this.health = null;
-    /** The samples by their sequence number. @type {({pose: Pose, at: number, sent: number} | null)[]} */
+    /** Samples by their sequence number. @type {({pose: Pose, at: number, sent: number} | null)[]} */
     this.samples = Array(256).fill(null);
     this.latency = NaN;
     this.lost = 0;
@@ -77,8 +79,8 @@ export class BoardModel {
   }
 
   /**
-   * The parameters with a change in them; a friction is of all surfaces. Throws where surfaces would keep frictions of
-   * their own: a board has one pair for all.
+   * Returns the parameters with a change; a friction applies to all surfaces. Throws if surfaces would keep their own friction:
+   * a board has one pair for all.
    * @param {Partial<SceneParameters>} change @returns {SceneParameters}
    */
   changed(change) {
@@ -101,7 +103,7 @@ export class BoardModel {
     return { ...parameters, ...first };
   }
 
-  /** The board works with these now, all surfaces with the same frictions. @param {SceneParameters} parameters */
+  /** Takes the parameters of the board, with the same friction for all surfaces. @param {SceneParameters} parameters */
   setParameters(parameters) {
     const { static: mu_s, dynamic: mu_d, memory } = parameters;
     const surfaces = this.scene.surfaces.map((surface) => ({ ...surface, static: mu_s, dynamic: mu_d, memory }));
@@ -109,14 +111,14 @@ export class BoardModel {
     this.scene = { ...this.scene, surfaces };
   }
 
-  /** The body is at the start pose again. */
+  /** Restarts, with the body at the start pose. */
   reset() {
     this.run = newRun();
   }
 
   /**
-   * What the board says about itself. A scene that it has no room for is left, and the box taken instead; throws where
-   * that does not fit either.
+   * Takes the board's description. If the board has no room for the scene, the box replaces it; throws if that does not fit
+   * either.
    * @param {Message} info
    */
   setInfo(info) {
@@ -128,7 +130,7 @@ export class BoardModel {
     this.parameters = BOX_PARAMETERS;
   }
 
-  /** As the server says hello. @param {Message} info @param {number} baud @returns {HelloMessage} */
+  /** Returns the server's hello message. @param {Message} info @param {number} baud @returns {HelloMessage} */
   hello(info, baud) {
     return {
       type: "hello", version: 1, you: 1, program: `firmware ${info.major}.${info.minor}.${info.patch}`,
@@ -140,7 +142,7 @@ export class BoardModel {
     };
   }
 
-  /** As the server tells its state. @returns {StateMessage} */
+  /** Returns the server's state message. @returns {StateMessage} */
   state() {
     return {
       type: "state", scene: this.scene, parameters: this.parameters, number: NUMBERS[this.info.number],
@@ -149,7 +151,7 @@ export class BoardModel {
     };
   }
 
-  /** The scene as a message to the board. */
+  /** Returns the scene as a message to the board. */
   sceneMessage() {
     const { scene, parameters } = this;
     const [start_x, start_y, start_theta] = scene.start;
@@ -167,19 +169,19 @@ export class BoardModel {
     };
   }
 
-  /** A sample went to the board. @param {number} sequence @param {Pose} pose @param {number} at @param {number} sent */
+  /** Notes a sample sent to the board. @param {number} sequence @param {Pose} pose @param {number} at @param {number} sent */
   sent(sequence, pose, at, sent) {
     this.samples[sequence] = { pose, at, sent };
   }
 
-  /** Frames that were lost on the way, by their sequence numbers. @param {Message} message */
+  /** Counts lost frames by their sequence numbers. @param {Message} message */
   count({ sequence }) {
     if (this.sequence >= 0) this.lost += (sequence - this.sequence - 1) & 0xff;
     this.sequence = sequence;
   }
 
   /**
-   * Takes a message in; a pose gives a frame.
+   * Takes a message; a pose returns a frame.
    * @param {Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null}
    */
   take(message, faults) {
@@ -222,7 +224,7 @@ export class BoardModel {
     if (slips.length > SLIPS) slips.shift();
   }
 
-  /** Seconds since the first message, by the board's clock, which wraps. @param {number} time µs */
+  /** Returns the seconds since the first message, by the board's clock, which wraps. @param {number} time µs */
   since(time) {
     const { run } = this;
     if (Number.isNaN(run.clock)) run.clock = time;
@@ -233,7 +235,7 @@ export class BoardModel {
   }
 
   /**
-   * A contact: vertex, surface, point, reaction, which way it slides.
+   * Returns a contact from vertex, surface, point, reaction and direction of sliding.
    * @param {number[]} contact @returns {Contact}
    */
   contact([vertex, surface, x, y, normal, friction, sliding]) {
@@ -241,7 +243,7 @@ export class BoardModel {
   }
 
   /**
-   * A pose with all that belongs to it.
+   * Returns the frame message of a pose.
    * @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage}
    */
   frame(pose, faults) {
@@ -276,7 +278,7 @@ export class BoardModel {
     return message;
   }
 
-  /** The number of whole turns that is nearest to the last one (FRAME 5.1). @param {number} turns modulo 8 */
+  /** Sets the number of whole turns that is nearest to the last one (FRAME 5.1). @param {number} turns modulo 8 */
   unwrap(turns) {
     const step = (turns - this.run.turns) & 7;
     this.run.turns += step > 4 ? step - 8 : step;
@@ -304,7 +306,7 @@ export class BoardModel {
   }
 
   /**
-   * Holding point and free pose, from the wrench: G = p_h - F / k_h, and the twist M / k_theta.
+   * Returns holding point and free pose, from the wrench: G = p_h - F / k_h, and the twist M / k_theta.
    * @param {Pose} pose @param {Pose} hand @param {boolean} held @returns {{holding: Vec | null, ghost: Pose | null}}
    */
   springs(pose, hand, held) {

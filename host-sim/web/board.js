@@ -1,20 +1,20 @@
-// A board over Web Serial, without any program between: opens the port, asks who is there, gives it the scene and a
-// mode, sends the hand, and hands on what the board says as the messages that the server would send.
+// A board over Web Serial, without any program in between: opens the port, identifies the board, sends it the scene, a mode and
+// the hand, and turns its messages into those of the server.
 
 import { BoardModel, BOX, BOX_PARAMETERS } from "./board-model.js";
 import { Decoder, encode, REASONS } from "./frame.js";
 
-/** An answer that takes longer is asked for again (ms), so many times (FRAME 7). */
+/** Time after which a command is sent again (ms), and number of attempts (FRAME 7). */
 const PATIENCE = 150;
 const TRIES = 15;
-/** Pause between two samples of a hand that rests (ms): a board counts 20 ms without one as silence. */
+/** Pause between two samples of a resting hand (ms): a board counts 20 ms without one as silence. */
 const REST = 5;
-/** Part of the line that samples may take; a sample has so many bytes. */
+/** Fraction of the line that samples may use; bytes of a sample. */
 const SHARE = 0.6;
 const SAMPLE_BYTES = 34;
-/** Bits of a byte on the line. */
+/** Bits per byte on the line. */
 const BITS = 10;
-/** Poses and forces a second, on a fast and on a slow line (baud). */
+/** Poses and forces per second, on a fast and on a slow line (baud). */
 const FAST = 400000;
 const POSES = { fast: 125, slow: 50 };
 const TURN = 2 * Math.PI;
@@ -34,27 +34,27 @@ export class Board {
     this.reader = null;
     this.baud = 0;
     this.sequence = 0;
-    /** The end of all that is asked for so far. @type {Promise<unknown>} */
+    /** Resolves after all requests so far. @type {Promise<unknown>} */
     this.turn = Promise.resolve();
     /**
-     * The command that waits for its answer, and under which numbers it was sent.
+     * The command that waits for its answer, and the sequence numbers under which it was sent.
      * @type {{type: string, sent: number[], take: (message: Message) => void} | null}
      */
     this.asked = null;
-    /** The hand as it was last told. @type {{pose: Pose, held: boolean, sent: number}} */
+    /** The newest hand. @type {{pose: Pose, held: boolean, sent: number}} */
     this.sample = { pose: this.model.scene.home, held: true, sent: -1 };
     this.lastSample = 0;
     this.timer = 0;
     this.gone = false;
   }
 
-  /** Asks the reader for a port, and everything that follows; rejects in words. @param {number} baud */
+  /** Asks the reader for a port and sets up the board; rejects with a readable message. @param {number} baud */
   start(baud) {
     return this.inTurn(() => this.open(baud));
   }
 
   /**
-   * Does a piece of work after all that was asked for before: one command at a time is under way.
+   * Runs a task after all earlier requests: one command at a time is in progress.
    * @template T @param {() => Promise<T>} work @returns {Promise<T>}
    */
   inTurn(work) {
@@ -100,7 +100,7 @@ export class Board {
     }
   }
 
-  /** Ends; the board then goes to zero force by itself. @param {string} [why] */
+  /** Ends the connection; the board then goes to zero force by itself. @param {string} [why] */
   async stop(why) {
     if (this.gone) return;
     this.gone = true;
@@ -116,7 +116,7 @@ export class Board {
     }
   }
 
-  /** Sends one message; its sequence number. @param {{type: string, [field: string]: any}} message */
+  /** Sends one message; returns its sequence number. @param {{type: string, [field: string]: any}} message */
   write(message) {
     const sequence = this.sequence;
     this.sequence = (sequence + 1) & 0xff;
@@ -127,8 +127,8 @@ export class Board {
   }
 
   /**
-   * Sends a command until it is answered; rejects with what the board refuses. A reply names the command that it
-   * answers (FRAME 5.4): one to another command, or one that comes too late, is none.
+   * Sends a command until it is answered; rejects with the reason of a refusal. A reply names the command that it answers
+   * (FRAME 5.4): a reply to another command, or a late one, is ignored.
    * @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer
    */
   async command(message, answer = "reply") {
@@ -150,7 +150,7 @@ export class Board {
     throw new Error(`The board does not answer (${message.type}, ${this.baud} baud).`);
   }
 
-  /** A message of the board. @param {Message} message */
+  /** Takes a message from the board. @param {Message} message */
   take(message) {
     this.model.count(message);
     const { asked } = this;
@@ -161,8 +161,8 @@ export class Board {
   }
 
   /**
-   * How the board is to work: in time with its ticks, as many poses and forces as the line and the screen take.
-   * @param {number} [evolution] as it is, unless it is said
+   * Returns the board's mode: in time with its ticks, with as many poses and forces as line and screen can take.
+   * @param {number} [evolution] by default the present one
    */
   modeMessage(evolution = this.model.info.evolution) {
     const { info } = this.model;
@@ -182,7 +182,7 @@ export class Board {
     if (changed || performance.now() - this.lastSample >= spacing) this.sendSample();
   }
 
-  /** A hand that rests is told all the same. */
+  /** Sends samples of a resting hand, too. */
   rest() {
     if (performance.now() - this.lastSample >= 0.8 * REST) this.sendSample();
   }
@@ -196,7 +196,7 @@ export class Board {
     this.model.sent(sequence, this.sample.pose, this.lastSample, sent);
   }
 
-  /** What a board can do of what a server can. @param {{type: string, [field: string]: any}} message */
+  /** Handles those requests to a server that a board supports. @param {{type: string, [field: string]: any}} message */
   request(message) {
     return this.inTurn(() => this.carryOut(message));
   }

@@ -1,29 +1,29 @@
-// Strip charts of the last seconds: reactions between their limits of friction, slip lengths, time per step. They have one
-// axis of time, are drawn together, and a pointer over one of them shows the same moment in all.
+// Strip charts of the last seconds: reactions between their friction limits, slip lengths, time per step. They share a time
+// axis, are drawn together, and a pointer over one of them shows the same moment in all.
 
 import { byId, digits, duration, setText, whole } from "./dom.js";
 import { unitsOf } from "./sizes.js";
 import { colors, onTheme } from "./theme.js";
 import { Strip } from "./strip.js";
 
-/** A page is told the time by a browser to so many seconds. */
+/** Resolution of the time that a browser gives a page (s). */
 const CLOCK = 1e-4;
 /** Width of the window in real time (s); in slow motion it shows less of the solver's time. */
 const WINDOW = 8;
-/** Ticks that are kept, in the window and a little more. */
+/** Number of ticks kept: those in the window and a few more. */
 const TICKS = 9000;
-/** Slips that are kept. */
+/** Number of slips kept. */
 const SLIPS = 2000;
-/** Steps' times that are kept; so many seconds lie between two of them. */
+/** Number of step times kept, and the time between two of them (s). */
 const STEPS = 400;
 const STEP_SPACING = 0.05;
 /** Pause between two drawings (ms). */
 const PAUSE = 66;
-/** Name under which the charts share the place of the pointer. */
+/** Name under which the charts share the pointer's position. */
 const SHARED = "stiction-time";
-/** A slip belongs to a moment that is so near to it (px). */
+/** Largest distance of a slip from the moment under the pointer (px). */
 const NEAR = 4;
-/** Characters for which there is room at an axis. */
+/** Room at an axis, in characters. */
 const ROOM = 6;
 
 /** Loads the library that draws the charts, unless the page contains it, and starts them. */
@@ -45,7 +45,7 @@ export class Charts {
     this.mu = { static: 0, dynamic: 0 };
     /** t, N, T, ± mu_s N, ± mu_d N */
     this.forces = new Strip(7, TICKS);
-    /** t, the longest of a tick (m) */
+    /** t, longest slip of a tick (m) */
     this.slips = new Strip(2, SLIPS);
     /** t, median and worst in µs */
     this.steps = new Strip(3, STEPS);
@@ -54,7 +54,7 @@ export class Charts {
     this.window = WINDOW;
     this.picker = byId("chart-surface", HTMLSelectElement);
     this.picker.addEventListener("change", () => this.pick(Number(this.picker.value)));
-    /** Of the scene. @type {ReturnType<typeof unitsOf>} */
+    /** Units of the scene. @type {ReturnType<typeof unitsOf>} */
     this.units = { length: { name: "mm", per: 1e3 }, force: { name: "N", per: 1 }, moment: { name: "N·m", per: 1 } };
     this.plots = [forcePlot(() => this.units.force), slipPlot(() => this.units.length), stepPlot()];
     this.data = [this.forces, this.slips, this.steps];
@@ -62,7 +62,7 @@ export class Charts {
     for (const moment of this.moments) moment.className = "moment";
     for (const plot of this.plots) plot.hooks.setCursor = [() => this.tell()];
     this.drawn = 0;
-    /** There is something that the charts do not show yet. */
+    /** There are data that the charts do not show yet. */
     this.stale = false;
     /** @type {FrameMessage | null} */
     this.message = null;
@@ -73,7 +73,7 @@ export class Charts {
     onTheme(() => this.plots.forEach((plot) => plot.redraw(false)));
   }
 
-  /** A state: the surfaces and obstacles to choose from and their friction. @param {StateMessage} state */
+  /** Takes a state: the surfaces and obstacles to choose from and their friction. @param {StateMessage} state */
   setState(state) {
     this.state = state;
     this.units = unitsOf(state);
@@ -91,14 +91,14 @@ export class Charts {
     this.friction();
   }
 
-  /** Another surface is shown. @param {number} index */
+  /** Shows another surface. @param {number} index */
   pick(index) {
     this.surface = index;
     this.forces.clear();
     this.friction();
   }
 
-  /** The friction of the surface that is shown. */
+  /** Takes the friction of the surface that is shown. */
   friction() {
     if (!this.state) return;
     const surface = this.solids[this.surface];
@@ -106,14 +106,14 @@ export class Charts {
     this.mu.dynamic = surface?.dynamic ?? this.state.parameters.dynamic;
   }
 
-  /** Forgets everything, after a reset. */
+  /** Clears everything, after a reset. */
   clear() {
     for (const strip of this.data) strip.clear();
     this.newestSlip = -1;
     this.time = 0;
   }
 
-  /** Takes a frame message in. @param {FrameMessage} message */
+  /** Takes a frame message. @param {FrameMessage} message */
   take(message) {
     if (message.frame.t < this.time) this.clear();
     this.time = message.frame.t;
@@ -135,7 +135,7 @@ export class Charts {
     }
   }
 
-  /** Draws what is new, some fifteen times a second. True if it has to be called again to show the newest. */
+  /** Draws new data, some fifteen times per second. Returns true if it must be called again to show the newest. */
   draw() {
     if (!this.stale) return false;
     const now = performance.now();
@@ -153,7 +153,7 @@ export class Charts {
     return false;
   }
 
-  /** The values next to the charts' titles: at the moment under the pointer, else the newest. */
+  /** Shows the values next to the charts' titles: at the moment under the pointer, otherwise the newest. */
   tell() {
     const [{ cursor }] = this.plots;
     const at = cursor.left >= 0 ? this.plots[0].posToVal(cursor.left, "x") : null;
@@ -163,7 +163,7 @@ export class Charts {
     this.tellSteps(at);
   }
 
-  /** A value of a strip at a moment that has been, or NaN. @param {Strip} strip @param {number} at s @param {number} column */
+  /** Returns a value of a strip at a past moment, or NaN. @param {Strip} strip @param {number} at s @param {number} column */
   past(strip, at, column) {
     return at > this.time ? NaN : strip.before(at, column);
   }
@@ -200,7 +200,7 @@ export class Charts {
 }
 
 /**
- * The moment under the pointer, next to its line.
+ * Shows the moment under the pointer, next to its line.
  * @param {UPlot} plot @param {HTMLElement} moment @param {number | null} at s
  */
 function showMoment(plot, moment, at) {
@@ -213,14 +213,14 @@ function showMoment(plot, moment, at) {
   moment.dataset.left = String(isLeft);
 }
 
-/** @param {number | null} median Of the steps (s): 0 where the solver runs in the page. */
+/** @param {number | null} median of the steps (s): 0 if the solver runs in the page. */
 function medianOf(median) {
   if (median === null || Number.isNaN(median)) return "no median";
   return median > 0 ? `median ${duration(median)}` : `median below ${duration(CLOCK)}`;
 }
 
 /**
- * The range of the first columns of a strip, with a little room, and 0 in it; one unit where all are 0.
+ * Returns the range of the first columns of a strip, with a margin, including 0; one unit if all are 0.
  * @param {Strip} strip @param {number} from @param {number} columns @param {import("./sizes.js").Unit} unit
  */
 function range(strip, from, columns, { per }) {
@@ -229,7 +229,7 @@ function range(strip, from, columns, { per }) {
   return { min: low < 0 ? low - room : 0, max: high > 0 ? high + room : room };
 }
 
-/** The decades that the times of steps lie in. @param {Strip} strip */
+/** Returns the decades that contain the step times. @param {Strip} strip */
 function logRange(strip) {
   let low = Infinity, high = 0;
   for (let i = 0; i < strip.length; i++) {
@@ -240,7 +240,7 @@ function logRange(strip) {
   return { min: 10 ** Math.floor(Math.log10(Math.max(low, 1e-3))), max: 10 ** Math.ceil(Math.log10(high) + 1e-9) };
 }
 
-/** An axis in the colours of the page. @param {object} options */
+/** Returns an axis in the colours of the page. @param {object} options */
 const axis = (options) => ({
   stroke: () => colors.muted,
   grid: { stroke: () => colors.grid, width: 1 },
@@ -250,7 +250,7 @@ const axis = (options) => ({
 });
 
 /**
- * A chart in the element of an id, as large as that.
+ * Makes a chart in the element with this id, of the same size.
  * @param {string} id @param {number} columns @param {UPlotSeries[]} series @param {object} y options of the scale
  * @param {object} yAxis
  */
@@ -274,7 +274,7 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
   return plot;
 }
 
-/** Times at the ticks, with as many decimals as they need. @param {UPlot} _plot @param {number[]} ticks */
+/** Formats times at the ticks, with as many decimals as they need. @param {UPlot} _plot @param {number[]} ticks */
 const seconds = (_plot, ticks) => {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
   let decimals = 0;
@@ -283,7 +283,7 @@ const seconds = (_plot, ticks) => {
 };
 
 /**
- * Values at the ticks of an axis, in a unit.
+ * Formats values at the ticks of an axis, in a unit.
  * @param {() => import("./sizes.js").Unit} unit @returns {(plot: UPlot, ticks: number[]) => string[]}
  */
 const inUnit = (unit) => (_plot, ticks) => ticks.map((tick) => {
@@ -292,7 +292,7 @@ const inUnit = (unit) => (_plot, ticks) => ticks.map((tick) => {
   return (text.length > ROOM ? value.toExponential().replace("+", "") : text).replaceAll("-", "−");
 });
 
-/** N and T of a surface between the limits. @param {() => import("./sizes.js").Unit} unit */
+/** Plots N and T of a surface between the limits. @param {() => import("./sizes.js").Unit} unit */
 function forcePlot(unit) {
   /** @param {"limit-static" | "limit-dynamic"} color @param {number[]} dash @returns {UPlotSeries} */
   const limit = (color, dash) => ({ stroke: () => colors[color], width: 1.2, dash, points: { show: false } });
@@ -304,7 +304,7 @@ function forcePlot(unit) {
   ], {}, { values: inUnit(unit) });
 }
 
-/** A stem for every tick with a slip. @param {() => import("./sizes.js").Unit} unit */
+/** Plots a stem for every tick with a slip. @param {() => import("./sizes.js").Unit} unit */
 function slipPlot(unit) {
   return plotIn("chart-slips", 2, [{
     stroke: () => colors.slip, width: 1.6, paths: stems,
@@ -312,7 +312,7 @@ function slipPlot(unit) {
   }], {}, { values: inUnit(unit) });
 }
 
-/** Median and worst, on a scale of decades. */
+/** Plots median and worst step time, on a logarithmic scale. */
 function stepPlot() {
   return plotIn("chart-steps", 3, [
     { stroke: () => colors.body, width: 2.2, points: { show: false } },
@@ -322,20 +322,20 @@ function stepPlot() {
   });
 }
 
-/** Grid lines at the powers of ten alone. @param {UPlot} _plot @param {number[]} ticks */
+/** Draws grid lines at powers of ten only. @param {UPlot} _plot @param {number[]} ticks */
 const onlyDecades = (_plot, ticks) => ticks.map((value) => (isDecade(value) ? value : null));
 
-/** Labels at the powers of ten alone. @param {UPlot} _plot @param {(number | null)[]} ticks */
+/** Labels powers of ten only. @param {UPlot} _plot @param {(number | null)[]} ticks */
 const decades = (_plot, ticks) =>
   ticks.map((value) => (value && isDecade(value) ? thousands(Number(value.toPrecision(1))) : null));
 
-/** A round number, short enough for its axis. @param {number} value */
+/** Returns a round number, short enough for its axis. @param {number} value */
 const thousands = (value) => (value >= 1000 ? `${value / 1000}k` : String(value));
 
-/** True for a power of ten. @param {number} value */
+/** Returns true for a power of ten. @param {number} value */
 const isDecade = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 
-/** Lines from 0 up to the values. @param {UPlot} plot @param {number} series @param {number} from @param {number} to */
+/** Draws lines from 0 up to the values. @param {UPlot} plot @param {number} series @param {number} from @param {number} to */
 function stems(plot, series, from, to) {
   const stroke = new Path2D();
   const zero = plot.valToPos(0, "y", true);

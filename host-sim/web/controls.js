@@ -6,7 +6,7 @@ import { Gallery } from "./gallery.js";
 /** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic" | "memory" | "weight"} ParameterName */
 
 /**
- * The range of a slider, whether it is one of decades, and the unit of what is typed.
+ * Range of a slider, whether its scale is logarithmic, and the unit of typed values.
  * @type {Record<ParameterName, {least: number, most: number, log: boolean, unit?: number}>}
  */
 const RANGES = {
@@ -18,7 +18,7 @@ const RANGES = {
   weight: { least: 0, most: 20, log: false },
 };
 const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
-/** The part of the body's size that is the memory length of a scene without one. */
+/** Memory length of a scene without one, relative to the size of the body. */
 const MEMORY = 1 / 4096;
 /** Steps of a slider. */
 const STEPS = 1000;
@@ -30,7 +30,7 @@ export class Controls {
     this.tell = tell;
     /** @type {StateMessage | null} */
     this.state = null;
-    /** Parameters that wait until those before are answered. @type {Partial<SceneParameters> | null} */
+    /** Parameters that wait for the answer to the previous ones. @type {Partial<SceneParameters> | null} */
     this.waiting = null;
     this.underWay = false;
     this.gallery = new Gallery((name) => this.ask({ type: "scene", name }));
@@ -45,7 +45,7 @@ export class Controls {
     this.listen();
   }
 
-  /** What every control does. */
+  /** Connects the controls. */
   listen() {
     this.number.addEventListener("change", () => this.ask({ type: "number", value: this.number.value }));
     this.evolution.addEventListener("change", () => this.ask({ type: "evolution", value: this.evolution.value }));
@@ -63,7 +63,7 @@ export class Controls {
   }
 
   /**
-   * Asks for something; what is refused is told, and the controls show again what holds.
+   * Sends a request; if it is refused, shows the reason and restores the controls.
    * @param {{type: string, [field: string]: unknown}} message
    */
   async ask(message) {
@@ -77,23 +77,23 @@ export class Controls {
     }
   }
 
-  /** Pauses or goes on. */
+  /** Pauses or resumes. */
   pause() {
     this.ask({ type: "pause", value: !this.state?.paused });
   }
 
-  /** One tick; what runs is paused first. */
+  /** Makes one tick; pauses first. */
   async step() {
     if (!this.state?.paused) await this.ask({ type: "pause", value: true });
     this.ask({ type: "step", ticks: 1 });
   }
 
-  /** Back to the beginning: body and hand, and the parameters of the scene's file. */
+  /** Restarts: body and hand, and the parameters of the scene's file. */
   reset() {
     this.ask({ type: "reset", parameters: true });
   }
 
-  /** A value was typed. @param {ParameterName} name */
+  /** Takes a typed value. @param {ParameterName} name */
   type(name) {
     const value = Number(this.typed[name].value.replace(",", ".").replace("−", "-"));
     const isEmpty = this.typed[name].value.trim() === "";
@@ -108,7 +108,7 @@ export class Controls {
   }
 
   /**
-   * Sets one parameter. The dynamic friction never exceeds the static one: the other one goes with it.
+   * Sets one parameter. The dynamic friction never exceeds the static one: the other one is adjusted.
    * @param {ParameterName} name @param {number | null} value null: the memory length of a scene without one
    */
   set(name, value) {
@@ -123,7 +123,7 @@ export class Controls {
     this.sendParameters();
   }
 
-  /** Sends the parameters that wait, one message after the answer to the other. */
+  /** Sends waiting parameters, each message after the answer to the previous one. */
   async sendParameters() {
     if (this.underWay) return;
     this.underWay = true;
@@ -137,7 +137,7 @@ export class Controls {
     if (!taken && this.state) this.showParameters(this.state.parameters, null, true);
   }
 
-  /** The scenes to choose from, and what a board does not let one choose. @param {HelloMessage} hello */
+  /** Shows the scenes to choose from, and disables what a board does not support. @param {HelloMessage} hello */
   setHello(hello) {
     this.gallery.setHello(hello);
     this.keepsWeight = hello.source.kind !== "core";
@@ -145,7 +145,7 @@ export class Controls {
     if (this.state) this.show(this.state);
   }
 
-  /** Shows what holds. @param {StateMessage} state */
+  /** Shows a state. @param {StateMessage} state */
   show(state) {
     this.state = state;
     this.gallery.show(state);
@@ -161,8 +161,8 @@ export class Controls {
   }
 
   /**
-   * Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved.
-   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone
+   * Shows parameters, except in the field that is being typed in and on the slider that is being moved.
+   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all updates these, too
    */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
@@ -181,7 +181,7 @@ export class Controls {
 }
 
 /**
- * Chooses a value of a list, which gets it where it is not there yet.
+ * Selects a value in a list; adds it if it is missing.
  * @param {HTMLSelectElement} list @param {string} value
  */
 function choose(list, value) {
@@ -189,12 +189,12 @@ function choose(list, value) {
   list.value = value;
 }
 
-/** The largest distance of two vertices of a body; 0 of a point. @param {Scene} scene */
+/** Returns the largest distance between two vertices of a body; 0 for a point. @param {Scene} scene */
 const size = ({ body }) =>
   Math.max(...body.flatMap(([ax, ay]) => body.map(([bx, by]) => Math.hypot(ax - bx, ay - by))));
 
 /**
- * The inputs of the parameters, by name.
+ * Returns the inputs of the parameters, by name.
  * @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>}
  */
 function inputs(kind) {
@@ -202,14 +202,14 @@ function inputs(kind) {
   return /** @type {any} */ (Object.fromEntries(all));
 }
 
-/** The value at a place of a slider, rounded to three digits. @param {ParameterName} name @param {number} place */
+/** Returns the value at a slider position, rounded to three digits. @param {ParameterName} name @param {number} place */
 function fromSlider(name, place) {
   const { least, most, log } = RANGES[name];
   const part = place / STEPS;
   return Number((log ? least * (most / least) ** part : least + part * (most - least)).toPrecision(3));
 }
 
-/** The place of a value on its slider. @param {ParameterName} name @param {number} value */
+/** Returns the slider position of a value. @param {ParameterName} name @param {number} value */
 function toSlider(name, value) {
   const { least, most, log } = RANGES[name];
   if (value <= least) return 0;

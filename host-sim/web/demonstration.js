@@ -1,15 +1,16 @@
-// A demonstration until somebody touches the page: the hand follows the scene's path over and over, and a caption says what the
-// object does. The first press, touch or key ends it, where hand and object are. Also the note on an object that was let go.
+// A demonstration until somebody touches the page: the hand follows the scene's path repeatedly, and a caption describes what
+// the object does. The first press, touch or key ends it; hand and object stay where they are. Also the note about a released
+// object.
 
 import { byId, reducedMotion, setText } from "./dom.js";
 
-/** What happens in a moment is said for so long (ms): as long as it takes to read. */
+/** Duration of a caption (ms): the time to read it. */
 const SAID = 600;
-/** A hand that is open for so long (ms) has let go; one that takes hold elsewhere is open for less. */
+/** A hand that is open for this long (ms) has let go; one that grasps elsewhere is open for less. */
 const OPEN = 300;
-/** The hand is at its beginning if it is so near (m, rad): a frame has the digits of f32. */
+/** Largest distance of a hand from its start at which it counts as there (m, rad): a frame has the digits of f32. */
 const NEAR = 1e-6;
-/** What happens, in words, by the name of the event; where two come together, the first one is said. */
+/** Captions by the name of the event; if two coincide, the first one is shown. */
 const WORDS = /** @type {const} */ ([
   ["snap", "snaps over"], ["tip", "tips"], ["slip", "slips"], ["land", "lies down"], ["touch", "touches"], ["lift", "comes off"],
 ]);
@@ -17,7 +18,7 @@ const WORDS = /** @type {const} */ ([
 export class Demonstration {
   /**
    * @param {(message: {type: string, [field: string]: unknown}) => Promise<void>} request
-   * @param {() => boolean} ready the page has done what its address says
+   * @param {() => boolean} ready whether the page has applied its address
    * @param {(text: string) => void} tell
    */
   constructor(request, ready, tell) {
@@ -28,14 +29,14 @@ export class Demonstration {
     this.hello = null;
     /** @type {StateMessage | null} */
     this.state = null;
-    /** Nothing begins by itself any more: it has begun, or somebody has pressed or typed. */
+    /** Nothing starts by itself any more: the demonstration has started, or somebody has pressed or typed. */
     this.over = false;
-    /** It is asked for, and not answered yet. */
+    /** It is requested, but not answered yet. */
     this.asking = false;
-    /** What happened last, in words, and until when it is said. */
+    /** The last caption, and the end of its time. */
     this.word = "";
     this.until = 0;
-    /** How often what happens has happened. @type {{[event: string]: number}} */
+    /** Number of past events, by name. @type {{[event: string]: number}} */
     this.counts = {};
     this.openSince = Infinity;
     this.button = byId("show-me", HTMLButtonElement);
@@ -45,7 +46,7 @@ export class Demonstration {
     }
   }
 
-  /** The hand follows the scene's path, for a look. */
+  /** The hand follows the scene's path in a demonstration. */
   get running() {
     return this.state?.replay?.demonstration === true;
   }
@@ -60,7 +61,7 @@ export class Demonstration {
     }
   }
 
-  /** Somebody has pressed or typed. */
+  /** Ends it: somebody has pressed or typed. */
   touch() {
     this.over = true;
     if (this.running || this.asking) this.request({ type: "replay", what: null }).catch((why) => this.tell(why.message));
@@ -76,7 +77,7 @@ export class Demonstration {
     this.button.hidden = running || this.hello?.source.kind !== "core";
   }
 
-  /** The newest frame. @param {FrameMessage} message */
+  /** Takes the newest frame. @param {FrameMessage} message */
   take(message) {
     if (!this.over && this.mayBegin(message)) this.ask().catch(() => {});
     if (this.running) setText(byId("doing"), this.words(message));
@@ -87,7 +88,7 @@ export class Demonstration {
     byId("released").hidden = !hangs || this.running || now - this.openSince < OPEN;
   }
 
-  /** True if nobody has done anything yet, here or elsewhere. @param {FrameMessage} message */
+  /** Returns true if nobody has done anything yet, here or elsewhere. @param {FrameMessage} message */
   mayBegin({ frame }) {
     const { hello, state } = this;
     if (!hello || !state || reducedMotion() || !this.ready()) return false;
@@ -97,7 +98,7 @@ export class Demonstration {
     return isAlone && isLive && frame.hand.every((value, i) => Math.abs(value - scene.home[i]) <= NEAR * (1 + Math.abs(value)));
   }
 
-  /** What the object does now. @param {FrameMessage} message */
+  /** Returns the caption for the present moment. @param {FrameMessage} message */
   words({ frame, counts: { events } }) {
     const now = performance.now();
     const happened = WORDS.find(([event]) => (events[event] ?? 0) > (this.counts[event] ?? 0));

@@ -1,10 +1,10 @@
-// The diagram of contact states: the four of the paper and the two beyond it. The current one is lit, transitions flash
-// and are counted.
+// The diagram of contact states: the four of the paper and two more. The current one is highlighted, transitions flash and are
+// counted.
 
 import { reducedMotion, setText, svg, whole } from "./dom.js";
 
 /**
- * Where a state is, and a small picture of it: surfaces and body as SVG paths in a box of 36 by 24.
+ * Position of a state, and a small picture of it: surfaces and body as SVG paths in a box of 36 by 24.
  * @typedef {{x: number, y: number, ground: string, body: string, dots: Vec[]}} Place
  */
 const STATES = /** @type {Record<StateName, Place>} */ ({
@@ -16,24 +16,24 @@ const STATES = /** @type {Record<StateName, Place>} */ ({
   "locked": { x: 180, y: 258, ground: "M7 2V22H33", body: "M7 22V9H27V22Z", dots: [[7, 9], [7, 22], [27, 22]] },
 });
 
-/** The two that the paper does not have. */
+/** The two that are not in the paper. */
 const BEYOND = ["corner", "locked"];
 /** Half the size of a state's box. */
 const HALF_WIDTH = 49;
 const HALF_HEIGHT = 27;
-/** Half the distance between the lanes of both directions. */
+/** Half the distance between the lanes of the two directions. */
 const GAP = 5;
-/** Transitions that are drawn from the beginning; the others when they happen. @type {[StateName, StateName][]} */
+/** Transitions drawn from the beginning; others are added when they happen. @type {[StateName, StateName][]} */
 const LINKS = [
   ["non-contact", "single-vertex"], ["non-contact", "edge"], ["single-vertex", "edge"], ["single-vertex", "two-vertex"],
   ["single-vertex", "corner"], ["two-vertex", "locked"], ["edge", "locked"],
 ];
-/** The ways around the box in the middle: begin, bend and end. @type {{[pair: string]: string[]}} */
+/** Paths around the box in the middle: start, control point and end. @type {{[pair: string]: string[]}} */
 const DETOURS = {
   "non-contact>two-vertex": ["106 38", "280 52", "296 184"], "two-vertex>non-contact": ["286 184", "270 62", "106 48"],
   "corner>edge": ["254 38", "80 52", "64 184"], "edge>corner": ["74 184", "90 62", "254 48"],
 };
-/** A link flashes so long, and not again before (ms). */
+/** Duration of a flash, and least time between two of them (ms). */
 const FLASH = 450;
 
 /** One direction of a link. @typedef {{path: SVGElement, label: SVGElement, count: number, flashed: number}} Lane */
@@ -61,7 +61,7 @@ export class Diagram {
     parent.append(this.root);
   }
 
-  /** The lane of a transition; a new one where there is none yet. @param {string} from @param {string} to */
+  /** Returns the lane of a transition; adds a missing one. @param {string} from @param {string} to */
   lane(from, to) {
     const key = `${from}>${to}`;
     const known = this.lanes.get(key);
@@ -91,7 +91,7 @@ export class Diagram {
     for (const [key, lane] of this.lanes) if (lane.count > 0 && !(key in counts.transitions)) this.set(lane, 0);
   }
 
-  /** The count of one transition. @param {string} key @param {number} count */
+  /** Sets the count of one transition. @param {string} key @param {number} count */
   count(key, count) {
     const [from, to] = key.split(">");
     if (!(from in STATES) || !(to in STATES) || from === to) return;
@@ -109,7 +109,7 @@ export class Diagram {
   }
 }
 
-/** A state's box. @param {string} name @param {Place} state */
+/** Returns a state's box. @param {string} name @param {Place} state */
 function node(name, { x, y, ground, body, dots }) {
   const picture = svg("g", { transform: `translate(${x - 18} ${y - 24})`, class: "picture" },
     svg("path", { d: body, class: "shape" }), svg("path", { d: ground, class: "ground" }),
@@ -121,8 +121,8 @@ function node(name, { x, y, ground, body, dots }) {
 }
 
 /**
- * The way of a transition: a line beside that of the other direction, from border to border, and the place of its
- * count.
+ * Returns the path of a transition: a line parallel to that of the other direction, from border to border, and the position of
+ * its count.
  * @param {string} from @param {string} to
  */
 function route(from, to) {
@@ -147,7 +147,7 @@ function route(from, to) {
 }
 
 /**
- * Way from the middle of a box to its border, on a line beside the middle.
+ * Returns the distance from the middle of a box to its border, along a line offset from the middle.
  * @param {number} ux @param {number} uy @param {number} ox @param {number} oy
  */
 function leave(ux, uy, ox, oy) {
@@ -155,7 +155,7 @@ function leave(ux, uy, ox, oy) {
   return Math.min(across, (HALF_HEIGHT + 3 - oy * Math.sign(uy)) / Math.abs(uy || 1e-9));
 }
 
-/** Lights a lane up for a moment. @param {Lane} lane */
+/** Highlights a lane for a moment. @param {Lane} lane */
 function flash(lane) {
   const now = performance.now();
   if (now - lane.flashed < FLASH) return;

@@ -1,7 +1,7 @@
-// Small helpers for the document: elements by name, text that is set only when it changes, numbers in words.
+// Small helpers for the document: elements by id, text that is set only when it changes, formatted numbers.
 
 /**
- * The element of an id; it must be there.
+ * Returns the element with an id; it must exist.
  * @template {HTMLElement} T
  * @param {string} id
  * @param {{ new (): T }} [kind]
@@ -13,13 +13,13 @@ export function byId(id, kind) {
   return /** @type {T} */ (element);
 }
 
-/** Sets a text where it differs. @param {Element} element @param {string} text */
+/** Sets a text if it differs. @param {Element} element @param {string} text */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
 /**
- * A new SVG element.
+ * Makes an SVG element.
  * @param {string} name
  * @param {{[attribute: string]: string | number}} [attributes]
  * @param {(Node | string)[]} children
@@ -31,10 +31,10 @@ export function svg(name, attributes = {}, ...children) {
   return element;
 }
 
-/** A number takes no more places than this, its sign and point with it, so that it fits where there is room for it. */
+/** Most characters of a number, including sign and point, so that it fits into its place. */
 const PLACES = 7;
 
-/** A number with three digits that count, without an exponent where it can be read without. @param {number} value */
+/** Formats a number with three significant digits, without an exponent if it is readable. @param {number} value */
 export function digits(value) {
   if (value === 0) return "0";
   if (!Number.isFinite(value)) return "–";
@@ -44,7 +44,10 @@ export function digits(value) {
   return minus(text.length <= PLACES ? text : value.toPrecision(2));
 }
 
-/** A number with so many decimals, or fewer, or an exponent, where it is too long. @param {number} value @param {number} decimals */
+/**
+ * Formats a number with a number of decimals; if it is too long, with fewer or with an exponent.
+ * @param {number} value @param {number} decimals
+ */
 export function fixed(value, decimals) {
   if (Math.abs(value) < 0.5 * 10 ** -decimals) return (0).toFixed(decimals);
   for (let some = decimals; some >= 0; some--) {
@@ -54,18 +57,18 @@ export function fixed(value, decimals) {
   return exponential(value);
 }
 
-/** With an exponent, and three digits where there is room for them. @param {number} value */
+/** Formats a number with an exponent, and with three digits if there is room. @param {number} value */
 function exponential(value) {
   const texts = [2, 1, 0].map((decimals) => value.toExponential(decimals).replace("+", ""));
   return minus(texts.find(({ length }) => length <= PLACES) ?? texts[2]);
 }
 
-/** Steps of a thousand. */
+/** Prefixes of the powers of 1000. */
 const PREFIXES = ["p", "n", "µ", "m", "", "k", "M", "G", "T"];
 const PLAIN = PREFIXES.indexOf("");
 
 /**
- * The unit, with its prefix, in which a size has one to three digits before its point.
+ * Returns the unit, with its prefix, in which a size has one to three digits before the point.
  * @param {number} size in the unit without a prefix, > 0 @param {string} unit
  * @returns {import("./sizes.js").Unit}
  */
@@ -75,13 +78,13 @@ export function prefixed(size, unit) {
   return { name: PREFIXES[PLAIN + step] + unit, per: 1000 ** -step };
 }
 
-/** A proper minus sign. @param {string} text */
+/** Replaces hyphens by proper minus signs. @param {string} text */
 const minus = (text) => text.replaceAll("-", "−");
 
-/** A whole number with thin spaces between thousands. @param {number} value */
+/** Formats a whole number with thin spaces between thousands. @param {number} value */
 export const whole = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
 
-/** A time in seconds, in the unit that fits. @param {number} seconds */
+/** Formats a time in seconds, in a suitable unit. @param {number} seconds */
 export function duration(seconds) {
   if (seconds < 1e-6) return `${digits(seconds * 1e9)} ns`;
   if (seconds < 1e-3) return `${digits(seconds * 1e6)} µs`;
@@ -89,7 +92,7 @@ export function duration(seconds) {
 }
 
 /**
- * The value that a fraction of the samples does not exceed.
+ * Returns the value that a fraction of the samples does not exceed.
  * @param {readonly number[]} samples @param {number} fraction
  */
 export function quantile(samples, fraction) {
@@ -98,6 +101,6 @@ export function quantile(samples, fraction) {
   return sorted[Math.min(sorted.length - 1, Math.floor(fraction * sorted.length))];
 }
 
-/** True if the reader asked for less motion. */
+/** True if the reader prefers reduced motion. */
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
 export const reducedMotion = () => calm.matches;

@@ -1,11 +1,12 @@
-// The small panel next to what is selected in the editor: the numbers of the object, or name and friction of a surface or obstacle.
+// The small panel next to the selection in the editor: the numbers of the object, or name and friction of a surface or
+// obstacle.
 
 import { digits } from "./dom.js";
 
 /** @typedef {import("./editor-model.js").Model} Model */
 /** @typedef {import("./editor-handles.js").Item} Item */
 /**
- * A field: its label, its unit, what it shows and what a number in it does. Without `put` of null it must not be empty.
+ * A field: its label, its unit, its value and the effect of a new number. Unless `mayBeEmpty`, it must not be empty.
  * @typedef {{id: string, label: string, name: string, unit: string, get: (model: Model) => number | null,
  *   put: (model: Model, value: number | null) => void, mayBeEmpty?: boolean}} Field
  */
@@ -13,7 +14,7 @@ import { digits } from "./dom.js";
 const MM = 1e3;
 const UM = 1e6;
 const DEGREE = 180 / Math.PI;
-/** Between the panel and what it is of, and between it and the border of the scene (px). */
+/** Distance from the panel to the selected item, and to the border of the scene (px). */
 const GAP = 14;
 const MARGIN = 8;
 
@@ -33,7 +34,7 @@ const BODY = [
     get: (m) => times(m.start[k], factor), put: (m, v) => { m.start[k] = Number(v) / factor; } })),
 ];
 
-/** Fields of a surface or an obstacle. @param {Item} item @returns {Field[]} */
+/** Returns the fields of a surface or an obstacle. @param {Item} item @returns {Field[]} */
 function frictionFields({ kind, index }) {
   const of = (/** @type {Model} */ m) => (kind === "surface" ? m.surfaces : m.obstacles)[index];
   return [
@@ -61,7 +62,7 @@ export class Card {
     this.root.addEventListener("submit", (event) => event.preventDefault());
     /** @type {Item | null} */
     this.item = null;
-    /** Where it stands, of all the places. @type {number | null} */
+    /** Side of the item on which the panel stands, of all candidates. @type {number | null} */
     this.side = null;
     /** @type {{field: Field, input: HTMLInputElement}[]} */
     this.inputs = [];
@@ -69,7 +70,7 @@ export class Card {
     this.name = null;
   }
 
-  /** Shows the panel of something, or none. @param {Item | null} item */
+  /** Shows the panel of an item, or none. @param {Item | null} item */
   show(item) {
     if (item?.kind === this.item?.kind && item?.index === this.item?.index) return;
     this.item = item;
@@ -123,7 +124,7 @@ export class Card {
     return input;
   }
 
-  /** Shows what holds now, next to what it is of. */
+  /** Shows the present values, next to the item. */
   update() {
     const { item } = this;
     const model = this.deeds.model();
@@ -142,7 +143,7 @@ export class Card {
     this.place(item);
   }
 
-  /** Next to what it is of, where it covers the fewest handles; it stays on that side. @param {Item} item */
+  /** Moves next to the item, to the side where it covers the fewest handles; it stays on that side. @param {Item} item */
   place({ kind, index }) {
     const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
     const own = this.root.getBoundingClientRect();
@@ -189,7 +190,7 @@ function labelled(label, input, unit) {
   return element;
 }
 
-/** A button. @param {string} text @param {string} name @param {() => void} work */
+/** Makes a button. @param {string} text @param {string} name @param {() => void} work */
 export function button(text, name, work) {
   const element = document.createElement("button");
   element.type = "button";

@@ -1,40 +1,40 @@
-// What one takes hold of in the editor: an outline, corners, and the handles of surfaces and of the pose, as shapes over the scene
-// that follow its window; by mouse, finger or keyboard.
+// The handles of the editor: an outline, corners, and the handles of surfaces and of the pose, as shapes over the scene that
+// follow its window; by mouse, finger or keyboard.
 
 import { svg } from "./dom.js";
 import { round, toWorld, toBody } from "./editor-model.js";
 
 /** @typedef {import("./editor-model.js").Model} Model */
 /**
- * What is selected: the object, or a surface or obstacle by its number.
+ * The selection: the object, or a surface or obstacle by its index.
  * @typedef {{kind: "body" | "surface" | "obstacle", index: number}} Item
  */
 /**
- * One handle: where it is (m), and what moving it by a path (m) does to a model, which is as it was at the press.
+ * A handle: its position (m), and the effect of a displacement (m) on a model as it was at the press.
  * @typedef {{key: string, shape: "corner" | "turn" | "move" | "grasp" | "outline", item: Item, label: string, at: Vec,
  *   points?: Vec[], pivot?: Vec, pull: (model: Model, to: Vec, from: Vec) => void, corner?: number}} Handle
  */
 
-/** Radius of a handle and of what takes the finger (px). */
+/** Radius of a handle and of its touch area (px). */
 const RADIUS = 6;
 const TOUCH = 15;
-/** From a surface's handle to the one that turns it, and from the object's border to the one that turns it (px). */
+/** Distance from a surface's handle to its rotation handle, and from the object's border to its rotation handle (px). */
 const ARM = 64;
 const STEM = 26;
-/** The handles of a surface stay so far within the window (px). */
+/** Distance of a surface's handles from the border of the window (px). */
 const MARGIN = 28;
-/** An arrow key moves by so much, with shift by a tenth (px); what turns, by this angle (rad). */
+/** Displacement by an arrow key (px), and its factor with shift; rotation by an arrow key (rad). */
 const STEP = 5;
 const FINE = 0.1;
 const ANGLE = Math.PI / 180;
-/** Places are round numbers, not coarser than this (px). */
+/** Coarsest rounding of positions (px). */
 const UNIT = 0.1;
 
 /** @type {{[key: string]: Vec}} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
- * Where a surface has its handle: on its border, in the window, near a point.
+ * Returns the position of a surface's handle: on its border, in the window, near a point.
  * @param {View} view @param {EditedSurface} surface @param {Vec} near @returns {Vec}
  */
 function footOf(view, { normal: [nx, ny], offset }, near) {
@@ -50,7 +50,7 @@ function footOf(view, { normal: [nx, ny], offset }, near) {
   return foot;
 }
 
-/** The turn from one direction to another as seen from a point. @param {Vec} about @param {Vec} from @param {Vec} to */
+/** Returns the rotation from one point to another about a third one. @param {Vec} about @param {Vec} from @param {Vec} to */
 function turnAbout(about, from, to) {
   const [ax, ay] = [from[0] - about[0], from[1] - about[1]];
   const [bx, by] = [to[0] - about[0], to[1] - about[1]];
@@ -83,7 +83,7 @@ function bodyHandles(model, view) {
 
 /**
  * @param {EditedSurface} surface @param {number} index @param {View} view
- * @param {Handle | null} pulled the handle that is pulled: what it turns about stays where it is
+ * @param {Handle | null} pulled the dragged handle: its pivot stays fixed
  * @returns {Handle[]}
  */
 function surfaceHandles(surface, index, view, pulled) {
@@ -130,7 +130,10 @@ function obstacleHandles({ name, vertices }, index, view) {
   ];
 }
 
-/** All handles, those in front last. @param {Model} model @param {View} view @param {Handle | null} pulled @returns {Handle[]} */
+/**
+ * Returns all handles, those in front last.
+ * @param {Model} model @param {View} view @param {Handle | null} pulled @returns {Handle[]}
+ */
 function handlesOf(model, view, pulled) {
   return [
     ...model.obstacles.flatMap((obstacle, k) => obstacleHandles(obstacle, k, view)),
@@ -140,7 +143,7 @@ function handlesOf(model, view, pulled) {
 }
 
 /**
- * What the editor does with handles.
+ * Actions of the editor on handles.
  * @typedef {{model: () => Model, select: (item: Item | null) => void, begin: () => Model, pulled: (model: Model) => void,
  *   end: () => void, remove: (item: Item, corner: number | undefined) => void,
  *   insert: (item: Item, side: number, at: Vec) => void}} Deeds
@@ -154,9 +157,9 @@ export class Handles {
     this.root = svg("svg", { class: "editor-layer", "aria-label": "Handles of the scene" });
     /** @type {Map<string, {element: SVGElement, handle: Handle}>} */
     this.known = new Map();
-    /** The handle that a pointer pulls. @type {{handle: Handle, from: Vec, start: Model, moved: boolean} | null} */
+    /** The handle that a pointer drags. @type {{handle: Handle, from: Vec, start: Model, moved: boolean} | null} */
     this.pull = null;
-    /** What the solver refuses: the beginning of a key. */
+    /** Beginning of the keys of what the solver refuses. */
     this.bad = "";
     /** @type {Item | null} */
     this.selected = null;
@@ -167,19 +170,19 @@ export class Handles {
     stage.canvas.after(this.root);
   }
 
-  /** Takes everything away. */
+  /** Removes everything. */
   remove() {
     this.root.remove();
   }
 
-  /** Where a pointer is in the world. @param {MouseEvent} event @returns {Vec} */
+  /** Returns the position of a pointer in the world. @param {MouseEvent} event @returns {Vec} */
   worldOf(event) {
     const { left, top } = this.stage.canvas.getBoundingClientRect();
     const { magnify, view } = this.stage;
     return view.world((event.clientX - left) / magnify, (event.clientY - top) / magnify);
   }
 
-  /** Puts every handle where it belongs. */
+  /** Draws every handle at its place. */
   draw() {
     const handles = handlesOf(this.deeds.model(), this.stage.view, this.pull?.handle ?? null);
     const keys = new Set(handles.map(({ key }) => key));
@@ -252,19 +255,19 @@ export class Handles {
     element.addEventListener("keydown", (event) => this.press(known.handle, event));
   }
 
-  /** The pointer that pulls is there. @param {Vec} to */
+  /** Drags the handle to a point. @param {Vec} to */
   move(to) {
     if (!this.pull) return;
     const { handle, from, start } = this.pull;
     const model = structuredClone(start);
-    // A corner goes to the pointer, less what the press missed it by.
+    // A corner keeps its offset from the pointer at the press.
     const aim = /** @type {Vec} */ ([handle.at[0] + to[0] - from[0], handle.at[1] + to[1] - from[1]]);
     handle.pull(model, handle.points ? to : aim, handle.points ? from : handle.at);
     this.pull.moved = true;
     this.deeds.pulled(model);
   }
 
-  /** A double click on an outline adds a corner to the nearest side. @param {Handle} handle @param {Vec} at */
+  /** Adds a corner to the nearest side, at a double click on an outline. @param {Handle} handle @param {Vec} at */
   double({ points, item }, at) {
     if (!points || points.length < 2) return;
     const distances = points.map((a, k) => distanceTo(a, points[(k + 1) % points.length], at));
@@ -288,14 +291,14 @@ export class Handles {
     event.stopPropagation();
   }
 
-  /** A corner in the middle of the side after one. @param {Handle} handle @param {number} k */
+  /** Adds a corner in the middle of the side after a corner. @param {Handle} handle @param {number} k */
   insertAfter({ item }, k) {
     const outline = this.known.get(item.kind === "body" ? "body" : `obstacle-${item.index}`)?.handle.points ?? [];
     const [a, b] = [outline[k], outline[(k + 1) % outline.length]];
     this.deeds.insert(item, k, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
   }
 
-  /** An arrow key moves or turns. @param {Handle} handle @param {Vec} arrow @param {number} share */
+  /** Moves or rotates by an arrow key. @param {Handle} handle @param {Vec} arrow @param {number} share */
   nudge(handle, arrow, share) {
     const model = structuredClone(this.deeds.begin());
     const { view } = this.stage;
@@ -315,7 +318,7 @@ export class Handles {
   }
 }
 
-/** The distance of a point from a line between two others. @param {Vec} a @param {Vec} b @param {Vec} point */
+/** Returns the distance of a point from the segment between two others. @param {Vec} a @param {Vec} b @param {Vec} point */
 function distanceTo(a, b, point) {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const along = Math.min(1, Math.max(0, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy || 1)));

@@ -1,5 +1,5 @@
-// The scene that is edited, as plain numbers: from the state to them, from them to what VIEW.md calls an edit, and the geometry in
-// between. SI units; the object's corners are in its own frame.
+// The edited scene as plain numbers: converts a state to them, and them to an edit as specified in VIEW.md; and their geometry.
+// SI units; the object's corners are in its own frame.
 
 /**
  * @typedef {{name: string, normal: Vec, offset: number, static: number, dynamic: number, memory: number | null}} EditedSurface
@@ -8,20 +8,20 @@
  *   surfaces: EditedSurface[], obstacles: EditedObstacle[]}} Model
  */
 
-/** Numbers that differ by less, as a part of their size, are the same: the solver's side makes normals of length 1 anew. */
+/** Relative difference below which numbers are equal: the solver's side normalises normals again. */
 const ROUNDING = 1e-9;
 /** Friction of what is added to a scene without any. */
 const FRICTION = { static: 0.5, dynamic: 0.3, memory: null };
 /** Directions of surfaces that are added, in this order. @type {[string, Vec][]} */
 const DIRECTIONS = [["floor", [0, 1]], ["wall", [-1, 0]], ["wall", [1, 0]], ["ceiling", [0, -1]]];
-/** Surfaces that are nearer to each other's direction than this have the same one (cosine). */
+/** Cosine of the angle above which two surfaces count as having the same direction. */
 const SAME_DIRECTION = 0.98;
-/** What the page places is round, not coarser than this, in sizes of the object. */
+/** Coarsest rounding of positions set by the page, in sizes of the object. */
 const FINENESS = 1e-3;
-/** How far from the object something is added, in sizes of the object. */
+/** Distance of an added item from the object, in sizes of the object. */
 const APART = 1.6;
 
-/** The scene that a state tells of. @param {StateMessage} state @returns {Model} */
+/** Returns the scene of a state. @param {StateMessage} state @returns {Model} */
 export function modelOf({ scene, parameters }) {
   const friction = (/** @type {any} */ { static: s, dynamic, memory }) => ({ static: s, dynamic, memory: memory ?? null });
   return structuredClone({
@@ -36,7 +36,7 @@ export function modelOf({ scene, parameters }) {
   });
 }
 
-/** What `POST /edit` takes. @param {Model} model */
+/** Returns the body of `POST /edit`. @param {Model} model */
 export function editOf({ body, start, weight, grasp, reach, stiffness, surfaces, obstacles }) {
   return JSON.stringify({
     body: { vertices: body, start, weight },
@@ -47,7 +47,7 @@ export function editOf({ body, start, weight, grasp, reach, stiffness, surfaces,
   });
 }
 
-/** True if two values are the same but for rounding. @param {any} a @param {any} b @returns {boolean} */
+/** Returns true if two values are equal up to rounding. @param {any} a @param {any} b @returns {boolean} */
 export function same(a, b) {
   if (typeof a === "number" && typeof b === "number") {
     return Math.abs(a - b) <= ROUNDING * Math.max(1, Math.abs(a), Math.abs(b));
@@ -57,25 +57,28 @@ export function same(a, b) {
   return keys.length === Object.keys(b).length && keys.every((key) => same(a[key], b[key]));
 }
 
-/** A point of the object in the world. @param {Model} model @param {Vec} point @returns {Vec} */
+/** Transforms a point of the object to the world. @param {Model} model @param {Vec} point @returns {Vec} */
 export function toWorld({ start: [x, y, theta] }, [u, v]) {
   const c = Math.cos(theta), s = Math.sin(theta);
   return [x + c * u - s * v, y + s * u + c * v];
 }
 
-/** A point of the world in the frame of the object. @param {Model} model @param {Vec} point @returns {Vec} */
+/** Transforms a point of the world to the object's frame. @param {Model} model @param {Vec} point @returns {Vec} */
 export function toBody({ start: [x, y, theta] }, [px, py]) {
   const c = Math.cos(theta), s = Math.sin(theta);
   return [c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)];
 }
 
-/** Largest distance of a corner from the object's origin; of a point, a length to draw by (m). @param {Model} model */
+/**
+ * Returns the largest distance of a corner from the object's origin; for a point, a length for drawing (m).
+ * @param {Model} model
+ */
 export const sizeOf = ({ body }) => Math.max(...body.map(([x, y]) => Math.hypot(x, y))) || 0.04;
 
-/** Twice the area of a triangle, positive where it is counter-clockwise. @param {Vec} a @param {Vec} b @param {Vec} c */
+/** Returns twice the area of a triangle, positive if it is counter-clockwise. @param {Vec} a @param {Vec} b @param {Vec} c */
 const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
-/** The convex hull, counter-clockwise; of points in a line, its ends. @param {Vec[]} points @returns {Vec[]} */
+/** Returns the convex hull, counter-clockwise; for collinear points, its ends. @param {Vec[]} points @returns {Vec[]} */
 export function hull(points) {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1])
     .filter((point, k, all) => k === 0 || point[0] !== all[k - 1][0] || point[1] !== all[k - 1][1]);
@@ -92,7 +95,7 @@ export function hull(points) {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-/** The centroid of a convex polygon, of a rod or of a point. @param {Vec[]} corners @returns {Vec} */
+/** Returns the centroid of a convex polygon, of a rod or of a point. @param {Vec[]} corners @returns {Vec} */
 export function centroid(corners) {
   let area = 0, x = 0, y = 0;
   const [first] = corners;
@@ -109,7 +112,7 @@ export function centroid(corners) {
 }
 
 /**
- * A new corner on side `k` at a point of the same frame, a little outside: three corners in a line are none.
+ * Adds a corner on side `k` at a point of the same frame, slightly outside: a corner on the line would not count.
  * @param {Vec[]} corners @param {number} k @param {Vec} point @returns {Vec[]}
  */
 export function withCorner(corners, k, point) {
@@ -123,7 +126,7 @@ export function withCorner(corners, k, point) {
 }
 
 /**
- * The object with a polygon that was drawn in the world: its origin is the centroid.
+ * Replaces the object by a polygon drawn in the world: its origin is the centroid.
  * @param {Model} model @param {Vec[]} corners
  */
 export function withBody(model, corners) {
@@ -135,7 +138,7 @@ export function withBody(model, corners) {
   if (model.grasp) model.grasp = [0, 0];
 }
 
-/** A name that nothing has yet. @param {Model} model @param {string} base */
+/** Returns an unused name. @param {Model} model @param {string} base */
 function freeName(model, base) {
   const taken = new Set([...model.surfaces, ...model.obstacles].map(({ name }) => name));
   let name = base;
@@ -143,13 +146,13 @@ function freeName(model, base) {
   return name;
 }
 
-/** Friction as that of the first surface or obstacle. @param {Model} model */
+/** Returns the friction of the first surface or obstacle. @param {Model} model */
 function friction({ surfaces, obstacles }) {
   const [first] = [...surfaces, ...obstacles];
   return first ? { static: first.static, dynamic: first.dynamic, memory: first.memory } : { ...FRICTION };
 }
 
-/** Adds a surface near the object, where none of its direction is. @param {Model} model */
+/** Adds a surface near the object, in a direction that no surface has. @param {Model} model */
 export function addSurface(model) {
   const isFree = (/** @type {[string, Vec]} */ [, [nx, ny]]) =>
     !model.surfaces.some(({ normal }) => nx * normal[0] + ny * normal[1] > SAME_DIRECTION);
@@ -171,10 +174,10 @@ export function addObstacle(model, corners) {
   model.obstacles.push({ name: freeName(model, base), vertices, ...friction(model) });
 }
 
-/** A number without what rounding left in its last digits. @param {number} value */
+/** Removes rounding errors in the last digits of a number. @param {number} value */
 const digits = (value) => Number(value.toPrecision(6));
 
-/** A multiple of the power of ten below a step. @param {number} value @param {number} step */
+/** Rounds to a multiple of the power of ten below a step. @param {number} value @param {number} step */
 export function round(value, step) {
   const unit = 10 ** Math.floor(Math.log10(step));
   return Number((Math.round(value / unit) * unit).toPrecision(12));

@@ -1,18 +1,18 @@
-// The pen of the editor: points that are clicked, one after the other, become a convex polygon, a rod or a point.
+// The pen of the editor: points clicked one after the other become a convex polygon, a rod or a point.
 
 import { svg } from "./dom.js";
 import { hull, round } from "./editor-model.js";
 
-/** A click so near to the first point ends the polygon (px). */
+/** Distance from the first point within which a click ends the polygon (px). */
 const CLOSE = 12;
-/** Points are round numbers, not coarser than this (px). */
+/** Coarsest rounding of points (px). */
 const UNIT = 0.5;
 
 export class Pen {
   /**
    * @param {Stage} stage
-   * @param {(corners: Vec[], left: number) => void} done called with a convex polygon, counter-clockwise, and how many of the points
-   * are left out of it
+   * @param {(corners: Vec[], left: number) => void} done called with a convex polygon, counter-clockwise, and the number of points
+   *   left out of it
    * @param {() => void} ended
    */
   constructor(stage, done, ended) {
@@ -60,20 +60,20 @@ export class Pen {
     this.draw();
   }
 
-  /** The polygon is whole. */
+  /** Completes the polygon. */
   finish() {
     const corners = hull(this.points);
     this.end();
     this.done(corners, new Set(this.points.map(String)).size - corners.length);
   }
 
-  /** Away with the pen. */
+  /** Removes the pen. */
   end() {
     this.root.remove();
     this.ended();
   }
 
-  /** The points so far. */
+  /** Draws the points so far. */
   draw() {
     const { view, magnify } = this.stage;
     const spots = this.points.map(([x, y]) => [magnify * view.px(x), magnify * view.py(y)]);

@@ -1,5 +1,5 @@
-// The editor of the scene: handles over the stage, a panel next to what is selected, undo and redo. Every change goes to the
-// solver's side as an edit, which says what is wrong with it or shows it from its beginning.
+// The editor of the scene: handles over the stage, a panel next to the selection, undo and redo. Every change is sent to the
+// solver's side as an edit, which reports what is wrong with it or restarts the edited scene.
 
 import { setText } from "./dom.js";
 import { button, Card } from "./editor-card.js";
@@ -10,10 +10,10 @@ import { Pen } from "./editor-pen.js";
 /** @typedef {import("./editor-model.js").Model} Model */
 /** @typedef {import("./editor-handles.js").Item} Item */
 
-/** From a change to the edit that is sent, and from a state to the look at it: what was asked is answered by then (ms). */
+/** Delay from a change to sending the edit, and from a state to checking it (ms): by then the request has been answered. */
 const DEBOUNCE = 120;
 const SETTLE = 400;
-/** The most changes that can be undone. */
+/** Largest number of changes that can be undone. */
 const MOST = 200;
 
 export class Editor {
@@ -35,11 +35,11 @@ export class Editor {
     this.past = [];
     /** @type {Model[]} */
     this.future = [];
-    /** The model before the change that is under way. */
+    /** The model before the change in progress. */
     this.before = this.model;
-    /** What the solver refused, or nothing. */
+    /** What the solver refused, or empty. */
     this.problem = "";
-    /** The state that was looked at last. */
+    /** The last state that was checked. */
     this.seen = stage.state;
     this.timer = 0;
     this.looking = 0;
@@ -69,7 +69,7 @@ export class Editor {
     this.update();
   }
 
-  /** The buttons, and the line that says what is wrong. */
+  /** Makes the buttons, and the line with the problem. */
   build() {
     this.bar = document.createElement("div");
     this.bar.className = "editor-bar";
@@ -91,7 +91,7 @@ export class Editor {
     this.stage.canvas.parentElement?.classList.add("editing");
   }
 
-  /** Ends it. */
+  /** Closes the editor. */
   close() {
     this.open = false;
     clearTimeout(this.timer);
@@ -106,7 +106,7 @@ export class Editor {
     this.closed();
   }
 
-  /** The scene goes to the solver at once, and the hand is free again where it is taken. */
+  /** Sends the scene to the solver immediately and closes the editor, so that the hand can be used. */
   async tryIt() {
     clearTimeout(this.timer);
     this.timer = 0;
@@ -138,20 +138,20 @@ export class Editor {
     this.update();
   }
 
-  /** A change begins; the model before it. */
+  /** Begins a change; returns the model before it. */
   begin() {
     this.before = this.model;
     return this.model;
   }
 
-  /** The model while it changes. @param {Model} model */
+  /** Sets the model during a change. @param {Model} model */
   put(model) {
     this.model = model;
     this.update();
     this.later();
   }
 
-  /** The change is whole: it can be undone. */
+  /** Completes a change: it can be undone. */
   end() {
     if (same(this.before, this.model)) return;
     this.past.push(this.before);
@@ -161,7 +161,7 @@ export class Editor {
     this.update();
   }
 
-  /** A change at once. @param {(model: Model) => void} work */
+  /** Makes a change in one step. @param {(model: Model) => void} work */
   change(work) {
     const model = structuredClone(this.begin());
     work(model);
@@ -206,7 +206,7 @@ export class Editor {
     });
   }
 
-  /** The pen for the object or for a new obstacle. @param {"body" | "obstacle"} what */
+  /** Starts the pen for the object or for a new obstacle. @param {"body" | "obstacle"} what */
   draw(what) {
     this.pen?.end();
     this.select(null);
@@ -226,7 +226,7 @@ export class Editor {
     if (!this.timer) this.timer = window.setTimeout(() => { this.timer = 0; this.send(); }, DEBOUNCE);
   }
 
-  /** Sends the model, one after the answer to the other, until the solver has been asked for the newest one. */
+  /** Sends the model, each one after the answer to the previous one, until the solver has received the newest. */
   async send() {
     if (this.sending) {
       this.later();
@@ -246,13 +246,13 @@ export class Editor {
     if (this.open) this.update();
   }
 
-  /** Another scene, or what somebody else changed, is what is edited from now on. */
+  /** Schedules a check for another scene or somebody else's change, which would be edited from then on. */
   setState() {
     clearTimeout(this.looking);
     this.looking = window.setTimeout(() => this.look(), SETTLE);
   }
 
-  /** Looks whether the state is of what the solver was given. */
+  /** Checks whether the state is that of the model sent to the solver. */
   look() {
     const { state } = this.stage;
     if (!this.open || !state) return;
@@ -275,7 +275,7 @@ export class Editor {
     this.update();
   }
 
-  /** Shows what holds. */
+  /** Shows the present model. */
   update() {
     const [, kind, index, , corner] = this.problem.match(/`(body|surface|obstacle)(?:\[(\d+)\])?(\.vertices\[(\d+)\])?/) ?? [];
     this.handles.bad = [kind, index, corner].filter((part) => part !== undefined).join("-");
@@ -285,7 +285,7 @@ export class Editor {
     if (!this.undoButton || !this.redoButton || !this.wrong || !this.hint) return;
     this.undoButton.disabled = this.past.length === 0;
     this.redoButton.disabled = this.future.length === 0;
-    // File and line are those of a text that nobody wrote.
+    // The text with this file and line was generated: nobody wrote it.
     setText(this.wrong, this.problem.replace(/^.*?, line \d+: /, "").split("\n")[0]);
     this.wrong.hidden = this.problem === "";
     setText(this.hint, this.pen ? "Click the corners. Enter or a click on the first one ends, Esc cancels."

@@ -1,9 +1,9 @@
-// What may happen to the body, by name.
+// Events of the body, by name.
 
 /** In the order of their codes on the wire (FRAME 5.3). */
 export const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "slide", "stop", "grasp", "release"];
 
-/** What each of them means (STATICS 7 and 8). @type {{[event: string]: string}} */
+/** Meaning of each of them (STATICS 7 and 8). @type {{[event: string]: string}} */
 export const MEANINGS = {
   touch: "a vertex came to a surface",
   lift: "a contact opened without another one taking over its motion",

@@ -1,36 +1,36 @@
-// Slips and slides as sound, slips also as vibration of a phone and of gamepads. A slip is a burst of noise whose loudness grows with
-// its length; sliding is soft noise whose loudness grows with its speed.
+// Slips and slides as sound, slips also as vibration of a phone and of gamepads. A slip is a burst of noise whose loudness
+// grows with its length; sliding is soft noise whose loudness grows with its speed.
 
 import { bodySize } from "./view.js";
 
-/** What is below this part of the body's size is rounding, not motion. */
+/** Lengths below this fraction of the body's size are rounding, not motion. */
 const NOISE = 1e-6;
-/** Length of a slip (body sizes) and speed of a slide (body sizes a second) that are as loud as it gets. */
+/** Length of a slip (body sizes) and speed of a slide (body sizes per second) at which the loudness reaches its maximum. */
 const LONGEST = 0.1;
 const FASTEST = 4;
-/** Loudness of all, and of the loudest slide against the loudest slip. */
+/** Overall loudness, and that of the loudest slide relative to the loudest slip. */
 const VOLUME = 0.6;
 const SOFT = 0.25;
-/** A burst dies away by a factor e in this time: of a slip that is hardly heard, and so much more of the loudest (s). */
+/** Time constant of a burst's decay: for a barely audible slip, and the increase to the loudest (s). */
 const DECAY = 0.005;
 const LONGER = 0.02;
-/** The middle of a burst's band: of a slip that is hardly heard, and of the loudest; of a slide (Hz). */
+/** Centre frequency of a burst: for a barely audible slip, and for the loudest; of a slide (Hz). */
 const HIGH = 3200;
 const LOW = 700;
 const RUB = 1500;
-/** A burst ends after so many of its decays: by then it is 60 dB lower. */
+/** Length of a burst in time constants: then it is 60 dB lower. */
 const ENDS = 7;
-/** A change of a slide's loudness takes this time; without a frame for so long it ends (s). */
+/** Time constant of a slide's loudness; time without a frame after which a slide ends (s). */
 const EASE = 0.02;
 const SILENCE = 0.12;
-/** The slips of a frame are spread over the time since the frame before, but not over more (s). */
+/** The slips of a frame are spread over the time since the previous frame, but at most over this (s). */
 const SPREAD = 0.05;
-/** Vibration for the least and for so much more of the loudest slip (ms). */
+/** Duration of the vibration for the smallest slip, and the increase to the largest (ms). */
 const BUZZ = 8;
 const MORE = 40;
 
 /**
- * Begins, or ends what there is; the button shows which.
+ * Starts, or ends what is running; the button shows which.
  * @param {Felt | null} felt @param {HTMLElement} button @returns {Felt | null}
  */
 export function toggle(felt, button) {
@@ -46,7 +46,7 @@ export class Felt {
   /** @param {BaseAudioContext} context */
   constructor(context = new AudioContext()) {
     this.context = context;
-    /** Number of the last slip that was heard; null: those before now are not. @type {number | null} */
+    /** Number of the last slip that was heard; null: earlier slips are skipped. @type {number | null} */
     this.heard = null;
     /** @type {FrameMessage | null} */
     this.before = null;
@@ -63,7 +63,7 @@ export class Felt {
     source.start();
   }
 
-  /** Begins, where the browser had it wait for a press. */
+  /** Starts, if the browser made it wait for a press. */
   resume() {
     if (this.context instanceof AudioContext && this.context.state !== "running") this.context.resume().catch(() => {});
   }
@@ -74,7 +74,7 @@ export class Felt {
     navigator.vibrate?.(0);
   }
 
-  /** A new frame. @param {FrameMessage} message @param {Scene} scene */
+  /** Takes a new frame. @param {FrameMessage} message @param {Scene} scene */
   take(message, scene) {
     const size = bodySize(scene);
     const now = this.context.currentTime;
@@ -98,7 +98,7 @@ export class Felt {
     this.cameAt = now;
   }
 
-  /** The sound of a slip. @param {number} at s @param {number} loudness 0 to 1 */
+  /** Plays the sound of a slip. @param {number} at s @param {number} loudness 0 to 1 */
   burst(at, loudness) {
     this.resume();
     const { context } = this;
@@ -113,7 +113,7 @@ export class Felt {
     source.stop(at + ENDS * decay);
   }
 
-  /** The sound of sliding. @param {number} speed body sizes a second */
+  /** Plays the sound of sliding. @param {number} speed body sizes a second */
   slide(speed) {
     const { gain } = this.rub;
     const now = this.context.currentTime;
@@ -122,7 +122,7 @@ export class Felt {
     gain.setTargetAtTime(0, now + SILENCE, EASE);
   }
 
-  /** What can vibrate does. @param {number} loudness 0 to 1 */
+  /** Makes all devices vibrate that can. @param {number} loudness 0 to 1 */
   shake(loudness) {
     const duration = Math.round(BUZZ + MORE * loudness);
     navigator.vibrate?.(duration);
@@ -134,14 +134,15 @@ export class Felt {
 }
 
 /**
- * How loud a slip is, as an amplitude. The force drops by (mu_s - mu_d) N whatever the length, so that the energy which a slip releases
- * grows as its length, and the amplitude as the square root of that.
+ * Returns the loudness of a slip, as an amplitude. The force drops by (mu_s - mu_d) N whatever the length, so the energy
+ * released by a slip grows in proportion to its length, and the amplitude as the square root of that.
  * @param {number} length body sizes
  */
 export const loudnessOf = (length) => (length > NOISE ? Math.min(1, Math.sqrt(length / LONGEST)) : 0);
 
 /**
- * The largest speed at which a contact slides between two frames (m/s): the displacement of the body there, which turns about its origin.
+ * Returns the largest speed at which a contact slides between two frames (m/s): from the displacement there of the body, which
+ * rotates about its origin.
  * @param {TraceFrame} before @param {TraceFrame} after @param {number} size of the body (m)
  */
 function slidingSpeed(before, after, size) {
@@ -154,7 +155,7 @@ function slidingSpeed(before, after, size) {
   return length > NOISE * size ? length / time : 0;
 }
 
-/** Two seconds of noise. @param {BaseAudioContext} context */
+/** Returns two seconds of noise. @param {BaseAudioContext} context */
 function whiteNoise(context) {
   const buffer = new AudioBuffer({ length: 2 * context.sampleRate, sampleRate: context.sampleRate });
   const samples = buffer.getChannelData(0);

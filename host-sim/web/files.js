@@ -1,22 +1,23 @@
-// The scene as a file: opened by a button or dropped onto the page, saved, and edited. What is dropped besides is a path of the hand.
+// The scene as a file: opened by a button or dropped onto the page, saved, and edited. Other dropped files are paths of the
+// hand.
 
 import { byId } from "./dom.js";
 import { Editor } from "./editor.js";
 
-/** A link to a text stays good for so long (ms). */
+/** Lifetime of a link to a text (ms). */
 const SOON = 10_000;
 
 /** @type {Editor | null} */
 let editor = null;
 
 /**
- * What the page is to these; without a server there is no transport of files, and the solver's side takes scenes itself.
+ * The parts of the page used here; without a server there is no transport of files, and the solver's side takes scenes itself.
  * @typedef {{stage: Stage, feed: Partial<Files>, tell: (text: string) => void,
  *   transport: import("./transport.js").Transport | null}} Page
  */
 
 /**
- * Does what a button says, or takes a file.
+ * Runs the action of a button, or takes a file.
  * @param {string} what @param {File | undefined} file @param {Page} page
  */
 export function use(what, file, page) {
@@ -40,7 +41,7 @@ async function ask(path, name, body) {
   return text;
 }
 
-/** What an answer says is wrong. @param {string} text */
+/** Returns the problem in an answer. @param {string} text */
 function problemIn(text) {
   try {
     return JSON.parse(text).message;
@@ -49,7 +50,7 @@ function problemIn(text) {
   }
 }
 
-/** The style of the editor, once. */
+/** Loads the style of the editor, once. */
 function addStyle() {
   if (document.querySelector("link[data-editor]")) return;
   const link = document.createElement("link");
@@ -96,7 +97,7 @@ function open(page) {
   input.click();
 }
 
-/** Shows the scene of a file, or has the hand follow its path. @param {Page} page @param {File} file */
+/** Shows the scene of a file, or makes the hand follow its path. @param {Page} page @param {File} file */
 async function take(page, file) {
   if (/\.(csv|tum|txt)$/i.test(file.name)) {
     if (page.transport) page.transport.upload(file);

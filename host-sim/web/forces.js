@@ -1,53 +1,52 @@
-// Contacts: the friction cones with the reaction in them, and the bars of N along the normal and of T along the
-// tangent.
+// Contacts: friction cones with the reaction in them, and bars of N along the normal and of T along the tangent.
 
 import { digits } from "./dom.js";
 import { label } from "./labels.js";
 import { colors } from "./theme.js";
 import { step125 } from "./ground.js";
 
-/** Length of a bar of the greatest force lately, and its width (px). */
+/** Length of the bar of the largest recent force, and width of a bar (px). */
 const LONGEST = 110;
 const WIDTH = 7;
 /** Length of the cones' sides (px). */
 const CONE = 92;
-/** Size of the arrows of a slide, and how far under the contact they are (px). */
+/** Size of the arrows of a slide, and their distance below the contact (px). */
 const CHEVRON = 6;
 const BELOW = 14;
-/** Part of the greatest force that is forgotten in a drawing. */
+/** Fraction by which the largest force decays per drawing. */
 const FORGET = 0.003;
 
-/** The scale of the bars: so that the greatest force lately fits, in steps of 1, 2, 5, and not to and fro. */
+/** The scale of the bars: the largest recent force fits, in steps of 1, 2, 5, with hysteresis. */
 export class ForceScale {
   constructor() {
     this.greatest = 0;
-    /** Pixels per N; 0 as long as there was no force. */
+    /** Pixels per N; 0 before the first force. */
     this.perNewton = 0;
   }
 
-  /** Takes the forces of a frame in. @param {Contact[]} contacts */
+  /** Takes the forces of a frame. @param {Contact[]} contacts */
   take(contacts) {
     let greatest = 0;
     for (const { normal, friction } of contacts) greatest = Math.max(greatest, normal, Math.abs(friction));
-    // While nothing presses there is nothing that a smaller scale would show better.
+    // Without forces, a different scale would not show anything better.
     if (greatest === 0) return;
     this.greatest = Math.max(greatest, (1 - FORGET) * this.greatest);
     const now = this.greatest * this.perNewton;
     if (now > LONGEST || now < 0.3 * LONGEST) this.perNewton = step125(LONGEST / this.greatest);
   }
 
-  /** Forgets the forces of the scene before. */
+  /** Clears the forces of the previous scene. */
   reset() {
     this.greatest = 0;
     this.perNewton = 0;
   }
 }
 
-/** The unit tangent and normal of a surface in pixels. @param {Facing} surface */
+/** Returns the unit tangent and normal of a surface in pixels. @param {Facing} surface */
 const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], ny: -normal[1] });
 
 /**
- * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
+ * Draws the two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
  * @param {SceneParameters} parameters
  */
@@ -72,7 +71,7 @@ export function drawCones(ctx, view, contact, surface, parameters) {
 }
 
 /**
- * The bars of a contact, the reaction as their sum, and the contact point.
+ * Draws the bars of a contact, the reaction as their sum, and the contact point.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
  */
 export function drawContact(ctx, view, contact, surface, perNewton) {
@@ -92,7 +91,7 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
 }
 
 /**
- * Where a contact slides with the hand: a double arrow under it, within the surface.
+ * Marks a contact that slides with the hand: a double arrow under it, within the surface.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
  */
 export function drawSliding(ctx, view, contact, surface) {
@@ -117,9 +116,9 @@ export function drawSliding(ctx, view, contact, surface) {
 }
 
 /**
- * The values of a contact's bars next to their ends; none of what is not there or not in the window.
+ * Writes the values of a contact's bars next to their ends; omits bars that are absent or outside the window.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
- * @param {import("./labels.js").Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels existing labels
  */
 export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const { tx, ty, nx, ny } = frameOf(surface);
@@ -138,7 +137,7 @@ export function labelContact(ctx, view, contact, surface, perNewton, labels) {
 }
 
 /**
- * A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour.
+ * Draws a bar from a point; that of T is hollow with strokes across, to differ from N without its colour.
  * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy @param {string} color
  * @param {boolean} hollow
  */
@@ -166,7 +165,7 @@ function drawBar(ctx, x, y, dx, dy, color, hollow) {
 }
 
 /**
- * The reaction: an arrow.
+ * Draws the reaction: an arrow.
  * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy
  */
 function drawArrow(ctx, x, y, dx, dy) {

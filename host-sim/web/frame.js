@@ -1,10 +1,10 @@
-// The wire between a board and its client, as core/FRAME.md says it: messages to bytes and back. A message is an object
+// The wire between a board and its client, as specified in core/FRAME.md: encodes and decodes messages. A message is an object
 // with the field names of that document; lists are arrays of numbers or of arrays. No state, no hardware.
 
 /** @typedef {{count: string, item: string, shape: string}} List */
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
 
-/** Version of the wire. */
+/** Version of the wire format. */
 const VERSION = 2;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
@@ -12,21 +12,21 @@ export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "co
 const STATUS = [
   "ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist", "behind",
 ];
-/** The name of a status; one that is not known may be out of balance (FRAME 5.1). @param {number} code */
+/** Returns the name of a status; an unknown one may be out of balance (FRAME 5.1). @param {number} code */
 export const statusName = (code) => STATUS[code] ?? "ambiguous";
-/** Why a command is refused, in the order of its codes. */
+/** Reasons for refusing a command, in the order of their codes. */
 export const REASONS = [
   "done", "version", "unknown-type", "length", "code", "number", "not-passive", "unsupported", "not-now",
 ];
 
 /** Bytes before the payload: version, type, sequence, time. */
 const HEAD = 7;
-/** Bytes of the checksum behind the payload. */
+/** Bytes of the checksum after the payload. */
 const CHECK = 4;
-/** Longest frame that a client has room for before COBS (bytes); what a board sends is shorter. */
+/** Longest frame that a client accepts before COBS (bytes); a board sends shorter ones. */
 const LONGEST = 1024;
 
-/** A letter of a shape: B u8, b i8, F a flag, H u16, I u32, i i32, f f32. */
+/** Letters of a shape: B u8, b i8, F a flag, H u16, I u32, i i32, f f32. */
 const SIZES = /** @type {{[letter: string]: number}} */ ({ B: 1, b: 1, F: 1, H: 2, I: 4, i: 4, f: 4 });
 
 const PARAMETERS_SHAPE = "ffffFf";
@@ -36,7 +36,7 @@ const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every force
 const FAULTS = "too_long cobs crc version unknown_type length value";
 
 /**
- * One row of the table of types.
+ * Returns one row of the table of types.
  * @param {number} code @param {string} shape @param {string} fields @param {List[]} lists @param {string | null} text
  * @returns {Layout}
  */
@@ -69,7 +69,7 @@ const LAYOUTS = {
   pong: layout(0x95, "BI", "ping_sequence ping_time"),
 };
 
-/** The greatest code of fields that are codes: [field, type] to it. @type {{[key: string]: number}} */
+/** Largest codes of fields, by "type.field". @type {{[key: string]: number}} */
 const CODES = {
   "mode.evolution": 1, "mode.stepping": 1, "info.evolution": 1, "info.stepping": 1, "info.number": 1, "info.has": 7,
   "reset.what": 1, "reply.reason": 8, "health.drive": 2, "events.event": 10, "forces.contacts": 8, "events.events": 16,
@@ -79,7 +79,7 @@ const CODES = {
 /** The axes of a mode that have a meaning. */
 const AXES = [0, 1, 2, 4, 5, 6];
 
-/** Why a frame is not accepted, in the words of FRAME 6. */
+/** The reason why a frame is not accepted, in the terms of FRAME 6. */
 export class Fault extends Error {
   /** @param {"too-long" | "cobs" | "crc" | "version" | "unknown-type" | "length" | "value"} why */
   constructor(why) {
@@ -88,21 +88,21 @@ export class Fault extends Error {
   }
 }
 
-/** The table of the CRC. */
+/** Table of the CRC. */
 const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   let value = byte;
   for (let bit = 0; bit < 8; bit++) value = value & 1 ? (value >>> 1) ^ 0xedb88320 : value >>> 1;
   return value >>> 0;
 });
 
-/** CRC-32/ISO-HDLC (FRAME 2). @param {Uint8Array} bytes */
+/** Returns the CRC-32/ISO-HDLC (FRAME 2). @param {Uint8Array} bytes */
 export function crc32(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) crc = (crc >>> 8) ^ CRC_TABLE[(crc ^ byte) & 0xff];
   return ~crc >>> 0;
 }
 
-/** COBS: the bytes without a 0 among them, and the delimiter behind (FRAME 2). @param {Uint8Array} bytes */
+/** Encodes with COBS: returns bytes without a 0, followed by the delimiter (FRAME 2). @param {Uint8Array} bytes */
 export function stuff(bytes) {
   const out = [0];
   let mark = 0;
@@ -123,7 +123,7 @@ export function stuff(bytes) {
   return Uint8Array.from(out);
 }
 
-/** COBS undone, of the bytes between two delimiters. @param {Uint8Array} bytes */
+/** Decodes COBS bytes between two delimiters. @param {Uint8Array} bytes */
 export function unstuff(bytes) {
   const out = new Uint8Array(bytes.length);
   let length = 0;
@@ -138,7 +138,7 @@ export function unstuff(bytes) {
   return out.subarray(0, length);
 }
 
-/** Number of bytes of a shape. @param {string} shape */
+/** Returns the number of bytes of a shape. @param {string} shape */
 const sizeOf = (shape) => [...shape].reduce((sum, letter) => sum + SIZES[letter], 0);
 
 /** Reads numbers one after the other. */
@@ -149,14 +149,14 @@ class Reader {
     this.at = 0;
   }
 
-  /** The next number, of a flag 0 or 1. @param {string} letter */
+  /** Reads the next number; a flag must be 0 or 1. @param {string} letter */
   field(letter) {
     const value = this.one(letter);
     if (letter === "F" && value > 1) throw new Fault("value");
     return value;
   }
 
-  /** The next number. @param {string} letter */
+  /** Reads the next number. @param {string} letter */
   one(letter) {
     const at = this.at;
     this.at += SIZES[letter];
@@ -172,7 +172,7 @@ class Reader {
 }
 
 /**
- * Writes a number of a shape's letter at an offset.
+ * Writes a number at an offset, as the letter of a shape says.
  * @param {DataView} view @param {number} at @param {string} letter @param {number} value
  */
 function put(view, at, letter, value) {
@@ -187,7 +187,7 @@ function put(view, at, letter, value) {
   return at + SIZES[letter];
 }
 
-/** A message as a frame, COBS and delimiter included. @param {Message} message */
+/** Encodes a message as a frame, including COBS and delimiter. @param {Message} message */
 export function encode(message) {
   const row = LAYOUTS[message.type];
   const values = { ...message };
@@ -217,7 +217,7 @@ export function encode(message) {
 }
 
 /**
- * The message between two delimiters; throws a Fault, the first one in the order of FRAME 6.
+ * Decodes the message between two delimiters; throws a Fault, the first one in the order of FRAME 6.
  * @param {Uint8Array} bytes @returns {Message}
  */
 export function decode(bytes) {
@@ -242,7 +242,7 @@ export function decode(bytes) {
 }
 
 /**
- * The fields of a payload, into the message.
+ * Reads the fields of a payload into the message.
  * @param {Message} message @param {Layout} row @param {Uint8Array} payload
  */
 function readPayload(message, row, payload) {
@@ -264,7 +264,7 @@ function readPayload(message, row, payload) {
   message[row.text] = String.fromCharCode(...text);
 }
 
-/** The flags of a pose (FRAME 5.1), taken apart. @param {Message} message @param {number} code its type */
+/** Splits the flags of a pose (FRAME 5.1). @param {Message} message @param {number} code its type */
 function readFlags(message, code) {
   const { flags, events } = message;
   if (flags > 63) throw new Fault("value");
@@ -277,7 +277,7 @@ function readFlags(message, code) {
   message.events = events & 0x1fff;
 }
 
-/** Refuses a code that is not listed. @param {Message} message */
+/** Refuses an undefined code. @param {Message} message */
 function checkCodes(message) {
   for (const [field, value] of Object.entries(message)) {
     const greatest = CODES[`${message.type}.${field}`];
@@ -289,18 +289,18 @@ function checkCodes(message) {
   if (slides.some((/** @type {number} */ sign) => Math.abs(sign) > 1)) throw new Fault("value");
 }
 
-/** Collects bytes as they come and hands on every message; counts what is not accepted. */
+/** Collects incoming bytes and passes on every message; counts frames that are not accepted. */
 export class Decoder {
   /** @param {(message: Message) => void} take */
   constructor(take) {
     this.take = take;
     this.bytes = new Uint8Array(LONGEST + 1);
     this.length = 0;
-    /** Frames that were not accepted, by fault. @type {{[why: string]: number}} */
+    /** Number of frames that were not accepted, by fault. @type {{[why: string]: number}} */
     this.faults = {};
   }
 
-  /** Bytes of any number. @param {Uint8Array} bytes */
+  /** Takes any number of bytes. @param {Uint8Array} bytes */
   push(bytes) {
     for (const byte of bytes) {
       if (byte !== 0) {
@@ -312,7 +312,7 @@ export class Decoder {
     }
   }
 
-  /** A delimiter came. */
+  /** Ends a frame at a delimiter. */
   end() {
     try {
       this.take(decode(this.bytes.subarray(0, this.length)));

@@ -1,18 +1,18 @@
-// The gallery: a card for each scene, with its picture and its name, and the story of the one that is shown. The cards are radio
-// buttons: arrow keys choose, and Tab goes on to what follows.
+// The gallery: a card for each scene, with its picture and its name, and the story of the current one. The cards are radio
+// buttons: arrow keys select, and Tab leaves the group.
 
 import { byId, setText } from "./dom.js";
 
-/** What the wheel scrolls in a window that does not scroll itself. */
+/** Windows of this width do not scroll themselves: the wheel scrolls the gallery. */
 const wide = window.matchMedia("(min-width: 901px)");
 
 /**
- * `content`: what the scene was when it was shown last, or null.
+ * `content`: the scene's content when it was last shown, or null.
  * @typedef {{input: HTMLInputElement, picture: HTMLElement, story: string | null, drawn: boolean, content: string | null}} Card
  */
 
 export class Gallery {
-  /** @param {(name: string) => Promise<boolean>} choose asks for a scene, perhaps for the one that is there; false where it is refused */
+  /** @param {(name: string) => Promise<boolean>} choose requests a scene, perhaps the current one; false if it is refused */
   constructor(choose) {
     this.choose = choose;
     this.cards = byId("cards");
@@ -27,12 +27,12 @@ export class Gallery {
       this.near.unobserve(target);
       draw(target.dataset.scene ?? "", target);
     }), { root: this.cards });
-    /** Choices without an answer: until then the strip shows what was chosen last, from which arrow keys go on. */
+    /** Selections without an answer: until then the strip shows the last selection, from which arrow keys continue. */
     this.waiting = 0;
     this.cards.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
-  /** The scenes to choose from. @param {HelloMessage} hello */
+  /** Takes the scenes to choose from. @param {HelloMessage} hello */
   setHello({ scenes, stories }) {
     this.scenes.clear();
     this.cards.replaceChildren();
@@ -40,7 +40,7 @@ export class Gallery {
     this.title = "";
   }
 
-  /** Adds cards for new scenes, in front, and removes those of scenes that are gone. @param {string[]} names */
+  /** Adds cards for new scenes, in front, and removes those of deleted scenes. @param {string[]} names */
   list(names) {
     for (const [name, { input }] of this.scenes) {
       if (names.includes(name)) continue;
@@ -50,12 +50,12 @@ export class Gallery {
     for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, false));
   }
 
-  /** A card. @param {string} name @param {string | null} story @param {boolean} drawn there is a picture of it */
+  /** Makes a card. @param {string} name @param {string | null} story @param {boolean} drawn whether there is a picture of it */
   add(name, story, drawn) {
     const input = document.createElement("input");
     Object.assign(input, { id: `scene-${name}`, type: "radio", name: "scene", value: name, title: story ?? "" });
     input.addEventListener("change", () => this.pick(name));
-    // Who presses the card of the scene that is there wants it from its beginning.
+    // A click on the card of the current scene restarts it.
     input.addEventListener("click", () => { if (name === this.title) this.pick(name); });
     const picture = document.createElement("span"), label = document.createElement("span");
     picture.className = "picture";
@@ -69,7 +69,7 @@ export class Gallery {
     return card;
   }
 
-  /** What holds. The scene gets a card if it has none. @param {StateMessage} state */
+  /** Shows a state. Adds a card for its scene if it has none. @param {StateMessage} state */
   show({ scene, scenes }) {
     const { title, story } = scene;
     this.list([...new Set([...(scenes ?? this.scenes.keys()), title])]);
@@ -77,12 +77,12 @@ export class Gallery {
     if (story !== undefined) card.story = story;
     card.input.title = card.story ?? "";
     this.title = title;
-    // Only a program that lists its scenes has pictures of those that came later.
+    // Only a program that lists its scenes has pictures of those added later.
     if (scenes && document.body.dataset.alone === undefined) redraw(card, scene);
     this.select(title);
   }
 
-  /** Shows a scene as the chosen one, unless another choice waits for its answer. @param {string} title */
+  /** Shows a scene as the selected one, unless another selection waits for its answer. @param {string} title */
   select(title) {
     const card = this.scenes.get(title);
     if (this.waiting > 0 || !card) return;
@@ -93,7 +93,7 @@ export class Gallery {
     this.reveal(/** @type {HTMLElement} */ (input.parentElement));
   }
 
-  /** A scene was chosen. @param {string} name */
+  /** Takes the selection of a scene. @param {string} name */
   async pick(name) {
     this.waiting++;
     const taken = await this.choose(name);
@@ -101,14 +101,14 @@ export class Gallery {
     this.select(taken ? name : this.title);
   }
 
-  /** Scrolls the strip, and nothing else, until a card is in it. @param {HTMLElement} card */
+  /** Scrolls the strip, and nothing else, until a card is visible. @param {HTMLElement} card */
   reveal(card) {
     const { left, right } = this.cards.getBoundingClientRect();
     const place = card.getBoundingClientRect();
     this.cards.scrollLeft += Math.min(0, place.left - left) + Math.max(0, place.right - right);
   }
 
-  /** A wheel that goes up and down scrolls the strip to the side. @param {WheelEvent} event */
+  /** Scrolls the strip sideways by a vertical wheel. @param {WheelEvent} event */
   wheel(event) {
     if (!wide.matches || event.deltaX || event.ctrlKey) return;
     event.preventDefault();
@@ -124,11 +124,11 @@ function redraw(card, { title, body, surfaces, obstacles }) {
   if (!isDrawn) draw(title, card.picture);
 }
 
-/** Pictures that a page of one file has in it. @type {{[name: string]: string} | null} */
+/** Pictures included in a page that is a single file. @type {{[name: string]: string} | null} */
 const packed = JSON.parse(document.querySelector("#pictures")?.textContent ?? "null");
 
 /**
- * Draws the picture of a scene; as a part of the page, so that it has the colours of the theme.
+ * Draws the picture of a scene as a part of the page, so that it has the colours of the theme.
  * @param {string} name @param {HTMLElement} place
  */
 async function draw(name, place) {
@@ -138,7 +138,7 @@ async function draw(name, place) {
     documentElement.setAttribute("aria-hidden", "true");
     place.replaceChildren(document.importNode(documentElement, true));
   } catch {
-    // The card has its name all the same.
+    // The card still has its name.
   }
 }
 

@@ -1,14 +1,14 @@
-// The hand: where it is, whether it holds, and the samples that say so. Nothing jumps: it goes to the place of a hold
-// open, is seen there, and only then closes.
+// The hand: its pose, its hold, and the samples that are sent. It never jumps: it moves open to the point of a hold, is seen
+// there, and only then closes.
 
-/** A hand that is still under way says so again after so long (ms), so that it stays this page's. */
+/** Interval of samples of a hand that stands still during a drag (ms), so that this page keeps it. */
 const KEEP_ALIVE = 2000;
-/** The frames have caught up after so long without a sample (ms). */
+/** Time without a sample after which the frames have caught up (ms). */
 const SETTLED = 400;
-/** A hold that has not come about after so long (ms) and so many ticks is out of reach. */
+/** Time (ms) and ticks after which a hold without success is out of reach. */
 const TOO_LATE = 600;
 const TOO_MANY = 50;
-/** A frame shows the hand at a place that is so near (m): the solver may have rounded it. */
+/** Tolerance of the hand's position in a frame (m): the solver may have rounded it. */
 const NEAR = 1e-6;
 
 export class Grip {
@@ -22,25 +22,25 @@ export class Grip {
     this.tell = tell;
     this.refusal = refusal;
     this.tried = tried;
-    /** Where the hand is to be. @type {Pose} */
+    /** Target pose of the hand. @type {Pose} */
     this.pose = [0, 0, 0];
-    /** It is to hold. */
+    /** Target state: the hand holds. */
     this.held = false;
     /**
-     * On the way to a hold: gives up the one before, or goes open to the place.
+     * Phase before a hold: releases the previous hold, or moves open to the point.
      * @type {"releasing" | "reaching" | null}
      */
     this.phase = null;
-    /** Where it is to close. @type {Pose} */
+    /** Pose where it closes. @type {Pose} */
     this.place = [0, 0, 0];
     /** A pointer or a key is down. */
     this.active = false;
-    /** From the pointer that leads the hand to the hand (m); null: as they are at the pointer's next sample. @type {Vec | null} */
+    /** Offset from the leading pointer to the hand (m); null: determined at the pointer's next sample. @type {Vec | null} */
     this.offset = null;
-    /** It stays closed when the pointer lets go. */
+    /** The hand stays closed when the pointer is released. */
     this.keep = false;
     this.lastSent = -Infinity;
-    /** When and in which tick it closed, until the hold is seen in a frame. */
+    /** Time and tick of closing, until a frame shows the hold. */
     this.closedAt = Infinity;
     this.closedTick = 0;
     /** The newest frame. @type {FrameMessage | null} */
@@ -48,12 +48,12 @@ export class Grip {
     setInterval(() => this.keepAlive(), KEEP_ALIVE / 2);
   }
 
-  /** True while the hand holds the body, as the newest frame says. */
+  /** True while the hand holds the body, according to the newest frame. */
   get holding() {
     return this.frame?.holding != null;
   }
 
-  /** A new frame: the hand is where it says, unless it is this page that moves it. @param {FrameMessage} message */
+  /** Takes a new frame: its hand is adopted, unless this page moves it. @param {FrameMessage} message */
   take(message) {
     const back = this.frame !== null && message.frame.t < this.frame.frame.t;
     this.frame = message;
@@ -69,7 +69,7 @@ export class Grip {
     this.adopt();
   }
 
-  /** After a reset or in another scene the hand is where the newest frame says, whatever this page wanted before. */
+  /** After a reset or in another scene, adopts the hand of the newest frame whatever this page wanted before. */
   startAnew() {
     this.phase = null;
     this.offset = null;
@@ -78,12 +78,12 @@ export class Grip {
     this.follow();
   }
 
-  /** The hand is as the newest frame has it, if this page has not moved it lately. */
+  /** Adopts the hand of the newest frame, if this page has not moved it recently. */
   adopt() {
     if (!this.active && !this.phase && performance.now() - this.lastSent >= SETTLED) this.follow();
   }
 
-  /** The hand is as the newest frame has it. */
+  /** Adopts the hand of the newest frame. */
   follow() {
     if (!this.frame) return;
     const [x, y, phi] = this.frame.frame.hand;
@@ -91,7 +91,7 @@ export class Grip {
     this.held = this.holding;
   }
 
-  /** False, with the reason told, if the hand cannot be had now. */
+  /** Returns false, and shows the reason, if the hand is not available. */
   mayMove() {
     const why = this.refusal();
     if (why) this.tell(why);
@@ -100,7 +100,7 @@ export class Grip {
     return why === null;
   }
 
-  /** Begins to move, with the hold that there is. @param {number} sent */
+  /** Begins to move, with the present hold. @param {number} sent */
   begin(sent) {
     if (!this.mayMove()) return false;
     this.active = true;
@@ -109,7 +109,7 @@ export class Grip {
     return true;
   }
 
-  /** Takes hold at a place of the body; a hold elsewhere is given up first. @param {Vec} place @param {number} sent */
+  /** Grasps the body at a point; releases a hold elsewhere first. @param {Vec} place @param {number} sent */
   grasp(place, sent) {
     if (!this.mayMove()) return false;
     this.active = true;
@@ -124,8 +124,8 @@ export class Grip {
   }
 
   /**
-   * Goes open to the place of a hold: twice, so that it takes the time between these two, not that since the last
-   * sample.
+   * Moves open to the point of a hold: sends two samples, so that the motion takes the time between these two, not the time
+   * since the previous sample.
    * @param {number} sent
    */
   reach(sent) {
@@ -135,12 +135,12 @@ export class Grip {
     this.send(sent, this.place);
   }
 
-  /** True if a frame's hand is at the place of the hold. @param {Pose} hand */
+  /** Returns true if a frame's hand is at the point of the hold. @param {Pose} hand */
   isThere(hand) {
     return hand.every((value, i) => Math.abs(value - this.place[i]) <= NEAR * (1 + Math.abs(value)));
   }
 
-  /** Closes where it is, and goes on to where the pointer is by now. @param {number} sent */
+  /** Closes where it is, and continues to the present position of the pointer. @param {number} sent */
   close(sent) {
     this.phase = null;
     this.held = true;
@@ -170,7 +170,7 @@ export class Grip {
     }
   }
 
-  /** The pointer has let go. @param {number} sent @param {boolean} stays the hand stays closed */
+  /** Ends the motion when the pointer is released. @param {number} sent @param {boolean} stays the hand stays closed */
   end(sent, stays) {
     this.offset = null;
     if (!stays) this.open(sent);
@@ -178,20 +178,20 @@ export class Grip {
     this.rest();
   }
 
-  /** Nothing moves the hand any more; unless it holds, others may have it at once. */
+  /** Rests; unless it holds, others may take the hand immediately. */
   rest() {
     this.active = false;
-    // Without a connection there is nothing to be given up.
+    // Without a connection there is nothing to release.
     if (!this.held && !this.phase) this.feed().request({ type: "let-go" }).catch(() => {});
   }
 
-  /** The pointer that leads the hand is here: from now on the hand stays as far from it. @param {Vec} point m */
+  /** Sets the offset of the hand from the leading pointer, which then stays constant. @param {Vec} point m */
   anchor([x, y]) {
     this.offset = [this.pose[0] - x, this.pose[1] - y];
   }
 
   /**
-   * Goes where the pointer leads it: the place counts, not the displacement, so that nothing adds up.
+   * Follows the leading pointer by position, not by displacement, so that errors do not accumulate.
    * @param {Vec} point m @param {number} sent
    */
   lead(point, sent) {
@@ -201,20 +201,20 @@ export class Grip {
     if (!this.phase) this.send(sent);
   }
 
-  /** Moves. @param {number} dx m @param {number} dy m @param {number} turn rad @param {number} sent */
+  /** Moves and turns the hand. @param {number} dx m @param {number} dy m @param {number} turn rad @param {number} sent */
   move(dx, dy, turn, sent) {
     if (dx !== 0 || dy !== 0) this.offset = null;
     this.pose = [this.pose[0] + dx, this.pose[1] + dy, this.pose[2] + turn];
     if (!this.phase) this.send(sent);
   }
 
-  /** One sample. @param {number} sent @param {Pose} pose */
+  /** Sends one sample. @param {number} sent @param {Pose} pose */
   send(sent, pose = this.pose) {
     this.lastSent = performance.now();
     this.feed().hand(pose, this.held, sent);
   }
 
-  /** A hand that is held still stays this page's. */
+  /** Keeps a hand that stands still during a drag with this page. */
   keepAlive() {
     if (this.active && !this.phase && performance.now() - this.lastSent > KEEP_ALIVE) this.send(performance.now());
   }

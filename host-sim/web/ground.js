@@ -1,4 +1,4 @@
-// What does not move: the grid, the surfaces with their hatching, and the scales of length and force.
+// The fixed parts: grid, surfaces with hatching, and scales of length and force.
 
 import { prefixed } from "./dom.js";
 import { LINE } from "./labels.js";
@@ -8,14 +8,14 @@ import { colors } from "./theme.js";
 const HATCH_SPACING = 11;
 const HATCH_DEPTH = 12;
 
-/** The greatest of 1, 2, 5 times a power of ten that is not above a value. @param {number} value */
+/** Returns the largest of 1, 2, 5 times a power of ten not above a value. @param {number} value */
 export function step125(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const lead = value / power;
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
-/** Graph paper: a line every round number of metres, not closer than 36 px. @param {Ink} ctx @param {View} view */
+/** Draws graph paper: lines at round numbers of metres, at least 36 px apart. @param {Ink} ctx @param {View} view */
 export function drawGrid(ctx, view) {
   let step = step125(36 / view.scale);
   if (step * view.scale < 30) step *= 2;
@@ -38,9 +38,9 @@ export function drawGrid(ctx, view) {
 }
 
 /**
- * Every surface: its solid side tinted, its border with hatching, its name.
+ * Draws every surface: its solid side tinted, its border with hatching, its name.
  * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
- * @param {import("./labels.js").Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels existing labels
  */
 export function drawSurfaces(ctx, view, surfaces, labels) {
   for (const surface of surfaces) fillSolid(ctx, view, surface);
@@ -51,7 +51,7 @@ export function drawSurfaces(ctx, view, surfaces, labels) {
 }
 
 /**
- * The foot of the window's middle on a surface, in pixels, and the half length that crosses the window.
+ * Returns the foot of the window's middle on a surface, in pixels, and the half length that crosses the window.
  * @param {View} view @param {Surface} surface
  */
 function foot(view, { normal, offset }) {
@@ -74,7 +74,7 @@ function fillSolid(ctx, view, surface) {
 }
 
 /**
- * True if a pixel is on the solid side of another surface.
+ * Returns true if a pixel is on the solid side of another surface.
  * @param {View} view @param {number} px @param {number} py @param {Surface} surface @param {Surface[]} surfaces
  */
 function buried(view, px, py, surface, surfaces) {
@@ -84,7 +84,7 @@ function buried(view, px, py, surface, surfaces) {
 }
 
 /**
- * The border line and short strokes behind it, which stay where they are on the surface.
+ * Draws the border line and the strokes behind it, which are fixed to the surface.
  * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
  */
 function drawBorder(ctx, view, surface, surfaces) {
@@ -117,7 +117,7 @@ function drawBorder(ctx, view, surface, surfaces) {
 }
 
 /**
- * The surface's name behind its border, near the window's edge.
+ * Writes the surface's name behind its border, near the window's edge.
  * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
  * @param {import("./labels.js").Label[]} labels
  */
@@ -144,15 +144,15 @@ function nameSurface(ctx, view, surface, surfaces, labels) {
   }
 }
 
-/** A round size in the unit that fits. @param {number} size @param {string} unit */
+/** Formats a round size in a suitable unit. @param {number} size @param {string} unit */
 function round(size, unit) {
   const { name, per } = prefixed(size, unit);
   return `${Number((size * per).toPrecision(1))} ${name}`;
 }
 
 /**
- * Two bars in the lower left corner: a round length, and a round force in the scale of the force bars, where there were
- * forces.
+ * Draws two bars in the lower left corner: a round length, and, once there were forces, a round force in the scale of the force
+ * bars.
  * @param {Ink} ctx @param {View} view @param {number} perNewton pixels per N
  */
 export function drawScales(ctx, view, perNewton) {

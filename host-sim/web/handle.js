@@ -1,22 +1,24 @@
-// The handle by which the hand is turned: a knob on an arm, which points where the hand does. Its place on the screen follows from the
-// hand's alone, so that the knob goes about the hand as far as the hand turns.
+// The handle that turns the hand: a knob on an arm in the direction of the hand. Its position on the screen depends on the
+// hand's alone, so that the knob rotates about the hand by the hand's angle.
 
 import { colors } from "./theme.js";
 
-/** From the hand to the knob, and size of the knob (px). The arm is longer than the spiral of the rotational spring. */
+/**
+ * Distance from the hand to the knob, and size of the knob (px). The arm is longer than the spiral of the rotational spring.
+ */
 export const ARM = 56;
 const KNOB = 8;
 
-/** Where the knob is. @param {View} view @param {Pose} hand @returns {Spot} */
+/** Returns the position of the knob. @param {View} view @param {Pose} hand @returns {Spot} */
 const knobOf = (view, [x, y, phi]) => ({ x: view.px(x) + ARM * Math.cos(phi), y: view.py(y) - ARM * Math.sin(phi) });
 
-/** True if a press is at the knob. @param {View} view @param {Pose} hand @param {Spot} at @param {number} slack px */
+/** Returns true if a press is at the knob. @param {View} view @param {Pose} hand @param {Spot} at @param {number} slack px */
 export function isAtKnob(view, hand, at, slack) {
   const { x, y } = knobOf(view, hand);
   return Math.hypot(at.x - x, at.y - y) <= KNOB + slack / 2;
 }
 
-/** @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} isTaken the pointer is at it */
+/** @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} isTaken whether the pointer is at it */
 export function drawHandle(ctx, view, hand, isTaken) {
   const { x, y } = knobOf(view, hand);
   const handX = view.px(hand[0]), handY = view.py(hand[1]);

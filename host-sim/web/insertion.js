@@ -1,20 +1,20 @@
-// A peg in its hole, live: the jamming diagram with the running load and its trail, and F_z over depth beside Whitney's
-// formulas for small angles. Served to pages whose scene has a peg and a hole.
+// A peg in its hole, live: the jamming diagram with the current load and its trail, and F_z over depth compared with Whitney's
+// formulas for small angles. Loaded by pages whose scene has a peg and a hole.
 
 import { byId, digits, fixed, setText } from "./dom.js";
 import { colors, onTheme } from "./theme.js";
 
-/** Points of the trail and of the curves. */
+/** Number of points of the trail and of the curves. */
 const TRAIL = 400;
 const CURVE = 1500;
 /** Pause between two drawings (ms). */
 const PAUSE = 100;
-/** Room for the labels of the axes: left, and below (px). */
+/** Margins for the labels of the axes: left and bottom (px). */
 const LEFT = 40;
 const BELOW = 32;
 
 /**
- * A window of two axes on a canvas.
+ * Two axes on a canvas.
  * @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes
  */
 
@@ -55,13 +55,13 @@ class InsertionPanel {
     this.deepest = 0;
     /** @type {Insertion | null} */
     this.now = null;
-    /** There is something that is not drawn yet. */
+    /** There are data that are not drawn yet. */
     this.stale = true;
     this.drawn = 0;
     onTheme(() => { this.stale = true; });
   }
 
-  /** Forgets what was. */
+  /** Clears everything. */
   clear() {
     this.trail = [];
     this.curve = [];
@@ -71,14 +71,14 @@ class InsertionPanel {
     this.stale = true;
   }
 
-  /** A scene with or without a peg. @param {Scene} scene */
+  /** Takes a scene with or without a peg. @param {Scene} scene */
   setScene({ peg }) {
     if (JSON.stringify(peg ?? null) !== JSON.stringify(this.peg)) this.clear();
     this.peg = peg ?? null;
     this.root.hidden = this.peg === null;
   }
 
-  /** Takes a frame in. @param {FrameMessage} message */
+  /** Takes a frame. @param {FrameMessage} message */
   take({ frame, small_angles: formulas }) {
     if (!this.peg) return;
     if (frame.t < this.time) this.clear();
@@ -95,12 +95,12 @@ class InsertionPanel {
     push(this.curve, { l: 1e3 * now.depth, values }, CURVE);
   }
 
-  /** The place of a load in the diagram. @param {Insertion} insertion @returns {Vec} */
+  /** Returns the position of a load in the diagram. @param {Insertion} insertion @returns {Vec} */
   load({ fx, fz, m }) {
     return [fx / fz, m / ((this.peg?.radius ?? 1) * fz)];
   }
 
-  /** Draws what is new, ten times a second. True if it has to be called again to show the newest. */
+  /** Draws new data, ten times per second. Returns true if it must be called again to show the newest. */
   draw() {
     const { peg, now } = this;
     if (!peg || !this.stale) return false;
@@ -169,17 +169,17 @@ class InsertionPanel {
   }
 }
 
-/** The panel, over that of the trade. */
+/** The panel, above that of the trade. */
 export const panel = new InsertionPanel();
 
-/** Adds to a list that keeps so many. @template T @param {T[]} list @param {T} item @param {number} most */
+/** Appends to a list of limited length. @template T @param {T[]} list @param {T} item @param {number} most */
 function push(list, item, most) {
   list.push(item);
   if (list.length > most) list.splice(0, list.length - most);
 }
 
 /**
- * Empties a canvas and draws two axes with their ends and names; null where it is not seen.
+ * Clears a canvas and draws two axes with their ends and names; returns null if it is not visible.
  * @param {HTMLCanvasElement} canvas @param {Vec} xs @param {Vec} ys @param {[string, string]} names
  * @returns {Axes | null}
  */
@@ -220,7 +220,7 @@ function axesOn(canvas, xs, ys, [xName, yName]) {
   return { ctx, px, py, width, height };
 }
 
-/** Round values on an axis, about five. @param {Vec} range */
+/** Returns about five round values on an axis. @param {Vec} range */
 function ticksOf([low, high]) {
   const rough = (high - low) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -231,7 +231,7 @@ function ticksOf([low, high]) {
 }
 
 /**
- * A line through points, interrupted at gaps, cut at the axes.
+ * Draws a line through points, interrupted at gaps, clipped to the axes.
  * @param {Axes} axes @param {(Vec | null)[]} points @param {string} color @param {number} width @param {number[]} dash
  */
 function line({ ctx, px, py, width: right, height }, points, color, width, dash = []) {

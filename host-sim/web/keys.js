@@ -1,17 +1,17 @@
-// The keyboard as the hand: keys that are down move and turn it smoothly. Other keys are the page's commands.
+// The keyboard as the hand: pressed keys move and turn it smoothly. Other keys are the page's commands.
 
 import { bodySize } from "./view.js";
 
-/** Way in a second, in body sizes, and turn in a second (rad); with shift a tenth. */
+/** Speed in body sizes per second, and angular speed (rad/s); factor with shift. */
 const SPEED = 0.7;
 const TURN = 1.0;
 const FINE = 0.1;
 /** Time between two samples (ms). */
 const PERIOD = 4;
-/** Longest time that a sample is moved by (ms): after a stall the hand does not leap. */
+/** Longest time step of a sample (ms): after a stall the hand does not leap. */
 const LONGEST = 40;
 
-/** What a key moves: x, y, turn. @type {{[code: string]: [number, number, number]}} */
+/** Effect of a key: x, y, turn. @type {{[code: string]: [number, number, number]}} */
 const MOVES = {
   ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
   KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyW: [0, 1, 0], KeyS: [0, -1, 0],
@@ -56,7 +56,7 @@ export class Keys {
     }
   }
 
-  /** A key that moves goes down. @param {string} code */
+  /** Takes the press of a movement key. @param {string} code */
   move(code) {
     if (this.down.has(code)) return;
     if (this.down.size === 0) {
@@ -67,7 +67,7 @@ export class Keys {
     this.down.add(code);
   }
 
-  /** A key goes up. @param {string} code @param {boolean} fine */
+  /** Takes the release of a key. @param {string} code @param {boolean} fine */
   lift(code, fine) {
     this.fine = fine;
     if (!this.down.delete(code) || this.down.size > 0) return;
@@ -75,12 +75,12 @@ export class Keys {
     this.grip.rest();
   }
 
-  /** The window lost the keyboard. */
+  /** Releases all keys when the window loses the keyboard. */
   liftAll() {
     for (const code of [...this.down]) this.lift(code, false);
   }
 
-  /** The way since the last sample. */
+  /** Moves the hand by the displacement since the last sample. */
   tick() {
     const now = performance.now();
     const time = (Math.min(LONGEST, now - this.last) / 1000) * (this.fine ? FINE : 1);
@@ -98,7 +98,7 @@ export class Keys {
   }
 }
 
-/** True where a key is text or moves a control. @param {EventTarget | null} target */
+/** Returns true if a key would enter text or move a control. @param {EventTarget | null} target */
 function isTyping(target) {
   return target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
 }

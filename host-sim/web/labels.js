@@ -1,20 +1,20 @@
-// Texts in the drawing, none of which covers another one.
+// Texts in the drawing that do not overlap.
 
 import { colors } from "./theme.js";
 
 /** Height of a line of text (px). */
 export const LINE = 14;
-/** Rows of pixels at the bottom that the scales take, and how near to the window's border a text comes (px). */
+/** Rows of pixels at the bottom reserved for the scales, and distance of a text from the window's border (px). */
 const SCALES = 40;
 const MARGIN = 4;
 
 /** The box of a text (px). @typedef {{left: number, top: number, width: number, height: number}} Label */
 
 /**
- * A text with a halo of paper, to the right or left of a place; where another one is, as little above or below that as
- * keeps the two apart, and within the window.
+ * Writes a text with a halo of paper, to the right or left of a position; moves it up or down by the least distance that avoids
+ * other texts, within the window.
  * @param {Ink} ctx @param {{text: string, x: number, y: number}} place @param {number} toward
- * @param {string} color @param {Label[]} labels those that are there already
+ * @param {string} color @param {Label[]} labels existing labels
  */
 export function label(ctx, { text, x, y }, toward, color, labels) {
   const { width } = ctx.measureText(text);
@@ -36,7 +36,7 @@ export function label(ctx, { text, x, y }, toward, color, labels) {
 }
 
 /**
- * The top nearest to that of a box where it covers no label and is in the window.
+ * Returns the top nearest to that of a box at which it covers no label and is in the window.
  * @param {Label[]} labels @param {Label} box @param {number} bottom
  */
 function freeRow(labels, box, bottom) {
@@ -49,6 +49,6 @@ function freeRow(labels, box, bottom) {
     : free.reduce((best, top) => (Math.abs(top - inside) < Math.abs(best - inside) ? top : best));
 }
 
-/** True if two labels are over one another. @param {Label} a @param {Label} b */
+/** Returns true if two labels overlap. @param {Label} a @param {Label} b */
 const covers = (a, b) => a.left < b.left + b.width && b.left < a.left + a.width
   && a.top < b.top + b.height && b.top < a.top + a.height;

@@ -1,8 +1,8 @@
-// The connection to the server: one WebSocket, which comes back by itself.
+// The connection to the server: one WebSocket, which reconnects by itself.
 
 import { Talk } from "./talk.js";
 
-/** Time to the next attempt, first and longest (ms). */
+/** Time to the next attempt, initial and longest (ms). */
 const FIRST_WAIT = 300;
 const LONGEST_WAIT = 3000;
 
@@ -17,7 +17,7 @@ export class Link extends Talk {
     this.connect();
   }
 
-  /** Connects, unless that is done or under way. */
+  /** Connects, unless that is done or in progress. */
   connect() {
     if (this.socket && this.socket.readyState <= WebSocket.OPEN) return;
     const socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`);
@@ -32,7 +32,7 @@ export class Link extends Talk {
   }
 
   /**
-   * The connection is gone: nothing that was asked will be answered, and a new one is tried.
+   * Handles a lost connection: open requests fail, and a new connection is tried.
    * @param {WebSocket} socket
    */
   lost(socket) {

@@ -1,5 +1,5 @@
-// The page: what shows and what asks, put together around one feed, which is the server, a board on Web Serial, or, where no server
-// has the solver, the page itself.
+// The page: connects views and controls to one feed, which is the server, a board on Web Serial, or, if no server runs the
+// solver, the page itself.
 
 import { Controls } from "./controls.js";
 import { Demonstration } from "./demonstration.js";
@@ -16,9 +16,9 @@ import { startTheme } from "./theme.js";
 import { startTips } from "./tips.js";
 import { Transport } from "./transport.js";
 
-/** A note disappears after so long (ms). */
+/** Duration of a note (ms). */
 const NOTE = 6000;
-/** Zoom of a key or button. */
+/** Zoom factor of a key or button. */
 const ZOOM = 1.3;
 
 startTheme();
@@ -31,27 +31,27 @@ const readout = new Readout(stage);
 /** The board on Web Serial, instead of the server. @type {import("./board.js").Board | null} */
 let board = null;
 /**
- * What the server said last, for when the board goes.
+ * The last messages of the server, for when the board disconnects.
  * @type {{hello: HelloMessage | null, state: StateMessage | null}}
  */
 const server = { hello: null, state: null };
-/** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
+/** The panel of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
-/** Sound and vibration, while they are wanted. @type {import("./felt.js").Felt | null} */
+/** Sound and vibration, while they are on. @type {import("./felt.js").Felt | null} */
 let felt = null;
-/** Points to an object that is out of the window, once it has been. @type {Promise<import("./away.js").Away> | null} */
+/** Points to the object outside the window, once it has been there. @type {Promise<import("./away.js").Away> | null} */
 let away = null;
 let connected = false;
 let framesReceived = 0;
 
-/** No server has the solver. */
+/** No server runs the solver. */
 const isAlone = document.body.dataset.alone !== undefined;
-/** The address, where it says what the page shows. @type {import("./address.js").Address | null} */
+/** The address, if it describes what the page shows. @type {import("./address.js").Address | null} */
 let address = null;
 
 /** @type {() => Feed} */
 const feed = () => board ?? source;
-/** True if this browser can talk to a serial port. */
+/** Returns true if this browser can use a serial port. */
 const canSerial = () => navigator.serial !== undefined;
 const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
 const controls = new Controls(feed, note);
@@ -59,7 +59,7 @@ const demonstration = new Demonstration((message) => feed().request(message), ()
 const transport = new Transport((message) => controls.ask(message), note);
 
 /**
- * Where everything that comes goes; from the server only while no board is connected.
+ * Returns the handlers of incoming messages; those of the server apply only while no board is connected.
  * @param {boolean} serial @returns {FeedEvents}
  */
 function eventsFor(serial) {
@@ -128,7 +128,7 @@ function showFrame(received) {
   demonstration.take(message);
 }
 
-/** Why the hand cannot be had now, or null. */
+/** Returns why the hand is not available, or null. */
 function handRefusal() {
   if (board) return null;
   const { hello, state } = server;
@@ -140,7 +140,7 @@ function handRefusal() {
   return client === null ? `The hand comes by ${by}.` : `Page ${client} holds the hand.`;
 }
 
-/** Tells something for a while. @param {string} text */
+/** Shows a note for a while. @param {string} text */
 function note(text) {
   const element = byId("note");
   setText(element, text);
@@ -174,7 +174,7 @@ stage.also.push(() => {
   if (words || lines || peg) stage.ask();
 });
 
-/** Connects to a board or leaves it. */
+/** Connects to a board or disconnects it. */
 async function toggleBoard() {
   if (board) {
     await board.stop();
@@ -198,7 +198,7 @@ async function toggleBoard() {
   }
 }
 
-/** Back to the server. */
+/** Returns to the server. */
 function leaveBoard() {
   board = null;
   showBoardButton();
@@ -210,13 +210,13 @@ function leaveBoard() {
   if (server.state) showState(server.state);
 }
 
-/** Does something with the scene as a file. @param {string} what a button @param {File} [file] one that was dropped */
+/** Handles the scene as a file. @param {string} what a button @param {File} [file] a dropped one */
 async function useFiles(what, file) {
   const { use } = await import("./files.js");
   if (stage.state && !board) use(what, file, { stage, feed: source, tell: note, transport: isAlone ? null : transport });
 }
 
-/** What the button of the board does now. */
+/** Shows what the board's button does at present. */
 function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
@@ -235,7 +235,7 @@ function setKeep(keep) {
   byId("keep", HTMLInputElement).checked = keep;
 }
 
-/** Sound and vibration, on or off. */
+/** Switches sound and vibration on or off. */
 async function toggleSound() {
   const { toggle } = await import("./felt.js");
   felt = toggle(felt, byId("sound"));
@@ -272,7 +272,7 @@ for (const box of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySel
   box.addEventListener("change", () => showLayer(box));
 }
 
-/** Draws a layer or not, as its box says. @param {HTMLInputElement} box */
+/** Shows or hides a layer, according to its box. @param {HTMLInputElement} box */
 function showLayer(box) {
   stage.layers[/** @type {import("./stage.js").Layer} */ (box.dataset.layer)] = box.checked;
   stage.ask();
@@ -293,10 +293,10 @@ Object.defineProperty(window, "stiction", {
   }),
 });
 
-/** What is asked unless a board is there. @type {Feed & Partial<Files>} */
+/** The feed while no board is connected. @type {Feed & Partial<Files>} */
 const source = isAlone ? await startAlone() : new Link(eventsFor(false));
 
-/** The solver in the page itself, and the address that says what it shows. */
+/** Starts the solver in the page itself, and the address that describes what it shows. */
 async function startAlone() {
   const [{ Alone }, { Address }] = await Promise.all([import("./alone.js"), import("./address.js")]);
   address = new Address(stage, (message) => controls.ask(message), (layer, shown) => {

@@ -11,7 +11,7 @@ const OUTER = 25;
 const INNER = 16;
 
 /**
- * The path of the body at a pose. A point is a disc, a rod a thick line.
+ * Traces the body at a pose. A point is a disc, a rod a thick line.
  * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose
  */
 function traceBody(ctx, view, body, pose) {
@@ -27,7 +27,7 @@ function traceBody(ctx, view, body, pose) {
 }
 
 /**
- * The body, with a cross at its origin whose longer arm is its x axis.
+ * Draws the body, with a cross at its origin whose longer arm is its x axis.
  * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose
  */
 export function drawBody(ctx, view, body, pose) {
@@ -52,7 +52,7 @@ export function drawBody(ctx, view, body, pose) {
 }
 
 /**
- * Where the body would be if nothing were in its way.
+ * Draws the pose the body would have if nothing blocked it.
  * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} ghost
  */
 export function drawGhost(ctx, view, body, ghost) {
@@ -65,7 +65,7 @@ export function drawGhost(ctx, view, body, ghost) {
 }
 
 /**
- * The translational spring: a coil from the holding point to the hand.
+ * Draws the translational spring: a coil from the holding point to the hand.
  * @param {Ink} ctx @param {View} view @param {Vec} holding @param {Pose} hand
  */
 export function drawCoil(ctx, view, holding, hand) {
@@ -94,7 +94,7 @@ export function drawCoil(ctx, view, holding, hand) {
 }
 
 /**
- * The rotational spring: a spiral about the holding point that winds up with the twist. It begins with a stroke in the
+ * Draws the rotational spring: a spiral about the holding point that winds up with the twist. It begins with a stroke in the
  * body's direction and ends with a dot in that of the hand.
  * @param {Ink} ctx @param {View} view @param {Vec} holding @param {number} theta @param {number} twist
  */
@@ -119,7 +119,7 @@ export function drawSpiral(ctx, view, holding, theta, twist) {
   ctx.fill();
 }
 
-/** The holding point: a ring on the body. @param {Ink} ctx @param {View} view @param {Vec} holding */
+/** Draws the holding point: a ring on the body. @param {Ink} ctx @param {View} view @param {Vec} holding */
 export function drawHolding(ctx, view, holding) {
   ctx.beginPath();
   ctx.arc(view.px(holding[0]), view.py(holding[1]), 3.5, 0, 2 * Math.PI);
@@ -131,7 +131,7 @@ export function drawHolding(ctx, view, holding) {
 }
 
 /**
- * The hand: a ring with a handle in its direction; closed while it holds, open and dashed while it does not.
+ * Draws the hand: a ring with a handle in its direction; closed while it holds, otherwise open and dashed.
  * @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} holds
  */
 export function drawHand(ctx, view, hand, holds) {

@@ -1,4 +1,4 @@
-// Obstacles: convex polygons, thin walls and pins. Their inside, their free sides with hatching, their names, and the
+// Obstacles: convex polygons, thin walls and pins. Draws their inside, their free sides with hatching, their names, and the
 // corners that touch the object.
 
 import { label } from "./labels.js";
@@ -10,28 +10,28 @@ const DEPTH = 12;
 const WALL = 4;
 const PIN = 4;
 const RING = 9;
-/** Just outside of a side, in parts of its length. */
+/** Offset outwards from a side, relative to its length. */
 const OUTSIDE = 1e-6;
 
 /**
- * A part of a side: from where to where (m), with its unit normal.
+ * A part of a side: its ends (m) and its unit normal.
  * @typedef {{from: Vec, to: Vec, normal: Vec}} Piece
  */
 
-/** The outward unit normal of a side. @param {Vec} a @param {Vec} b @returns {Vec} */
+/** Returns the outward unit normal of a side. @param {Vec} a @param {Vec} b @returns {Vec} */
 function outward(a, b) {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   return [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
 }
 
-/** The sides of a polygon, as pairs of corners. @param {Vec[]} corners @returns {[Vec, Vec][]} */
+/** Returns the sides of a polygon, as pairs of corners. @param {Vec[]} corners @returns {[Vec, Vec][]} */
 const sides = (corners) => corners.map((corner, k) => [corner, corners[(k + 1) % corners.length]]);
 
-/** The pieces of each obstacle, once for every list. @type {WeakMap<Obstacle[], Piece[][]>} */
+/** The pieces of each obstacle, computed once per list. @type {WeakMap<Obstacle[], Piece[][]>} */
 const known = new WeakMap();
 
 /**
- * The pieces of the sides of polygons that are not in or against something else.
+ * Returns the pieces of polygons' sides that are not inside or against something else.
  * @param {Obstacle[]} obstacles @param {Surface[]} surfaces
  */
 function freePieces(obstacles, surfaces) {
@@ -48,7 +48,7 @@ function freePieces(obstacles, surfaces) {
 function freeParts([a, b], others, surfaces) {
   const normal = outward(a, b);
   const off = OUTSIDE * Math.hypot(b[0] - a[0], b[1] - a[1]);
-  /** How far both ends are beyond a line. @param {Vec} n @param {number} offset */
+  /** Returns the distances of both ends beyond a line. @param {Vec} n @param {number} offset */
   const beyond = (n, offset) => [a, b]
     .map(([x, y]) => n[0] * (x + off * normal[0]) + n[1] * (y + off * normal[1]) - offset);
   const solids = surfaces.map((surface) => [beyond(surface.normal, surface.offset)]);
@@ -73,7 +73,7 @@ function freeParts([a, b], others, surfaces) {
 }
 
 /**
- * From where to where all of these are negative, which are affine along a side.
+ * Returns the range in which all of these are negative; they are affine along a side.
  * @param {number[][]} heights @returns {Vec}
  */
 function within(heights) {
@@ -87,9 +87,9 @@ function within(heights) {
 }
 
 /**
- * All obstacles with their names.
+ * Draws all obstacles with their names.
  * @param {Ink} ctx @param {View} view @param {Scene} scene
- * @param {import("./labels.js").Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels existing labels
  */
 export function drawObstacles(ctx, view, { obstacles, surfaces }, labels) {
   if (!obstacles?.length) return;
@@ -115,7 +115,7 @@ function drawInside(ctx, view, corners) {
     trace(ctx, view, corners);
   }
   ctx.fill();
-  // A seam between two is not seen.
+  // Hides the seam between two obstacles.
   ctx.strokeStyle = ctx.fillStyle;
   ctx.lineWidth = corners.length === 2 ? WALL : 1;
   ctx.stroke();
@@ -153,7 +153,7 @@ function drawSides(ctx, view, corners, pieces) {
   ctx.stroke();
 }
 
-/** What is seen of a polygon (px). @param {View} view @param {Vec[]} corners @returns {Vec[]} */
+/** Returns the visible part of a polygon (px). @param {View} view @param {Vec[]} corners @returns {Vec[]} */
 function seen(view, corners) {
   let points = corners.map(([x, y]) => /** @type {Vec} */ ([view.px(x), view.py(y)]));
   /** @type {((p: Vec) => number)[]} */
@@ -173,7 +173,7 @@ function seen(view, corners) {
 }
 
 /**
- * The name in the middle of what is seen; of what is too small for it, beside it.
+ * Writes the name in the middle of the visible part; next to it if it is too small.
  * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Label[]} labels
  */
 function drawName(ctx, view, { name, vertices }, labels) {
@@ -189,7 +189,7 @@ function drawName(ctx, view, { name, vertices }, labels) {
   label(ctx, { text: name, x, y }, 1, colors.muted, labels);
 }
 
-/** A ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */
+/** Draws a ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */
 export function drawCorners(ctx, view, contacts) {
   for (const { corner, point } of contacts) {
     if (corner === undefined) continue;
@@ -203,9 +203,9 @@ export function drawCorners(ctx, view, contacts) {
 }
 
 /**
- * Obstacle and number of every corner that touches the object, beside it in the obstacle.
+ * Writes obstacle and number of every corner that touches the object, next to the corner within the obstacle.
  * @param {Ink} ctx @param {View} view @param {Contact[]} contacts
- * @param {import("./labels.js").Label[]} labels those that are there already
+ * @param {import("./labels.js").Label[]} labels existing labels
  */
 export function nameCorners(ctx, view, contacts, labels) {
   for (const { corner, obstacle, point, direction } of contacts) {

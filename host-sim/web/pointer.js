@@ -1,32 +1,32 @@
 // Mouse, pen and fingers: press to hold, drag to move, let go to release; the handle, the wheel or a second finger turns the
-// hand. Off the object the window is moved; two fingers, and the wheel with ctrl or without a hold, zoom it.
+// hand. Dragging off the object moves the window; two fingers, and the wheel with ctrl or without a hold, zoom it.
 
 import { ARM, isAtKnob } from "./handle.js";
 import { HAND_RADIUS } from "./object.js";
 import { placeOf } from "./reach.js";
 
-/** A press so far from the object still takes hold of it (px), by mouse and by finger. */
+/** Distance from the object at which a press still grasps it (px), by kind of pointer. */
 const SLACK = { mouse: 10, pen: 12, touch: 24 };
-/** Turn of the hand for a pixel of the wheel (rad): 5 degrees for a notch, which is some 100. With shift a tenth. */
+/** Rotation of the hand per pixel of the wheel (rad): 5 degrees for a notch, which is about 100. Factor with shift. */
 const WHEEL_TURN = (5 * Math.PI) / 180 / 100;
 const FINE = 0.1;
 /** Pixels of a line and of a page of a wheel. */
 const LINE = 33;
 const PAGE = 400;
-/** Zoom for a pixel of the wheel. */
+/** Zoom exponent per pixel of the wheel. */
 const WHEEL_ZOOM = 0.0025;
 export class Pointers {
   /** @param {Stage} stage @param {Grip} grip */
   constructor(stage, grip) {
     this.stage = stage;
     this.grip = grip;
-    /** Where every pointer is that is down (px), the oldest first. @type {Map<number, Spot>} */
+    /** Positions of all pressed pointers (px), the oldest first. @type {Map<number, Spot>} */
     this.down = new Map();
-    /** What the first pointer does. @type {"hold" | "turn" | "pan" | null} */
+    /** Action of the first pointer. @type {"hold" | "turn" | "pan" | null} */
     this.doing = null;
-    /** The hand held before the press on its handle, and holds after it. */
+    /** The hand held before the press on its handle, and keeps holding after it. */
     this.stays = false;
-    /** The browser gives raw samples, as they come; the others are then the same once more. */
+    /** The browser gives raw samples immediately; the other events repeat them. */
     this.raw = false;
     const { canvas } = stage;
     canvas.addEventListener("pointerdown", (event) => this.press(event));
@@ -63,7 +63,7 @@ export class Pointers {
   }
 
   /**
-   * What a press takes hold of: the handle, the hand that holds, the object, or the window.
+   * Begins the action of a press on the handle, the holding hand, the object, or the window.
    * @param {Spot} at @param {number} slack px @param {number} sent @returns {"hold" | "turn" | "pan"}
    */
   take(at, slack, sent) {
@@ -84,20 +84,20 @@ export class Pointers {
     return "hold";
   }
 
-  /** What the pointer that is up is over. @param {PointerEvent} event */
+  /** Finds what the unpressed pointer is over. @param {PointerEvent} event */
   hover(event) {
     const { stage } = this;
     if (this.down.size > 0 || event.pointerType === "touch" || !stage.message) return;
     const { hand } = stage.message.frame;
     const at = stage.place(event), slack = slackOf(event);
     const isShown = stage.handleShown();
-    // The pointer does not lose the handle on its way there.
+    // The pointer keeps the handle while it moves towards it.
     const isNear = isShown && Math.hypot(stage.view.px(hand[0]) - at.x, stage.view.py(hand[1]) - at.y) < ARM + slack;
     if (isShown && isAtKnob(stage.view, hand, at, slack)) stage.setOver("knob");
     else stage.setOver(isNear || this.reach(stage.view.world(at.x, at.y), slack) ? "object" : null);
   }
 
-  /** True if a press is at the hand or at its holding point. @param {Spot} at */
+  /** Returns true if a press is at the hand or at its holding point. @param {Spot} at */
   nearHand(at) {
     const message = this.stage.message;
     if (!message) return false;
@@ -107,7 +107,7 @@ export class Pointers {
   }
 
   /**
-   * The place of the body that a press takes hold of, or null where it is out of reach.
+   * Returns the point of the body that a press grasps, or null if it is out of reach.
    * @param {Vec} point @param {number} slack px
    */
   reach(point, slack) {
@@ -115,7 +115,7 @@ export class Pointers {
     return state && message ? placeOf(state.scene, message.frame.pose, point, slack / view.scale) : null;
   }
 
-  /** All that a pointer has been through since the last event. @param {PointerEvent} event */
+  /** Takes all samples of a pointer since the last event. @param {PointerEvent} event */
   samples(event) {
     if (!this.down.has(event.pointerId)) return;
     const all = event.getCoalescedEvents?.() ?? [];
@@ -123,7 +123,7 @@ export class Pointers {
     for (const one of all) this.move(one);
   }
 
-  /** One sample of a pointer. @param {PointerEvent} event */
+  /** Takes one sample of a pointer. @param {PointerEvent} event */
   move(event) {
     const at = this.down.get(event.pointerId);
     if (!at) return;
@@ -144,7 +144,8 @@ export class Pointers {
   }
 
   /**
-   * What turns the hand, or zooms: from the first finger to the second one; at the handle from the hand to the pointer.
+   * Returns the vector that turns the hand or zooms: from the first finger to the second one; at the handle from the hand to
+   * the pointer.
    * @param {Spot} first @param {Spot | undefined} second
    */
   arm(first, second) {
@@ -155,7 +156,7 @@ export class Pointers {
   }
 
   /**
-   * One pointer moves the window, two zoom it.
+   * Moves the window by one pointer, zooms it by two.
    * @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {Spot} first
    * @param {Spot | undefined} second
    */
@@ -190,7 +191,10 @@ export class Pointers {
     }
   }
 
-  /** The wheel turns the hand that holds; without a hold, and with ctrl as a pinch on a touch pad, it zooms. @param {WheelEvent} event */
+  /**
+   * Turns the holding hand by the wheel; without a hold, and with ctrl as a pinch on a touch pad, zooms.
+   * @param {WheelEvent} event
+   */
   wheel(event) {
     event.preventDefault();
     const unit = event.deltaMode === 1 ? LINE : event.deltaMode === 2 ? PAGE : 1;
@@ -207,8 +211,8 @@ export class Pointers {
   }
 }
 
-/** How far from its aim a pointer may be (px). @param {PointerEvent} event */
+/** Returns the tolerance of a pointer (px). @param {PointerEvent} event */
 const slackOf = ({ pointerType }) => SLACK[/** @type {keyof typeof SLACK} */ (pointerType)] ?? SLACK.mouse;
 
-/** The turn from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
+/** Returns the angle from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
 const turnBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y);

@@ -1,14 +1,14 @@
-// Where the hand can take hold of the body.
+// The points where the hand can grasp the body.
 
 /**
- * A hold is put so far inside the border, as a part of the way to the body's middle, so that rounding leaves it in
- * reach.
+ * Distance of a hold inside the border, relative to the distance to the body's middle, so that it stays in reach despite
+ * rounding.
  */
 const INSIDE = 1e-4;
 
 /**
- * The place (m) that a hand which closes at a point takes hold of, or null where it is out of reach.
- * @param {Scene} scene @param {Pose} pose of the body @param {Vec} point @param {number} slack so far beyond the reach it still does (m)
+ * Returns the point (m) that a hand closing at a point grasps, or null if it is out of reach.
+ * @param {Scene} scene @param {Pose} pose of the body @param {Vec} point @param {number} slack tolerance beyond the reach (m)
  * @returns {Vec | null}
  */
 export function placeOf({ body, reach }, [x, y, theta], point, slack) {
@@ -26,7 +26,7 @@ export function placeOf({ body, reach }, [x, y, theta], point, slack) {
 }
 
 /**
- * The point of a convex polygon that is nearest to another one.
+ * Returns the point of a convex polygon nearest to another one.
  * @param {Vec[]} body counter-clockwise @param {Vec} point @returns {Vec}
  */
 function nearestOf(body, point) {

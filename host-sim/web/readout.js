@@ -1,11 +1,11 @@
-// What the page says in words and numbers: the state over the scene, the trade, where the poses come from and how well,
-// who holds the hand, and the connection.
+// Texts and numbers of the page: the state over the scene, the trade, the source of the poses and its quality, the holder of
+// the hand, and the connection.
 
 import { byId, digits, duration, fixed, quantile, setText, whole } from "./dom.js";
 import { EVENTS, MEANINGS } from "./events.js";
 import { unitsOf } from "./sizes.js";
 
-/** Pause between two updates of the texts, and of what is read aloud (ms). */
+/** Pause between two updates of the texts, and of the text that is read aloud (ms). */
 const PAUSE = 100;
 const ALOUD = 2000;
 /** Decades of the error bars: from 1e-4 to 1e5. */
@@ -21,7 +21,7 @@ export class Readout {
     /** @type {StateMessage | null} */
     this.state = null;
     this.last = 0;
-    /** What the texts say. @type {FrameMessage | null} */
+    /** The frame that the texts show. @type {FrameMessage | null} */
     this.shown = null;
     this.spoken = "";
     this.spokenAt = 0;
@@ -49,8 +49,8 @@ export class Readout {
   }
 
   /**
-   * The newest frame, in words; called with every drawing, works ten times a second. True if it has to be called again
-   * to say the newest one.
+   * Shows the newest frame as text; called with every drawing, works ten times per second. Returns true if it must be called
+   * again to show the newest one.
    */
   update() {
     const { message } = this.stage;
@@ -63,7 +63,7 @@ export class Readout {
     this.showTrade(message.reference);
     this.showHealth(message);
     const { counts } = message;
-    // An event of several slips in one tick is one; here as everywhere on the page a slip is a slip.
+    // Several slips in one tick are one event; here, as everywhere on the page, each slip counts.
     for (const name of EVENTS) this.showEvent(name, name === "slip" ? counts.slips : counts.events[name] ?? 0);
     if (now - this.spokenAt > ALOUD && message.frame.state !== this.spoken) {
       this.spokenAt = now;
@@ -73,7 +73,7 @@ export class Readout {
     return false;
   }
 
-  /** State, poses and wrench, over the scene. @param {FrameMessage} message */
+  /** Shows state, poses and wrench, over the scene. @param {FrameMessage} message */
   showFrame({ frame, holding }) {
     setText(byId("state-name"), frame.state);
     const status = byId("status");
@@ -91,7 +91,7 @@ export class Readout {
       [` ${force.name}, `, ` ${moment.name}`]);
   }
 
-  /** Errors against the reference, now and worst. @param {Reference | null} reference */
+  /** Shows the errors against the reference, present and worst. @param {Reference | null} reference */
   showTrade(reference) {
     byId("trade").dataset.none = String(reference === null);
     if (!reference) return;
@@ -105,7 +105,7 @@ export class Readout {
     setText(byId("differ"), `${whole(differ)} of ${whole(since)} (${part} %)`);
   }
 
-  /** Time per step, ticks, frames lost, latency; of a board also its health. @param {FrameMessage} message */
+  /** Shows time per step, ticks, lost frames, latency; for a board also its health. @param {FrameMessage} message */
   showHealth({ counts, skipped, board }) {
     setText(byId("ticks"), `${whole(counts.ticks)}, ${whole(counts.missed)} missed`);
     setText(byId("skipped"), whole(skipped));
@@ -121,7 +121,7 @@ export class Readout {
     setText(byId("board-missed"), `${whole(board.missed)} ticks missed, ${whole(board.faults)} faults`);
   }
 
-  /** The count of an event. @param {string} name @param {number} count */
+  /** Shows the count of an event. @param {string} name @param {number} count */
   showEvent(name, count) {
     const chip = this.events.get(name);
     if (!chip) return;
@@ -129,7 +129,7 @@ export class Readout {
     chip.root.dataset.none = String(count === 0);
   }
 
-  /** The connection. @param {boolean} yes @param {boolean} serial there is a board on Web Serial instead */
+  /** Shows the connection. @param {boolean} yes @param {boolean} serial whether a board on Web Serial replaces it */
   setConnected(yes, serial) {
     byId("lost").hidden = yes || serial;
     byId("source").dataset.lost = String(!yes);
@@ -139,7 +139,7 @@ export class Readout {
   }
 }
 
-/** A chip with the count of an event. @param {string} name */
+/** Makes a chip with the count of an event. @param {string} name */
 function eventChip(name) {
   const count = document.createElement("b");
   const root = document.createElement("li");
@@ -150,7 +150,7 @@ function eventChip(name) {
 }
 
 /**
- * An error now and worst, as numbers and as marks on a bar of decades.
+ * Shows the present and the worst error, as numbers and as marks on a logarithmic bar.
  * @param {"length" | "angle"} name @param {number} now @param {number} worst @param {string} unit
  */
 function showError(name, now, worst, unit) {
@@ -164,7 +164,7 @@ function showError(name, now, worst, unit) {
 }
 
 /**
- * Numbers, each with the words after it, in places of a fixed width: none moves when another one becomes longer.
+ * Sets numbers, each followed by its text, in places of fixed width: none moves when another one becomes longer.
  * @param {HTMLElement} element @param {string[]} numbers @param {string[]} words
  */
 function setNumbers(element, numbers, words) {
@@ -179,7 +179,7 @@ function setNumbers(element, numbers, words) {
   });
 }
 
-/** Where the poses come from. @param {Source} source */
+/** Describes the source of the poses. @param {Source} source */
 function sourceText({ kind, name, number, where, emulated }) {
   if (kind === "core") return "core, in process";
   const board = [emulated ? "emulated board" : "board", name].filter(Boolean).join(" ");

@@ -1,4 +1,4 @@
-// The newest of a series of numbers, without making garbage.
+// The newest values of a series, without garbage collection.
 
 export class Samples {
   /** @param {number} capacity */
@@ -12,7 +12,7 @@ export class Samples {
     this.values[this.count++ % this.values.length] = value;
   }
 
-  /** A copy of those that are kept, oldest first. @returns {number[]} */
+  /** Returns a copy of the kept values, oldest first. @returns {number[]} */
   list() {
     const { values, count } = this;
     if (count <= values.length) return Array.from(values.subarray(0, count));

@@ -1,15 +1,15 @@
-// What is seen as a file: a picture of the scene as PNG, a film of it as WebM.
+// The visible scene as a file: a picture as PNG, a film as WebM.
 
-/** The kinds of a film, the first that the browser makes; not every one makes WebM. */
+/** Kinds of films, in order of preference; not every browser makes WebM. */
 const KINDS = [["video/webm;codecs=vp9", "webm"], ["video/webm", "webm"], ["video/mp4", "mp4"]];
-/** Bits of a film a second: lines and texts stay sharp. */
+/** Bit rate of a film (bit/s): lines and texts stay sharp. */
 const RATE = 8e6;
-/** A scene that rests is drawn as often as this, so that the film is as long as it took (ms). */
+/** Interval of drawings of a scene at rest (ms), so that the film has its real duration. */
 const REST = 100;
-/** A file that is given to the browser is kept for so long (ms). */
+/** Lifetime of a file offered to the browser (ms). */
 const KEPT = 60_000;
 
-/** Gives a file to the reader. @param {Blob} file @param {string} name */
+/** Offers a file to the reader. @param {Blob} file @param {string} name */
 function give(file, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(file);
@@ -19,7 +19,7 @@ function give(file, name) {
 }
 
 /**
- * A file's name: the scene, and the local time: box-flat-20260131-235959.png.
+ * Returns a file's name from the scene and the local time: box-flat-20260131-235959.png.
  * @param {Stage} stage @param {string} ending @param {Date} time
  */
 function nameOf(stage, ending, time) {
@@ -29,7 +29,7 @@ function nameOf(stage, ending, time) {
   return `${scene}-${time.getFullYear()}${month}${day}-${clock.join("")}.${ending}`;
 }
 
-/** A picture of the scene, with a pixel for each of the screen. @param {Stage} stage @param {(text: string) => void} tell */
+/** Saves a picture of the scene, with the pixels of the screen. @param {Stage} stage @param {(text: string) => void} tell */
 export function takePicture(stage, tell) {
   const time = new Date();
   stage.draw();
@@ -39,11 +39,11 @@ export function takePicture(stage, tell) {
   }, "image/png");
 }
 
-/** The film that is being made. @type {MediaRecorder | null} */
+/** The film being recorded. @type {MediaRecorder | null} */
 let film = null;
 
 /**
- * Begins a film, or ends it and gives its file to the reader; the button shows which.
+ * Begins a film, or ends it and offers its file to the reader; the button shows which.
  * @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell
  */
 export function toggleFilm(stage, button, tell) {
@@ -52,7 +52,7 @@ export function toggleFilm(stage, button, tell) {
   button.setAttribute("aria-pressed", String(film.state === "recording"));
 }
 
-/** A film that has begun. @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell */
+/** Starts a film. @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell */
 function begun(stage, button, tell) {
   const time = new Date();
   const [mimeType, ending] = KINDS.find(([kind]) => MediaRecorder.isTypeSupported(kind)) ?? ["", "webm"];

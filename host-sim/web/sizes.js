@@ -1,20 +1,19 @@
-// The sizes that belong to a scene: its length and its force, what is so far below them that it is rounding and no value,
-// and the units in which its values are read.
+// The sizes of a scene: its length and its force, the rounding errors relative to them, and the units for its values.
 
 import { prefixed } from "./dom.js";
 
 /**
- * Part of the scene's length or force below which a value is rounding. f32 and the fixed point of a board round to 2^-24;
- * a reaction is the sum of some ten rounded products, each as large as the scene: 16 * 2^-24 = 1e-6.
+ * Values below this fraction of the scene's length or force are rounding. f32 and the fixed point of a board round to 2^-24; a
+ * reaction is the sum of some ten rounded products, each as large as the scene: 16 * 2^-24 = 1e-6.
  */
 export const NOISE = 1e-6;
-/** A hand pulls an object by about this part of the object's length, so that its force is this part of k_h L. */
+/** Typical displacement of the hand relative to the object's length; the force is the same fraction of k_h L. */
 const PULL = 0.1;
-/** Length of a point that nothing turns (m), as in the solver. */
+/** Length of a point without rotation (m), as in the solver. */
 const LENGTH_OF_POINT = 1;
 
 /**
- * The largest distance of two vertices (m). A point has none: there it is the lever that the springs know, from the
+ * Returns the largest distance between two vertices (m). A point has none: there it is the lever of the springs, from the
  * holding point and sqrt(k_theta / k_h).
  * @param {Scene} scene @param {SceneParameters} parameters
  */
@@ -28,7 +27,7 @@ export function lengthOf({ body, grasp }, { stiffness_translation, stiffness_rot
 }
 
 /**
- * Length (m) and force (N) of what a frame shows: k_h L, or the weight or the hand's wrench where one of them is greater.
+ * Returns length (m) and force (N) of a frame: k_h L, or the weight or the hand's wrench if one of them is larger.
  * @param {StateMessage} state @param {TraceFrame} frame
  */
 function sizesOf({ scene, parameters }, { wrench: [fx, fy, moment] }) {
@@ -37,12 +36,12 @@ function sizesOf({ scene, parameters }, { wrench: [fx, fy, moment] }) {
   return { length, force: Math.max(spring, scene.weight, Math.hypot(fx, fy), Math.abs(moment) / length) };
 }
 
-/** The messages as they came, by those without noise. @type {WeakMap<FrameMessage, FrameMessage>} */
+/** The original messages, by those without noise. @type {WeakMap<FrameMessage, FrameMessage>} */
 const origins = new WeakMap();
 
 /**
- * A frame message in which forces and slips that are rounding are 0 or left out. All that is drawn and said of forces is
- * drawn from this.
+ * Returns a frame message in which forces and slips that are rounding are 0 or left out. All forces are drawn and shown from
+ * this.
  * @param {FrameMessage} message @param {StateMessage | null} state @returns {FrameMessage}
  */
 export function withoutNoise(message, state) {
@@ -54,7 +53,7 @@ export function withoutNoise(message, state) {
   const [fx, fy, moment] = frame.wrench;
   const contacts = frame.contacts.map((contact) => {
     const [normal, friction] = [sift(contact.normal), sift(contact.friction)];
-    // What nothing presses slides nowhere.
+    // An unloaded contact does not slide.
     return { ...contact, normal, friction, sliding: normal > 0 ? contact.sliding : 0 };
   });
   /** @type {FrameMessage} */
@@ -72,16 +71,17 @@ export function withoutNoise(message, state) {
   return clean;
 }
 
-/** The message as it came. @param {FrameMessage | null} message */
+/** Returns the original message. @param {FrameMessage | null} message */
 export const asItCame = (message) => (message ? origins.get(message) ?? message : null);
 
 /**
- * A unit with the number of units in one of SI.
+ * A unit, and the number of it in one SI unit.
  * @typedef {{name: string, per: number}} Unit
  */
 
 /**
- * The units of lengths, forces and moments in a scene: the same for all its values, so that none changes under the eye.
+ * Returns the units of lengths, forces and moments in a scene: the same for all its values, so that none changes while it is
+ * read.
  * @param {StateMessage} state @returns {{length: Unit, force: Unit, moment: Unit}}
  */
 export function unitsOf({ scene, parameters }) {

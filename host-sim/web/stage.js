@@ -1,5 +1,5 @@
-// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and
-// measures what drawing costs and how old a sample of the hand is when its pose appears.
+// The canvas with the scene: keeps it as sharp as the screen, draws only when something has changed, and measures the cost of
+// drawing and the age of a hand's sample when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
@@ -11,13 +11,13 @@ import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
 import { View } from "./view.js";
 
-/** Rows of pixels at the top that the texts over the scene take. */
+/** Rows of pixels at the top reserved for the texts over the scene. */
 const TEXT_HEIGHT = 44;
-/** A scene of this height (px) has signs and texts in their ordinary size; they grow by this at most. */
+/** Height of a scene (px) with symbols and texts in their normal size; their largest magnification. */
 const ORDINARY = 620;
 const MOST = 2;
 
-/** What can be left out. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
+/** Layers that can be hidden. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
 
 export class Stage {
   /** @param {HTMLCanvasElement} canvas */
@@ -34,36 +34,39 @@ export class Stage {
     this.message = null;
     /** @type {Record<Layer, boolean>} */
     this.layers = { ghost: true, trails: true, cones: true, bars: true, values: true };
-    /** Draws obstacles, where scenes have some. @type {typeof import("./obstacles.js") | null} */
+    /** Draws obstacles, if scenes have some. @type {typeof import("./obstacles.js") | null} */
     this.obstacles = null;
-    /** Text that tells one scene from another. */
+    /** Key that distinguishes scenes. */
     this.sceneKey = "";
     /** The reader has zoomed or moved the window. */
     this.adjusted = false;
     this.fitted = false;
-    /** The pointer that leads or turns the hand: the window stays meanwhile, so that both stay together. @type {Spot | null} */
+    /**
+     * The pointer that leads or turns the hand: meanwhile the window stays fixed, so that both stay together.
+     * @type {Spot | null}
+     */
     this.leading = null;
     /** What the pointer is over. @type {"object" | "knob" | null} */
     this.over = null;
-    /** The scene is being edited: the window rests. */
+    /** The scene is being edited: the window stays fixed. */
     this.editing = false;
     this.asked = false;
     this.lastEcho = -1;
-    /** Signs and texts are so much larger on a large screen. */
+    /** Magnification of symbols and texts on a large screen. */
     this.magnify = 1;
-    /** Pixels of the screen for one of the drawing. */
+    /** Screen pixels per pixel of the drawing. */
     this.ratio = 1;
     this.framesDrawn = 0;
     this.drawTimes = new Samples(2000);
     this.latencies = new Samples(2000);
-    /** Called in every drawing, after the scene: what else follows the newest frame. @type {(() => void)[]} */
+    /** Callbacks for every drawing, after the scene: other views of the newest frame. @type {(() => void)[]} */
     this.also = [];
     this.work = () => this.draw();
     onTheme(() => this.ask());
     new ResizeObserver((entries) => this.resize(entries[0])).observe(canvas);
   }
 
-  /** The canvas gets as many pixels as the screen has there. @param {ResizeObserverEntry} entry */
+  /** Gives the canvas as many pixels as the screen has there. @param {ResizeObserverEntry} entry */
   resize(entry) {
     const { width, height } = entry.contentRect;
     if (width === 0 || height === 0) return;
@@ -78,18 +81,18 @@ export class Stage {
     this.draw();
   }
 
-  /** Place of a pointer or wheel in the drawing. @param {MouseEvent} event */
+  /** Returns the position of a pointer or wheel in the drawing. @param {MouseEvent} event */
   place(event) {
     return { x: event.offsetX / this.magnify, y: event.offsetY / this.magnify };
   }
 
-  /** Where a point of the world is in the window of the browser (CSS px). @param {number} x @param {number} y */
+  /** Returns the position of a point of the world in the window of the browser (CSS px). @param {number} x @param {number} y */
   pixelOf(x, y) {
     const { left, top } = this.canvas.getBoundingClientRect();
     return { x: left + this.view.px(x) * this.magnify, y: top + this.view.py(y) * this.magnify };
   }
 
-  /** What holds until it is told anew. @param {StateMessage} state */
+  /** Takes a state, which is valid until the next one. @param {StateMessage} state */
   setState(state) {
     const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces, state.scene.obstacles]);
     if (key !== this.sceneKey) {
@@ -97,7 +100,7 @@ export class Stage {
       this.leading = null;
       this.clear();
       if (!this.editing) {
-        // The newest frame is one of the scene before.
+        // The newest frame belongs to the previous scene.
         this.message = null;
         this.fit();
       }
@@ -112,7 +115,7 @@ export class Stage {
     this.ask();
   }
 
-  /** The newest frame. @param {FrameMessage} message */
+  /** Takes the newest frame. @param {FrameMessage} message */
   setFrame(message) {
     if (this.message && message.frame.t < this.message.frame.t) this.clear();
     const before = this.message;
@@ -124,7 +127,7 @@ export class Stage {
     this.ask();
   }
 
-  /** Forgets trails and slips. */
+  /** Clears trails and slips. */
   clear() {
     this.trails.clear();
     this.force.reset();
@@ -138,7 +141,7 @@ export class Stage {
     this.ask();
   }
 
-  /** Asks for a drawing before the screen's next refresh. */
+  /** Requests a drawing before the screen's next refresh. */
   ask() {
     if (this.asked) return;
     this.asked = true;
@@ -166,7 +169,7 @@ export class Stage {
     }
   }
 
-  /** Zooms about a place, or about the pointer that leads the hand. @param {number} factor @param {Spot | null} at */
+  /** Zooms about a point, or about the pointer that leads the hand. @param {number} factor @param {Spot | null} at */
   zoom(factor, at = this.leading) {
     this.adjusted = true;
     this.view.zoom(factor, at?.x, at?.y);
@@ -181,7 +184,7 @@ export class Stage {
     this.ask();
   }
 
-  /** The hand can be turned by its handle: it holds, or the pointer is at the object and it could. */
+  /** Returns true if the hand can be turned by its handle: it holds, or the pointer is at the object and it could. */
   handleShown() {
     const { state, message } = this;
     if (!state || !message || state.replay || this.editing) return false;
@@ -200,7 +203,7 @@ export class Stage {
     }
   }
 
-  /** The layers from the back to the front. @param {StateMessage} state @param {FrameMessage} message */
+  /** Draws the layers from back to front. @param {StateMessage} state @param {FrameMessage} message */
   drawScene({ scene, parameters }, { frame, holding, ghost }) {
     const { ctx, view, layers, trails, obstacles } = this;
     ctx.font = "12px system-ui, sans-serif";
@@ -237,7 +240,7 @@ export class Stage {
   }
 
   /**
-   * The contacts of a frame with what they are with.
+   * Returns the contacts of a frame with what they touch.
    * @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Facing][]}
    */
   contactsOf(frame, scene) {

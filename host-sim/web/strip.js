@@ -1,14 +1,14 @@
-// A table that grows at one end and forgets at the other; its columns are handed to the charts as they are.
+// A table that grows at one end and drops rows at the other; its columns are passed to the charts without copying.
 
 export class Strip {
-  /** @param {number} columns the first one is the time @param {number} capacity rows that are kept at least */
+  /** @param {number} columns the first one is the time @param {number} capacity least number of rows kept */
   constructor(columns, capacity) {
     this.columns = Array.from({ length: columns }, () => new Float64Array(2 * capacity));
     this.capacity = capacity;
     this.length = 0;
   }
 
-  /** A row more. @param {number[]} row */
+  /** Appends a row. @param {number[]} row */
   push(...row) {
     if (this.length === 2 * this.capacity) {
       for (const column of this.columns) column.copyWithin(0, this.capacity);
@@ -18,22 +18,22 @@ export class Strip {
     this.length++;
   }
 
-  /** Forgets all rows. */
+  /** Clears all rows. */
   clear() {
     this.length = 0;
   }
 
-  /** The newest value of a column, or NaN. @param {number} column */
+  /** Returns the newest value of a column, or NaN. @param {number} column */
   last(column) {
     return this.length ? this.columns[column][this.length - 1] : NaN;
   }
 
-  /** A value. @param {number} column @param {number} row */
+  /** Returns a value. @param {number} column @param {number} row */
   at(column, row) {
     return this.columns[column][row];
   }
 
-  /** The first row not before a time. @param {number} time */
+  /** Returns the first row not before a time. @param {number} time */
   find(time) {
     let low = 0, high = this.length;
     while (low < high) {
@@ -45,7 +45,7 @@ export class Strip {
   }
 
   /**
-   * The value of a column at a time: that of the last row not after it, or NaN.
+   * Returns the value of a column at a time: that of the last row not after it, or NaN.
    * @param {number} time @param {number} column
    */
   before(time, column) {
@@ -55,7 +55,7 @@ export class Strip {
   }
 
   /**
-   * The first value of the row that is nearest to a time, or NaN where none is so near.
+   * Returns the first value of the row nearest to a time, or NaN if none is within `most`.
    * @param {number} time @param {number} most
    */
   nearest(time, most) {
@@ -65,14 +65,14 @@ export class Strip {
     return best !== undefined && Math.abs(this.at(0, best) - time) <= most ? this.at(1, best) : NaN;
   }
 
-  /** The columns from a time on, and one row before it; not copied. @param {number} time */
+  /** Returns the columns from a time on, and one row before it; not copied. @param {number} time */
   since(time) {
     const first = Math.max(0, this.find(time) - 1);
     return this.columns.map((column) => column.subarray(first, this.length));
   }
 
   /**
-   * The least and the greatest value of the columns from 1 up to another one, and of 0, from a time on.
+   * Returns the smallest and the largest value of columns 1 to `columns` - 1, and of 0, from a time on.
    * @param {number} time @param {number} columns @returns {Vec}
    */
   extent(time, columns) {

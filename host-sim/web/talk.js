@@ -1,11 +1,11 @@
-// What a page says and is told, as VIEW.md has it, whatever is between it and the solver: answers are matched to what was
-// asked, and samples of the hand come one by one.
+// The messages between a page and the solver, as specified in VIEW.md, over any connection: matches answers to requests, and
+// sends samples of the hand one by one.
 
-/** An answer that takes longer is taken for lost (ms). */
+/** Time after which an answer counts as lost (ms). */
 const PATIENCE = 5000;
-/** Samples of the hand are at least so far apart, which stays below 2000 a second (ms). */
+/** Least time between samples of the hand, for fewer than 2000 per second (ms). */
 const SAMPLE_SPACING = 0.6;
-/** Frames a second: twice those of most screens, so that a drawn one is fresh; and of a page that nobody sees. */
+/** Frames per second: twice those of most screens, so that a drawn one is fresh; and for a hidden page. */
 const RATE = 120;
 const HIDDEN_RATE = 2;
 
@@ -27,14 +27,14 @@ export class Talk {
   }
 
   /**
-   * Sends, if there is somebody to hear it.
+   * Sends, if there is a receiver.
    * @param {object} _message @returns {boolean}
    */
   send(_message) {
     return false;
   }
 
-  /** A message of the solver's side. @param {string} text */
+  /** Takes a message from the solver's side. @param {string} text */
   take(text) {
     /** @type {any} */
     let message;
@@ -57,7 +57,7 @@ export class Talk {
     }
   }
 
-  /** The request of an id, which is closed by that. @param {number} id */
+  /** Returns the request with an id, and closes it. @param {number} id */
   answered(id) {
     const asked = this.open.get(id);
     if (asked) clearTimeout(asked.timer);
@@ -66,7 +66,7 @@ export class Talk {
   }
 
   /**
-   * Asks, after what the hand did before.
+   * Sends a request, after all earlier samples of the hand.
    * @param {{type: string, [field: string]: unknown}} message @returns {Promise<void>}
    */
   request(message) {
@@ -84,7 +84,7 @@ export class Talk {
   }
 
   /**
-   * A sample of the hand. One that comes too early waits for its turn or for the next one, but a change of `held` never
+   * Takes a sample of the hand. One that comes too early waits for its time or for the next one, but a change of `held` never
    * waits.
    * @param {Pose} pose @param {boolean} held @param {number} sent
    */
@@ -100,7 +100,7 @@ export class Talk {
     this.waiting = { pose, held, sent };
   }
 
-  /** Sends the sample that waits. */
+  /** Sends the waiting sample. */
   flush() {
     const waiting = this.waiting;
     this.waiting = null;
@@ -113,12 +113,12 @@ export class Talk {
     this.send({ type: "hand", pose, held, sent });
   }
 
-  /** Asks for as many frames as the page can show. */
+  /** Requests as many frames as the page can show. */
   askRate() {
     this.send({ type: "rate", value: document.hidden ? HIDDEN_RATE : RATE });
   }
 
-  /** Nothing that was asked will be answered. @param {string} why */
+  /** Fails all open requests. @param {string} why */
   giveUp(why) {
     for (const { failed, timer } of this.open.values()) {
       clearTimeout(timer);

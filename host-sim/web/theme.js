@@ -1,30 +1,29 @@
-// Light and dark: follows the system until the reader chooses; gives the colours of the style sheet to what draws by
-// script.
+// Light and dark: follows the system until the reader chooses; provides the colours of the style sheet to drawing code.
 
 import { byId, setText } from "./dom.js";
 
 const KEY = "stiction-theme";
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 
-/** Names of the colours that are drawn with, as in style.css. */
+/** Names of the colours for drawing, as in style.css. */
 const NAMES = /** @type {const} */ ([
   "paper", "ink", "muted", "grid", "solid", "hatch", "body", "body-fill", "ghost", "hand", "spring", "normal",
   "friction", "reaction", "cone-static", "cone-dynamic", "slip", "trail-hand", "trail-body", "limit-static",
   "limit-dynamic", "accent",
 ]);
 
-/** Colours by name, read anew when the theme changes. @type {Record<typeof NAMES[number], string>} */
+/** Colours by name, read again when the theme changes. @type {Record<typeof NAMES[number], string>} */
 export const colors = /** @type {any} */ ({});
 
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** Calls whenever the colours have changed. @param {() => void} listener */
+/** Calls a listener whenever the colours have changed. @param {() => void} listener */
 export function onTheme(listener) {
   listeners.push(listener);
 }
 
-/** The reader's choice, if there is one. @returns {string | null} */
+/** Returns the reader's choice, if there is one. @returns {string | null} */
 function chosen() {
   try {
     return localStorage.getItem(KEY);
@@ -33,12 +32,12 @@ function chosen() {
   }
 }
 
-/** Remembers the choice, where the browser lets the page. @param {string} theme */
+/** Stores the choice, if the browser permits it. @param {string} theme */
 function remember(theme) {
   try {
     localStorage.setItem(KEY, theme);
   } catch {
-    // A private window: the choice holds until the page is closed.
+    // A private window: the choice is valid until the page is closed.
   }
 }
 
@@ -58,7 +57,7 @@ function apply(theme) {
   for (const listener of listeners) listener();
 }
 
-/** Begins: the system's theme or the reader's, and the button that changes it. */
+/** Starts with the system's theme or the reader's, and connects the button that changes it. */
 export function startTheme() {
   const system = () => (dark.matches ? "dark" : "light");
   apply(chosen() ?? system());

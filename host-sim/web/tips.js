@@ -1,7 +1,7 @@
-// What names and signs of the page mean: each sentence stands once, in `data-tip` of what it is about. It is the title and the
-// description of the controls there, and a button of the group, for fingers and keyboards, shows all of the group.
+// Explanations of names and symbols of the page: each one is stated once, in `data-tip` of its element. It is the title and the
+// description of the controls there, and a button of the group shows all of the group, for fingers and keyboards.
 
-/** Puts the sentences where they belong. */
+/** Adds the explanations to the page. */
 export function startTips() {
   document.querySelectorAll("[data-tips]").forEach((group, i) => {
     const list = element("dl");
@@ -9,7 +9,7 @@ export function startTips() {
       const tip = (term.dataset.tip ?? "").replace(/\s+/g, " ");
       for (const described of [term, ...term.querySelectorAll("input, select")]) described.setAttribute("title", tip);
       const name = element("dt", term.dataset.term);
-      // A sign is shown as its label shows it.
+      // A symbol is shown as in its label.
       if (!name.textContent) name.append(...(term.querySelector("label")?.cloneNode(true).childNodes ?? []));
       list.append(name, element("dd", tip));
     }

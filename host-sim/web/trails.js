@@ -1,26 +1,28 @@
-// Where hand and object have been, and where the object slipped.
+// The trails of hand and object, and the places where the object slipped.
 
 import { colors } from "./theme.js";
 
 /** Points of a trail, and the least distance between two of them (px). */
 const POINTS = 600;
 const SPACING = 1.5;
-/** Slips that are marked. */
+/** Number of marked slips. */
 const MARKS = 80;
-/** Parts of a trail, each fainter and thinner than the one after it. */
+/** Segments of a trail, each fainter and thinner than the next one. */
 const PARTS = 5;
-/** The oldest part and the oldest mark are so faint: every colour of theirs keeps 3:1 against what it stands on. */
+/** Opacity of the oldest segment and of the oldest mark: every colour keeps a contrast of 3:1 against its background. */
 const FAINTEST = 0.8;
 /** Widths of a trail (px). */
 const THIN = 0.9;
 const THICK = 1.8;
-/** A step that is longer on the screen is left out: its dots, most of them out of sight, would hold up the drawing (px). */
+/**
+ * Longest step on the screen that is drawn (px): the dots of a longer one, most of them out of sight, would delay the drawing.
+ */
 const LEAP = 10_000;
 /** Length of the newest mark and of the oldest one (px). */
 const LONG = 9;
 const SHORT = 5;
 
-/** A ring of points. */
+/** A ring buffer of points. */
 class Ring {
   constructor() {
     this.x = new Float64Array(POINTS);
@@ -30,7 +32,7 @@ class Ring {
   }
 
   /**
-   * Takes a point that is farther than a distance from the last one.
+   * Adds a point if its distance from the last one is large enough.
    * @param {number} x @param {number} y @param {number} spacing
    */
   push(x, y, spacing) {
@@ -47,11 +49,11 @@ export class Trails {
   constructor() {
     this.hand = new Ring();
     this.body = new Ring();
-    /** The slips that are marked, oldest first. @type {Slip[]} */
+    /** The marked slips, oldest first. @type {Slip[]} */
     this.slips = [];
   }
 
-  /** Takes a frame in. @param {FrameMessage} message @param {number} scale pixels per metre */
+  /** Takes a frame. @param {FrameMessage} message @param {number} scale pixels per metre */
   take(message, scale) {
     const { hand, pose } = message.frame;
     this.hand.push(hand[0], hand[1], SPACING / scale);
@@ -61,14 +63,14 @@ export class Trails {
     if (this.slips.length > MARKS) this.slips.splice(0, this.slips.length - MARKS);
   }
 
-  /** Forgets everything. */
+  /** Clears everything. */
   clear() {
     this.hand = new Ring();
     this.body = new Ring();
     this.slips = [];
   }
 
-  /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
+  /** Draws the trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
   draw(ctx, view) {
     ctx.lineJoin = "round";
     ctx.setLineDash([1.5, 4]);
@@ -78,8 +80,7 @@ export class Trails {
   }
 
   /**
-   * A mark at each slip: a small triangle below the surface that points at the place where it ended; the older, the
-   * smaller.
+   * Marks each slip: a small triangle below the surface that points to the place where it ended; the older, the smaller.
    * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
    */
   drawSlips(ctx, view, surfaces) {
@@ -103,7 +104,7 @@ export class Trails {
 }
 
 /**
- * The normal of the surface that is nearest to a point.
+ * Returns the normal of the surface nearest to a point.
  * @param {Surface[]} surfaces @param {Vec} point @returns {Vec}
  */
 function nearest(surfaces, point) {

@@ -1,14 +1,14 @@
-// Recording and replay: record, download, replay a path, and go to a place in it.
+// Recording and replay: records, downloads, replays a path, and seeks in it.
 
 import { byId, fixed, setText, whole } from "./dom.js";
 
 /** The files of a recording. */
 const FILES = ["recording.jsonl", "trace.jsonl", "scene.toml", "hand.csv"];
-/** Places on the scrubber. */
+/** Positions on the scrubber. */
 const PLACES = 1000;
-/** Frames from the answer to a place to that place. */
+/** Number of frames from the answer to a seek to its position. */
 const LATER = 2;
-/** Between two seeks (ms). */
+/** Time between two seeks (ms). */
 const PAUSE = 60;
 
 export class Transport {
@@ -18,17 +18,17 @@ export class Transport {
     this.tell = tell;
     /** @type {StateMessage | null} */
     this.state = null;
-    /** Name of the path that was uploaded. @type {string | null} */
+    /** Name of the uploaded path. @type {string | null} */
     this.uploaded = null;
     this.recordButton = byId("record", HTMLButtonElement);
     this.replay = byId("replay", HTMLSelectElement);
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
-    /** The scrubber is being moved, to this place. */
+    /** The scrubber is being moved, to this position. */
     this.scrubbing = false;
     this.target = 0;
-    /** Answers about a place that are to come, and frames since the last one. */
+    /** Pending answers to seeks, and frames since the last one. */
     this.seeking = 0;
     this.since = LATER;
     this.seekAt = 0;
@@ -37,7 +37,7 @@ export class Transport {
     this.listen();
   }
 
-  /** What controls do. */
+  /** Connects the controls. */
   listen() {
     this.recordButton.addEventListener("click", () => this.record());
     this.replay.addEventListener("change", () => this.choose());
@@ -60,12 +60,12 @@ export class Transport {
     }
   }
 
-  /** Begins or ends it. */
+  /** Begins or ends a recording. */
   record() {
     this.ask({ type: "record", value: this.state?.recording === null });
   }
 
-  /** Replays what was chosen. */
+  /** Replays the selected path. */
   choose() {
     const what = this.replay.value === "live" ? null : this.replay.value;
     this.ask({ type: "replay", what });
@@ -85,7 +85,7 @@ export class Transport {
     }
   }
 
-  /** Goes to the place last chosen, not too often; until it is there, the scrubber stays where it was put. */
+  /** Seeks the last selected position, not too often; until it is reached, the scrubber stays where it was put. */
   seek() {
     if (this.seekTimer) return;
     const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
@@ -101,7 +101,7 @@ export class Transport {
     }, wait);
   }
 
-  /** Shows what holds. @param {StateMessage} state */
+  /** Shows a state. @param {StateMessage} state */
   show(state) {
     this.state = state;
     const { recording, recorded, replay } = state;
@@ -131,12 +131,12 @@ export class Transport {
     setText(byId("recording-file"), state.recording_file ?? recorded?.problem ?? recorded?.file ?? "");
   }
 
-  /** A frame came. */
+  /** Counts a frame. */
   count() {
     if (this.since < LATER) this.since++;
   }
 
-  /** Shows where it is, or how long. @param {FrameMessage} message */
+  /** Shows the position, or the length. @param {FrameMessage} message */
   take({ position, frame }) {
     const { state } = this;
     if (!state) return;

@@ -1,8 +1,8 @@
-// Shapes of what the page gets and says, for the type checker. Nothing here is served.
-// SI units: m, rad, N, N·m, s; angles unwrapped.
+// Types of the messages to and from the page, for the type checker. Nothing here is served. SI units: m, rad, N, N·m, s; angles
+// unwrapped.
 
 type Vec = [number, number];
-/** A place in the drawing (px). */
+/** A position in the drawing (px). */
 type Spot = { x: number; y: number };
 type Ink = CanvasRenderingContext2D;
 type View = import("./view.js").View;
@@ -12,7 +12,7 @@ type Grip = import("./grip.js").Grip;
 /** A message of the wire, with the fields of its type. */
 type Message = { type: string; sequence: number; time: number; [field: string]: any };
 
-/** Asks the feed for something; what is refused is told to the reader. */
+/** Sends a request to the feed; shows the reader the reason of a refusal. */
 type Ask = (message: { type: string; [field: string]: unknown }) => Promise<boolean>;
 type Pose = [number, number, number];
 type StateName = "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
@@ -23,15 +23,15 @@ interface Contact {
   surface?: string;
   obstacle?: string;
   side?: number;
-  /** In place of these the corner of the obstacle, on a side of the object. */
+  /** Instead of these, the corner of the obstacle, on a side of the object. */
   corner?: number;
   body_side?: number;
-  /** Among obstacles: the unit normal towards the object. */
+  /** In a scene with obstacles: the unit normal towards the object. */
   direction?: Vec;
   point: Vec;
   normal: number;
   friction: number;
-  /** 1 or -1 where it slides along the tangent or against it, 0 where it sticks. */
+  /** 1 or -1 if it slides along the tangent or against it, 0 if it sticks. */
   sliding: number;
 }
 
@@ -48,7 +48,7 @@ interface TraceFrame {
   slips: number;
   events: string[];
   status: string;
-  /** While a peg is in its hole. */
+  /** Present while a peg is in its hole. */
   insertion?: Insertion;
 }
 
@@ -67,7 +67,7 @@ interface Slip {
   n: number;
   t: number;
   point: Vec;
-  /** Among obstacles. */
+  /** In a scene with obstacles. */
   direction?: Vec;
   length: number;
 }
@@ -106,14 +106,14 @@ interface FrameMessage {
   frame: TraceFrame;
   holding: Vec | null;
   ghost: Pose | null;
-  /** F_z of Whitney's formulas, while a peg is in its hole. */
+  /** F_z by Whitney's formulas, while a peg is in its hole. */
   small_angles?: { one_point: number | null; two_points: number | null };
   echo: number | null;
   reference: Reference | null;
   counts: Counts;
   slips: Slip[];
   strip: number[][];
-  /** A board does not tell its median. */
+  /** A board does not report its median. */
   step: { median: number | null; worst: number } | null;
   board: BoardHealth | null;
   position?: number | null;
@@ -125,7 +125,7 @@ interface Surface {
   offset: number;
   static?: number;
   dynamic?: number;
-  /** Null: that of a scene that gives none. */
+  /** Null: the default of a scene without one. */
   memory?: number | null;
 }
 
@@ -138,7 +138,7 @@ interface Obstacle {
   memory?: number | null;
 }
 
-/** What a contact is with, where it is: its normal towards the object, its friction. */
+/** What a contact touches: its normal towards the object at the contact, its friction. */
 type Facing = { name: string; normal: Vec; static?: number; dynamic?: number };
 
 /** Half the width of a peg; width, friction and length of its hole. */
@@ -171,9 +171,9 @@ interface SceneParameters {
   stiffness_rotation: number;
   static: number;
   dynamic: number;
-  /** Null: that of a scene that gives none. */
+  /** Null: the default of a scene without one. */
   memory: number | null;
-  /** Of the object (N). */
+  /** Weight of the object (N). */
   weight: number;
 }
 
@@ -191,7 +191,7 @@ interface StateMessage {
   replay: { what: string; seconds: number; demonstration?: boolean } | null;
   hand: { by: string | null; client: number | null };
   clients: number;
-  /** Of a board over Web Serial there are none of these. */
+  /** Absent for a board over Web Serial. */
   scenes?: string[];
   scene_problem?: string | null;
 }
@@ -210,22 +210,22 @@ interface HelloMessage {
   you: number;
   program: string;
   scenes: string[];
-  /** Of the same order: what there is to see. A board by Web Serial has none, and no pictures. */
+  /** In the same order: what there is to see. A board over Web Serial has none, and no pictures. */
   stories?: (string | null)[];
   source: Source;
 }
 
-/** What the page shows: fed by the server, or by a board over Web Serial. */
+/** The source of what the page shows: the server, or a board over Web Serial. */
 interface Feed {
-  /** A sample of the hand. */
+  /** Sends a sample of the hand. */
   hand(pose: Pose, held: boolean, sent: number): void;
-  /** Anything else; resolves when it is done, rejects with what is wrong in words. */
+  /** Sends any other message; resolves when it is done, rejects with a readable reason. */
   request(message: { type: string; [field: string]: unknown }): Promise<void>;
 }
 
 /** Scenes as files, which a board does not take. */
 interface Files {
-  /** Sends a file or asks for one; the text of the answer. */
+  /** Sends a file or requests one; returns the text of the answer. */
   file(path: "scene" | "edit" | "scene.toml", name: string, body: string | null): Promise<string>;
 }
 
@@ -238,7 +238,7 @@ interface FeedEvents {
   error(message: string): void;
 }
 
-/** What tests read on `window.stiction`. */
+/** Values that tests read on `window.stiction`. */
 interface Probe {
   readonly frame: FrameMessage | null;
   readonly state: StateMessage | null;
@@ -247,7 +247,7 @@ interface Probe {
   readonly framesReceived: number;
   readonly latencies: readonly number[];
   readonly drawTimes: readonly number[];
-  /** Where a point of the world (m) is in the window of the browser (CSS px). */
+  /** Returns the position of a point of the world (m) in the window of the browser (CSS px). */
   pixelOf(x: number, y: number): Spot;
 }
 
@@ -286,7 +286,7 @@ declare class UPlot {
   data: ArrayLike<number>[];
   /** The area between the axes. */
   over: HTMLElement;
-  /** Where the pointer is, or the moment that another plot shares with this one: negative where nowhere (CSS px). */
+  /** Position of the pointer, or of the moment shared with another plot: negative if there is none (CSS px). */
   cursor: { left: number };
   scales: { [name: string]: { min?: number | null; max?: number | null } };
   hooks: { setCursor?: ((plot: UPlot) => void)[] };
@@ -304,7 +304,7 @@ declare class UPlot {
 
 declare const uPlot: typeof UPlot;
 
-// Web Serial, which the type checker's browser does not know.
+// Web Serial, which is missing in the type checker's browser types.
 
 interface SerialPort extends EventTarget {
   open(options: { baudRate: number; bufferSize?: number }): Promise<void>;

@@ -1,17 +1,17 @@
-// The window on the scene: from metres to pixels and back. It fits the scene, follows what would leave it, and is
-// zoomed and moved by the reader.
+// The window on the scene: converts between metres and pixels. It fits the scene, follows what would leave it, and is zoomed
+// and moved by the reader.
 
 import { reducedMotion } from "./dom.js";
 
-/** Room around what is fitted, as a part of the window. */
+/** Margin around the fitted objects, relative to the window. */
 const ROOM = 0.09;
-/** What is followed may come so close to the border, as a part of the window. */
+/** Least distance of followed objects from the border, relative to the window. */
 const BORDER = 0.07;
-/** Corners of obstacles are fitted that are nearer, in sizes of the body. */
+/** Distance within which corners of obstacles are fitted, in sizes of the body. */
 const NEAR = 4;
-/** Part of the way that the window goes in one drawing. */
+/** Fraction of its displacement that the window makes in one drawing. */
 const EASE = 0.2;
-/** Scales between which the reader zooms, as multiples of that which fits. */
+/** Limits of the reader's zoom, relative to the fitting scale. */
 const LEAST_ZOOM = 0.2;
 const MOST_ZOOM = 40;
 
@@ -31,23 +31,23 @@ export class View {
     this.top = 0;
   }
 
-  /** Pixel column of a world x. @param {number} x */
+  /** Returns the pixel column of a world x. @param {number} x */
   px(x) {
     return this.width / 2 + (x - this.x) * this.scale;
   }
 
-  /** Pixel row of a world y. @param {number} y */
+  /** Returns the pixel row of a world y. @param {number} y */
   py(y) {
     return (this.height + this.top) / 2 - (y - this.y) * this.scale;
   }
 
-  /** World point of a pixel. @param {number} px @param {number} py @returns {Vec} */
+  /** Returns the world point of a pixel. @param {number} px @param {number} py @returns {Vec} */
   world(px, py) {
     return [this.x + (px - this.width / 2) / this.scale, this.y + ((this.height + this.top) / 2 - py) / this.scale];
   }
 
   /**
-   * Fits the scene: the body where it starts, the hand's beginning, and the surfaces and obstacles beside them.
+   * Fits the scene: the body at its start, the hand's start, and the surfaces and obstacles near them.
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   fit(scene, pose, hand) {
@@ -78,8 +78,7 @@ export class View {
   }
 
   /**
-   * Follows body and hand: moves, and if they are too far apart zooms out, as far as it must. True while it is on its
-   * way.
+   * Follows body and hand: moves, and if they are too far apart zooms out as far as necessary. Returns true while it moves.
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   follow(scene, pose, hand) {
@@ -99,7 +98,7 @@ export class View {
     return zoom || Math.hypot(dx, dy) * this.scale > 0.5;
   }
 
-  /** True if the window shows something of the body. @param {Vec[]} body @param {Pose} pose */
+  /** Returns true if the window shows some part of the body. @param {Vec[]} body @param {Pose} pose */
   shows(body, [x, y, theta]) {
     const c = Math.cos(theta), s = Math.sin(theta);
     const columns = body.map(([a, b]) => this.px(x + c * a - s * b));
@@ -126,7 +125,7 @@ export class View {
 }
 
 /**
- * Leaves out of a box what lies deeper than a depth behind a surface along x or y.
+ * Clips from a box what lies deeper than a depth behind a surface along x or y.
  * @param {number[]} box @param {Vec} normal @param {number} offset @param {number} depth
  */
 function clip(box, normal, offset, depth) {
@@ -136,10 +135,13 @@ function clip(box, normal, offset, depth) {
   if (normal[1] < -0.99) box[3] = Math.min(box[3], depth - offset);
 }
 
-/** How far a range leaves another one: below (negative), above, or not. @param {number} below @param {number} above */
+/**
+ * Returns the distance by which a range leaves another one: below (negative), above, or 0.
+ * @param {number} below @param {number} above
+ */
 const over = (below, above) => (below < 0 && above > 0 ? (below + above) / 2 : Math.min(below, 0) + Math.max(above, 0));
 
-/** Largest distance of a vertex from the body's origin; of a point, a length to draw it by (m). @param {Scene} scene */
+/** Returns the largest distance of a vertex from the body's origin; for a point, a length for drawing (m). @param {Scene} scene */
 export function bodySize(scene) {
   const size = Math.max(...scene.body.map(([x, y]) => Math.hypot(x, y)));
   return size > 0 ? size : 0.04;

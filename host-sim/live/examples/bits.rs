@@ -1,6 +1,6 @@
-//! Walks the hand at random through ten bundled scenes, and says what comes of it, for the test of the npm package: the hands go to a
-//! folder, one file of rows (t, x, y, phi, held; f64, little-endian) for each scene, and a line of JSON for each scene and number
-//! type has the SHA-256 of all answers.
+//! Runs random walks of the hand through ten bundled scenes and prints the results, for the test of the npm package. The hand
+//! poses are written to a folder, one file of rows (t, x, y, phi, held; f64, little-endian) per scene. For each scene and
+//! number type, a line of JSON holds the SHA-256 of all answers.
 //!
 //! ```sh
 //! cargo run --release -p stiction-live --example bits -- FOLDER 100000
@@ -32,10 +32,10 @@ const SCENES: [&str; 10] = [
     "peg-in-hole",
     "hook",
 ];
-/// A tick of the hand goes so far at most, in sizes of the body, and it stays so near to where it began.
+/// Largest step of the hand in one tick, and largest distance from its start, in sizes of the body.
 const STRIDE: f64 = 0.01;
 const RANGE: f64 = 0.5;
-/// The hand opens or closes about every so many ticks.
+/// Mean number of ticks between two changes of the hold switch.
 const SWITCH: f64 = 2000.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A random walk about where the hand begins.
+/// Returns a random walk around the hand's start.
 fn walk(stage: &Stage, frames: usize) -> Vec<[f64; 5]> {
     let vertices = stage.scene.vertices.iter().flatten();
     let size = vertices.fold(0.02, |size: f64, x| size.max(x.abs()));
@@ -88,7 +88,7 @@ fn walk(stage: &Stage, frames: usize) -> Vec<[f64; 5]> {
             let far = RANGE * scales[axis];
             pose[axis] = (pose[axis] + stride).clamp(home[axis] - far, home[axis] + far);
         }
-        // Open for a short time only: most of the walk is in contact.
+        // Open only briefly: for most of the walk the body is in contact.
         held = if held {
             random() > 1.0 / SWITCH
         } else {
@@ -99,7 +99,7 @@ fn walk(stage: &Stage, frames: usize) -> Vec<[f64; 5]> {
     rows
 }
 
-/// All answers as one number, column by column as the package has them, and how many slips ended.
+/// Returns a hash of all answers, column by column as in the package, and the number of slips that ended.
 fn answers(mut session: Session, hands: &[[f64; 5]]) -> (String, u64) {
     let mut columns: [Vec<u8>; 7] = Default::default();
     let mut slips = 0;

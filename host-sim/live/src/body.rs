@@ -1,4 +1,4 @@
-//! A body that a solver of any number type moves: the hand's samples in, records of the trace out.
+//! A body moved by a solver of any number type: takes samples of the hand, returns records of the trace.
 
 mod carry;
 
@@ -15,15 +15,15 @@ use crate::simulate::{OBSTACLES, has_solver};
 use carry::{Carried, carried};
 pub use carry::{Hold, Present, within_reach};
 
-/// A body in a hand.
+/// A body that can be held by a hand.
 pub trait Body: Send {
-    /// The hand goes to a pose and the body follows.
+    /// Moves the hand to a pose; the body follows.
     fn step(&mut self, hand: &Hand<f64>);
-    /// The record after the last step, at time `t` (s).
+    /// Returns the record of the last step, at time `t` (s).
     fn frame(&self, t: f64) -> Frame;
-    /// Where it is.
+    /// Returns the current pose and hold.
     fn present(&self) -> Present;
-    /// A snapshot.
+    /// Returns a snapshot.
     fn copy(&self) -> Box<dyn Body>;
 }
 
@@ -39,7 +39,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// What every other setting is compared with.
+    /// Returns the setting that every other setting is compared with.
     pub fn reference(&self) -> Self {
         Self {
             number: Number::F64,
@@ -48,7 +48,7 @@ impl Setting {
         }
     }
 
-    /// The body at its start, with the hand at its first pose: record 0 of a trace.
+    /// Returns the body at its start, with the hand at its first pose: record 0 of a trace.
     ///
     /// # Errors
     /// The scene cannot be used in this number type.
@@ -56,15 +56,15 @@ impl Setting {
         self.solved(&Way::Start(hand))
     }
 
-    /// A body that goes on from where it is.
+    /// Returns a body that continues from its present pose.
     ///
     /// # Errors
-    /// It cannot be there.
+    /// The body cannot be there under this setting.
     pub fn carry(&self, present: &Present) -> Result<Box<dyn Body>, String> {
         self.solved(&Way::Carry(present))
     }
 
-    /// By the solver that the scene needs: with obstacles only where it has some.
+    /// Chooses the solver that the scene needs: with obstacles only if the scene has some.
     fn solved(&self, way: &Way<'_>) -> Result<Box<dyn Body>, String> {
         has_solver(&self.scene).map_err(|error| error.to_string())?;
         let has_obstacles = OBSTACLES && !self.scene.obstacles.is_empty();
@@ -81,16 +81,16 @@ impl Setting {
 
 /// How a body begins.
 enum Way<'a> {
-    /// At the scene's start, with this hand.
+    /// At the start of the scene, with this hand.
     Start(&'a Hand<f64>),
-    /// Where it is.
+    /// From its present pose.
     Carry(&'a Present),
 }
 
-/// Whether a scene makes a scene of the solver that it needs, in f64.
+/// Checks that a scene is accepted by the solver that it needs, in f64.
 ///
 /// # Errors
-/// It does not: the key and the line; or its solver is not built in.
+/// The key and the line if it does not; or the solver is not built in.
 pub fn check(scene: &SceneFile) -> Result<(), InputError> {
     has_solver(scene)?;
     match !OBSTACLES || scene.obstacles.is_empty() {
@@ -99,23 +99,23 @@ pub fn check(scene: &SceneFile) -> Result<(), InputError> {
     }
 }
 
-/// Whether a scene is one for a board, which takes no obstacles.
+/// Checks that a scene suits a board, which takes no obstacles.
 ///
 /// # Errors
-/// It is not: the key and the line.
+/// The key and the line if it does not.
 pub fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
     scene.scene::<f64>().map(|_| ())
 }
 
 struct Solved<R: Real, M: HostModel> {
     solver: Arc<HostSolver<R, M>>,
-    /// What the solver's indices of obstacles are in the file, where they differ.
+    /// Indices of the solver's obstacles in the scene file, if they differ.
     indices: Option<Arc<Indices>>,
     state: State<R>,
-    /// With the turns as seen from outside.
+    /// With the turns as reported to the outside.
     output: Output<R::Si>,
     hold: Hold,
-    /// Whole turns that the solver's angles are less than those outside.
+    /// Whole turns by which the reported angles exceed the solver's.
     turns: i32,
     stiffness: [f64; 2],
 }
@@ -225,7 +225,7 @@ where
     }
 }
 
-/// A hand turned on by whole turns.
+/// Returns a hand rotated by whole turns.
 fn turned(hand: &Hand<f64>, turns: i32) -> Hand<f64> {
     let mut hand = *hand;
     hand.angle.turns = hand.angle.turns.saturating_add(turns);

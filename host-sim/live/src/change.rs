@@ -1,4 +1,4 @@
-//! What becomes of the body where it is told to: it goes on under another setting, or another run begins.
+//! Changes of the body: it continues under another setting, or another run begins.
 
 use crate::body::Setting;
 use crate::guide::{Guide, HandPose};
@@ -21,25 +21,25 @@ pub enum Change {
 pub struct Run {
     /// The scene.
     pub stage: Stage,
-    /// What the body is under.
+    /// The setting of the body.
     pub setting: Setting,
-    /// A path that the hand follows, and its name.
+    /// The path that the hand follows, and its name.
     pub path: Option<(String, Way)>,
-    /// The scene is to be among those that can be shown.
+    /// Whether to add the scene to those that can be shown.
     pub is_new: bool,
 }
 
-/// A run that can begin.
+/// A run that is ready to begin.
 pub struct Ready {
     stage: Stage,
-    /// The body at its start, and the reference beside it.
+    /// The body and the reference, at their start.
     pub pair: Pair,
     replay: Option<Replay>,
     is_new: bool,
 }
 
 impl Change {
-    /// A run with a live hand.
+    /// Returns a run with a live hand.
     pub fn run(stage: Stage, setting: Setting) -> Self {
         Self::Run(Box::new(Run {
             stage,
@@ -49,7 +49,7 @@ impl Change {
         }))
     }
 
-    /// What the body is under from then on.
+    /// Returns the setting after the change.
     pub const fn setting(&self) -> &Setting {
         match self {
             Self::Setting(setting) => setting,
@@ -57,14 +57,14 @@ impl Change {
         }
     }
 
-    /// Another run begins.
+    /// Returns whether another run begins.
     pub const fn is_run(&self) -> bool {
         matches!(self, Self::Run(_))
     }
 }
 
 impl Run {
-    /// With the body at its start.
+    /// Prepares the run, with the body at its start.
     ///
     /// # Errors
     /// The scene cannot be used.
@@ -100,10 +100,10 @@ impl Live {
         }
     }
 
-    /// The body goes on under another setting.
+    /// Continues with the body under another setting.
     ///
     /// # Errors
-    /// It cannot settle there. What is refused changes nothing.
+    /// It cannot settle there. A refused change has no effect.
     pub fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
         self.pair.change(setting)?;
         self.pending.record(&self.pair.frame);
@@ -111,7 +111,7 @@ impl Live {
         Ok(())
     }
 
-    /// The body is under another setting.
+    /// Notes that the body has another setting.
     pub fn has_changed(&mut self) {
         if let Some(replay) = &mut self.replay {
             replay.forget();
@@ -119,7 +119,7 @@ impl Live {
         self.changed = true;
     }
 
-    /// Another run begins.
+    /// Begins another run.
     pub fn begin(&mut self, ready: Ready) {
         let home = HandPose::of(&ready.stage.home);
         if ready.is_new {

@@ -1,4 +1,4 @@
-//! What a run counts since its reset: ticks, slips, transitions between states, events.
+//! Counters of a run since its reset: ticks, slips, transitions between states, events.
 
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
 use stiction_core::{Event, StateKind};
@@ -13,7 +13,7 @@ const EVENTS: usize = Event::ALL.len();
 pub struct Counts {
     /// Ticks.
     pub ticks: u64,
-    /// Ticks that began more than a period late. Not set back by a seek.
+    /// Ticks that began more than a period late. A seek does not reset them.
     pub missed: u64,
     /// Slips that ended.
     pub slips: u64,
@@ -22,7 +22,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// A record, and the state before it.
+    /// Adds a record; `before`: the state before it.
     pub fn add(&mut self, before: Option<StateKind>, frame: &Frame) {
         self.slips += u64::from(frame.slips);
         let place = |kind| StateKind::ALL.iter().position(|known| *known == kind);

@@ -1,37 +1,38 @@
-//! What a client sent with its samples, given back with the frame that contains them: at once, or when a board has answered.
+//! Values that a client sent with its samples, returned with the frame that contains them: immediately, or when a board has
+//! answered.
 
 use std::collections::VecDeque;
 
 use serde_json::Number as JsonNumber;
 
-/// Samples that a board has not answered.
+/// Largest number of samples that a board has not answered.
 const MOST_MOVED: usize = 64;
 
-/// A client, and what it sent with a sample.
+/// A client, and the value it sent with a sample.
 pub type Echo = (u32, JsonNumber);
 
-/// The echoes on their way.
+/// The echoes not yet returned.
 #[derive(Clone, Debug, Default)]
 pub struct Echoes {
-    /// Of the newest sample, on which the hand has not moved yet.
+    /// Of the newest sample, which has not moved the hand yet.
     said: Option<Echo>,
-    /// The hand has moved at these times (s), and the board has not answered.
+    /// Echoes and times (s) of movements of the hand that the board has not answered.
     moved: VecDeque<(Echo, f64)>,
     shown: Option<Echo>,
 }
 
 impl Echoes {
-    /// A sample; none where its client wants no echo.
+    /// Takes the echo of a sample; none if its client does not want one.
     pub fn say(&mut self, echo: Option<Echo>) {
         self.said = echo;
     }
 
-    /// The hand moves on the newest sample, and so does the body.
+    /// Notes that the hand and the body have moved to the newest sample.
     pub fn move_now(&mut self) {
         self.shown = self.said.take().or(self.shown.take());
     }
 
-    /// The hand moves at a time (s), which a board will answer.
+    /// Notes that the hand moves at a time (s), which a board will answer.
     pub fn move_at(&mut self, t: f64) {
         if let Some(echo) = self.said.take()
             && self.moved.len() < MOST_MOVED
@@ -40,7 +41,7 @@ impl Echoes {
         }
     }
 
-    /// The board has answered the hand of a time (s).
+    /// Notes that the board has answered the hand of a time (s).
     pub fn answer(&mut self, answered: f64) {
         while let Some((_, t)) = self.moved.front()
             && *t <= answered
@@ -49,7 +50,7 @@ impl Echoes {
         }
     }
 
-    /// What the newest frame contains.
+    /// Returns the echo in the newest frame.
     pub const fn shown(&self) -> &Option<Echo> {
         &self.shown
     }

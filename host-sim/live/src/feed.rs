@@ -1,4 +1,4 @@
-//! What is between the solver and those who watch it: the newest record, what led to it, and the state.
+//! Data passed from the solver to its viewers: the newest record, the records before it, and the state.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -14,48 +14,48 @@ use crate::record::Frame;
 use crate::say::{Fares, News};
 use crate::stage::Stage;
 
-/// So many records of the past are kept.
+/// Number of past records that are kept.
 const KEPT: usize = 1024;
 
-/// The newest there is.
+/// The newest data.
 #[derive(Clone, Debug)]
 pub struct Latest {
-    /// Its number.
+    /// Number of the tick.
     pub tick: u64,
     /// The record.
     pub frame: Arc<Frame>,
-    /// The scene that it is of.
+    /// The scene of the record.
     pub scene: Arc<SceneFile>,
-    /// Whitney's meter, where the scene has a peg and a hole.
+    /// Whitney's meter, if the scene has a peg and a hole.
     pub meter: Option<Arc<Meter>>,
-    /// The scene as it is at a reset.
+    /// The scene as it is after a reset.
     pub stage: Stage,
     /// The number type.
     pub number: Number,
-    /// A client, and what it sent with the newest sample that is in the record.
+    /// A client, and the value it sent with the newest sample in the record.
     pub echo: Option<Echo>,
-    /// The reference beside it.
+    /// The comparison with the reference.
     pub reference: Comparison,
-    /// What was counted so far.
+    /// The counters so far.
     pub counts: Counts,
     /// The newest slips.
     pub slips: Arc<[SlipMark]>,
     /// Median and worst time of a step (s), on this computer.
     pub step: Option<[f32; 2]>,
-    /// How the board fares that has the solver.
+    /// Statistics of the board that runs the solver.
     pub board: Option<Fares>,
-    /// Where the replay is (s).
+    /// Position in the replay (s).
     pub position: Option<f64>,
 }
 
-/// What is shown.
+/// The data that viewers see.
 #[derive(Debug, Default)]
 pub struct Shown {
-    /// Of the newest publication.
+    /// Number of the newest publication.
     pub serial: u64,
-    /// The newest there is.
+    /// The newest data.
     pub latest: Option<Latest>,
-    /// The last records, the oldest first, of one scene and one run; the running number of the next one.
+    /// The last records, the oldest first, of one scene and one run; and the running number of the next one.
     records: VecDeque<Arc<Frame>>,
     next_record: u64,
     /// The state as a message.
@@ -65,14 +65,14 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// The records since one, and the number of the next one to come.
+    /// Returns the records from number `next` on, and the number of the next one to come.
     pub fn since(&self, next: u64) -> (impl ExactSizeIterator<Item = &Arc<Frame>>, u64) {
         let first = self.next_record - self.records.len() as u64;
         let skip = next.saturating_sub(first).min(self.records.len() as u64) as usize;
         (self.records.range(skip..), self.next_record)
     }
 
-    /// Shows what waits.
+    /// Publishes the pending data.
     pub fn show(&mut self, pending: &mut Pending, latest: Latest) {
         self.serial += 1;
         self.latest = Some(latest);
@@ -95,53 +95,53 @@ impl Shown {
     }
 }
 
-/// What waits to be shown.
+/// Data that waits to be published.
 #[derive(Debug, Default)]
 pub struct Pending {
     records: Vec<Arc<Frame>>,
-    /// What was shown before is of another run.
+    /// The records published before belong to another run.
     clear: bool,
     state: Option<Arc<str>>,
-    /// There is something new.
+    /// Whether there is anything new.
     any: bool,
 }
 
 impl Pending {
-    /// A record.
+    /// Adds a record.
     pub fn record(&mut self, frame: &Arc<Frame>) {
         if self.records.len() == KEPT {
-            // Whoever holds the lock for a second does not get them all.
+            // A viewer that holds the lock for a second does not get them all.
             self.records.clear();
         }
         self.records.push(Arc::clone(frame));
         self.any = true;
     }
 
-    /// Another run begins.
+    /// Notes that another run begins.
     pub fn clear(&mut self) {
         self.records.clear();
         self.clear = true;
         self.any = true;
     }
 
-    /// The state, as a message.
+    /// Sets the state, as a message.
     pub fn state(&mut self, message: String) {
         self.state = Some(message.into());
         self.any = true;
     }
 
-    /// Nothing waits.
+    /// Returns whether nothing is pending.
     pub const fn is_shown(&self) -> bool {
         !self.any
     }
 
-    /// Something is new though no record is.
+    /// Marks data as new although there is no new record.
     pub fn touch(&mut self) {
         self.any = true;
     }
 }
 
-/// What a client knows.
+/// What a client has received.
 #[derive(Clone, Copy, Debug)]
 pub struct Told {
     state: u64,
@@ -151,7 +151,7 @@ pub struct Told {
 }
 
 impl Told {
-    /// The records of before are not for this client.
+    /// Starts a client without earlier records.
     pub fn new(shown: &Shown) -> Self {
         let (_, record) = shown.since(u64::MAX);
         Self {
@@ -161,7 +161,7 @@ impl Told {
         }
     }
 
-    /// What is new.
+    /// Returns what is new.
     pub fn look(&mut self, shown: &Shown, with_frame: bool) -> (Option<Arc<str>>, Option<News>) {
         let state = (shown.state_serial != self.state).then(|| Arc::clone(&shown.state));
         self.state = shown.state_serial;

@@ -1,4 +1,4 @@
-//! The holding point in the world, and where the body would be if nothing were in its way: both follow from the springs'
+//! The holding point in the world, and the pose the body would have if nothing blocked it: both follow from the springs'
 //! wrench. World frame, SI units.
 
 use stiction_judge::centroid;
@@ -6,20 +6,20 @@ use stiction_scene::SceneFile;
 
 use crate::record::Frame;
 
-/// Steps of the search for the balance of weight and rotational spring.
+/// Iterations of the search for the balance of weight and rotational spring.
 const STEPS: usize = 8;
 
-/// Both, while the body is held.
+/// Holding point and free pose, while the body is held.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Springs {
-    /// Where the hand holds the body (m), in the world.
+    /// The point where the hand holds the body (m), in the world.
     pub holding: Option<[f64; 2]>,
     /// x, y (m), theta (rad).
     pub ghost: Option<[f64; 3]>,
 }
 
 impl Springs {
-    /// Of a record.
+    /// Computes both from a record.
     pub fn of(scene: &SceneFile, frame: &Frame) -> Self {
         if !frame.held {
             return Self::default();
@@ -40,7 +40,7 @@ impl Springs {
     }
 }
 
-/// The angle at which k_theta (phi - theta) and the weight at `arm` (body frame) balance about the holding point.
+/// Returns the angle at which k_theta (phi - theta) and the weight at `arm` (body frame) balance about the holding point.
 fn balanced(scene: &SceneFile, moment: f64, theta: f64, arm: [f64; 2]) -> f64 {
     let (k_theta, weight) = (scene.stiffness_rotation, scene.weight);
     if k_theta <= 0.0 {
@@ -61,7 +61,7 @@ fn balanced(scene: &SceneFile, moment: f64, theta: f64, arm: [f64; 2]) -> f64 {
     angle
 }
 
-/// A vector turned by an angle (rad).
+/// Returns a vector rotated by an angle (rad).
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [cos * x - sin * y, sin * x + cos * y]

@@ -1,15 +1,16 @@
-//! The hand between samples: in a straight line from where it is to where the newest sample says, one pose per tick. Where the
-//! switch changes, the hand is at that sample in a tick of its own, however near the next one is: it closes where it was told to.
+//! The hand between samples: it moves in a straight line from its present pose to the newest sample, one pose per tick. When
+//! the switch changes, the hand is at that sample for a tick of its own, however soon the next sample follows: it closes
+//! exactly where the sample says.
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use stiction_core::{Angle, Hand};
 
-/// Ticks of the way to a sample, at least and at most: they are 1 ms each.
+/// Fewest and most ticks of the path to a sample; a tick is 1 ms.
 const LEAST: f64 = 1.0;
 const MOST: f64 = 20.0;
-/// Changes of the switch that wait for their ticks: of a client that makes more than one in a tick, the oldest are left out.
+/// Changes of the switch that wait for their ticks: if a client makes more than one per tick, the oldest are dropped.
 const SWITCHES: usize = 8;
 
 /// x, y (m), phi (rad), depth (m) and the hold switch of a live hand.
@@ -24,18 +25,18 @@ pub struct HandPose {
 }
 
 impl HandPose {
-    /// Of a hand.
+    /// Returns the pose of a hand.
     pub fn of(hand: &Hand<f64>) -> Self {
         let [x, y] = hand.position;
         Self {
-            // Without a minus before a zero, which a recorded path would lose.
+            // No negative zero: a recorded path would lose its sign.
             pose: [x, y, hand.angle.radians()].map(|value| value + 0.0),
             depth: hand.depth,
             held: hand.held,
         }
     }
 
-    /// As the solver takes it, and as it is read from a file with these numbers.
+    /// Returns the hand as the solver takes it, and as it is read from a file with these numbers.
     pub fn hand(&self) -> Hand<f64> {
         let [x, y, phi] = self.pose;
         Hand {
@@ -48,19 +49,19 @@ impl HandPose {
     }
 }
 
-/// Leads the hand from sample to sample.
+/// Moves the hand from sample to sample.
 #[derive(Clone, Debug)]
 pub struct Guide {
     now: HandPose,
     target: HandPose,
     /// Ticks until the target.
     left: u32,
-    /// Samples that changed the switch, the oldest first: the hand is at each before it goes on.
+    /// Samples that changed the switch, the oldest first: the hand visits each of them before it moves on.
     switches: VecDeque<HandPose>,
 }
 
 impl Guide {
-    /// A hand at rest.
+    /// Returns a guide with the hand at rest.
     pub const fn at(pose: HandPose) -> Self {
         Self {
             now: pose,
@@ -70,7 +71,7 @@ impl Guide {
         }
     }
 
-    /// A sample; `since`: the time since the one before.
+    /// Takes a sample; `since`: the time since the previous one.
     pub fn lead(&mut self, target: HandPose, since: Duration) {
         let ticks = (since.as_secs_f64() * 1e3).round().clamp(LEAST, MOST);
         if target.held != self.target.held {
@@ -83,7 +84,7 @@ impl Guide {
         self.left = ticks as u32;
     }
 
-    /// The hand is taken to another place, and comes back with the next tick to go on from there.
+    /// Moves the hand to another pose; with the next tick it returns and continues from there.
     pub fn leave_for(&mut self, pose: HandPose) {
         if self.now != pose {
             self.switches.push_front(self.now);
@@ -91,12 +92,12 @@ impl Guide {
         }
     }
 
-    /// Where the hand is.
+    /// Returns the present pose of the hand.
     pub const fn now(&self) -> HandPose {
         self.now
     }
 
-    /// Where the hand is at the next tick.
+    /// Returns the pose of the hand at the next tick.
     pub fn advance(&mut self) -> HandPose {
         if let Some(switch) = self.switches.pop_front() {
             self.now = switch;
@@ -149,7 +150,7 @@ mod tests {
         }
     }
 
-    /// A press and a move of 20 m, as they come in one tick or in two.
+    /// A press and a move of 20 m, arriving in one tick or in two.
     #[test]
     fn the_hand_closes_where_the_press_was_and_then_goes_on() {
         let open = |x| HandPose {
@@ -166,7 +167,7 @@ mod tests {
             assert_eq!(way[0], pose(10.0 + 20.0 / ticks as f64));
             assert_eq!(way.last(), Some(&pose(30.0)));
         }
-        // Released and taken elsewhere between two ticks: it is open in between.
+        // Released and grasped elsewhere between two ticks: it is open in between.
         let mut guide = Guide::at(pose(0.0));
         for to in [open(0.0), pose(5.0), pose(6.0)] {
             guide.lead(to, Duration::ZERO);

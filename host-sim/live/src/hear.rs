@@ -1,4 +1,4 @@
-//! What a client says: one JSON object in a text message, with a type and perhaps an id.
+//! Messages from clients: one JSON object per text message, with a type and optionally an id.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -7,12 +7,12 @@ use stiction_core::Evolution;
 
 use crate::number::{Number, parse_evolution, parse_number};
 
-/// The longest message that is read.
+/// Longest message that is read (bytes).
 pub const LONGEST: usize = 4096;
-/// The farthest hand (m), and the most that it is turned (rad).
+/// Largest coordinate of the hand (m) and largest angle (rad).
 pub const FARTHEST: f64 = 1e6;
 
-/// A message of a client.
+/// A message from a client.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Message {
@@ -22,83 +22,83 @@ pub enum Message {
         pose: [f64; 3],
         /// The hold switch.
         held: bool,
-        /// To be given back with the frame that contains it.
+        /// Value to return with the frame that contains the sample.
         sent: Option<JsonNumber>,
     },
-    /// Another client may hold the hand.
+    /// Releases the hand, so that another client may hold it.
     LetGo {},
-    /// Another scene.
+    /// Changes the scene.
     Scene {
         /// Its name.
         name: String,
     },
-    /// Other parameters.
+    /// Changes parameters.
     Set {
         /// Those that change.
         parameters: Parameters,
     },
-    /// Another number type.
+    /// Changes the number type.
     Number {
-        /// Which one.
+        /// The new number type.
         #[serde(deserialize_with = "number")]
         value: Number,
     },
-    /// Another evolution.
+    /// Changes the evolution.
     Evolution {
-        /// Which one.
+        /// The new evolution.
         #[serde(deserialize_with = "evolution")]
         value: Evolution,
     },
-    /// Time stands still, or goes on.
+    /// Stops or resumes time.
     Pause {
-        /// Which.
+        /// True: stops.
         value: bool,
     },
-    /// Ticks while paused.
+    /// Makes ticks while paused.
     Step {
-        /// How many.
+        /// Number of ticks.
         ticks: u32,
     },
     /// Slow motion.
     Speed {
-        /// How much.
+        /// Speed relative to real time.
         value: f64,
     },
-    /// Body and hand as at the beginning.
+    /// Returns body and hand to their start.
     Reset {
-        /// The parameters, too.
+        /// Whether to reset the parameters, too.
         #[serde(default)]
         parameters: bool,
     },
-    /// The parameters of the scene's file.
+    /// Restores the parameters of the scene's file.
     Defaults {},
-    /// A recording begins or ends.
+    /// Begins or ends a recording.
     Record {
-        /// Which.
+        /// True: begins.
         value: bool,
     },
-    /// The hand follows a path, or is live.
+    /// Makes the hand follow a path, or live again.
     Replay {
-        /// Which one.
+        /// The path; none: the hand is live.
         what: Option<Path>,
-        /// Over and over, until somebody takes the hand: the path of the scene alone.
+        /// Repeated until somebody takes the hand; for the path of the scene only.
         #[serde(default)]
         demonstration: bool,
     },
-    /// To a place of the path.
+    /// Jumps to a time of the path.
     Seek {
-        /// From its beginning (s).
+        /// Time from its beginning (s).
         seconds: f64,
     },
-    /// Frames a second.
+    /// Sets the frame rate.
     Rate {
-        /// How much.
+        /// Frames a second.
         value: f64,
     },
 }
 
 impl Message {
-    /// It concerns the body, and waits where a change of it is under way.
+    /// Returns whether the message concerns the body, and so must wait while the body is being changed.
     pub const fn is_of_body(&self) -> bool {
         !matches!(
             self,
@@ -120,7 +120,7 @@ fn evolution<'de, D: Deserializer<'de>>(value: D) -> Result<Evolution, D::Error>
     named(value, parse_evolution)
 }
 
-/// What a name stands for; `parse` tells those that are allowed.
+/// Parses a name; `parse` returns the allowed ones in its error.
 fn named<'de, D: Deserializer<'de>, T>(
     value: D,
     parse: impl FnOnce(&str) -> Result<T, String>,
@@ -130,7 +130,7 @@ fn named<'de, D: Deserializer<'de>, T>(
         .map_err(|allowed| D::Error::custom(format!("`value` is {value}, {allowed}")))
 }
 
-/// The parameters that are to change.
+/// The parameters to change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Parameters {
@@ -144,14 +144,14 @@ pub struct Parameters {
     /// mu_d.
     #[serde(rename = "dynamic")]
     pub friction_dynamic: Option<f64>,
-    /// Null stands for the length of a scene that gives none.
+    /// Null stands for the default length of a scene without one.
     #[serde(default, deserialize_with = "given")]
     pub memory: Option<Option<f64>>,
-    /// Of the body (N).
+    /// Weight of the body (N).
     pub weight: Option<f64>,
 }
 
-/// What is there, null as well.
+/// Keeps a value that is present, including null.
 fn given<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<f64>>, D::Error> {
     Option::deserialize(value).map(Some)
 }
@@ -160,18 +160,18 @@ fn given<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<f64>>, D::
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Path {
-    /// That of the scene.
+    /// The path of the scene.
     Scene,
     /// The newest recording.
     Recording,
-    /// The one that was sent.
+    /// The uploaded path.
     Upload,
 }
 
-/// A message, and the number under which it is to be answered.
+/// A message, and the id for its answer.
 #[derive(Clone, Debug)]
 pub struct Said {
-    /// To be answered under it, where there is one.
+    /// The id for the answer, if there is one.
     pub id: Option<i64>,
     /// The message, or what is wrong with it.
     pub message: Result<Message, String>,
@@ -205,7 +205,7 @@ fn refused(id: Option<i64>, problem: String) -> Said {
     }
 }
 
-/// The message, if its numbers are in range.
+/// Returns the message if its numbers are in range.
 fn within(message: Message) -> Result<Message, String> {
     let check = |name: &str, value: f64, least: f64, most: f64| {
         if (least..=most).contains(&value) {

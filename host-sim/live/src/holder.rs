@@ -1,23 +1,23 @@
-//! Who holds the hand: one at a time, the first to send a sample, until it goes, lets go, or is silent.
+//! The holder of the hand: one at a time, the first to send a sample, until it disconnects, lets go, or is silent.
 
 use web_time::{Duration, Instant};
 
-/// Whoever is silent for so long does not hold the hand any more.
+/// Silence after which a holder loses the hand.
 const SILENCE: Duration = Duration::from_secs(10);
 
-/// Where samples come from.
+/// Source of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// A client of the socket, by its number.
     Client(u32),
-    /// A program by OSC.
+    /// A program that sends OSC.
     Osc,
     /// OpenTrack.
     OpenTrack,
 }
 
 impl Source {
-    /// What the state calls it.
+    /// Returns its name in the state.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Client(_) => "page",
@@ -26,7 +26,7 @@ impl Source {
         }
     }
 
-    /// The number of a client.
+    /// Returns the number of the client, if it is one.
     pub const fn client(self) -> Option<u32> {
         match self {
             Self::Client(number) => Some(number),
@@ -35,19 +35,19 @@ impl Source {
     }
 }
 
-/// Who holds the hand, and since when it has been silent.
+/// The holder of the hand, and the time of its last sample.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Holder {
     by: Option<(Source, Instant)>,
 }
 
 impl Holder {
-    /// Who it is.
+    /// Returns the holder.
     pub fn source(&self) -> Option<Source> {
         self.by.map(|(source, _)| source)
     }
 
-    /// Whether `source` may lead the hand: nobody else holds it.
+    /// Checks that `source` may move the hand: nobody else holds it.
     ///
     /// # Errors
     /// Somebody else holds it.
@@ -64,7 +64,7 @@ impl Holder {
         })
     }
 
-    /// A sample of `source` at `now`: the time since its last one where it holds the hand.
+    /// Takes a sample of `source` at `now`. Returns the time since its last one if it already holds the hand.
     ///
     /// # Errors
     /// Somebody else holds it.
@@ -76,7 +76,7 @@ impl Holder {
         }))
     }
 
-    /// `source` lets go, or is gone. Whether it held the hand.
+    /// Releases the hand if `source`, which lets go or disconnects, holds it. Returns whether it did.
     pub fn leave(&mut self, source: Source) -> bool {
         let held = self.source() == Some(source);
         if held {
@@ -85,7 +85,7 @@ impl Holder {
         held
     }
 
-    /// Whoever is silent lets go. Whether somebody was.
+    /// Releases the hand if its holder has been silent for too long. Returns whether it did.
     pub fn expire(&mut self, now: Instant) -> bool {
         let silent = |(_, then)| now.saturating_duration_since(then) >= SILENCE;
         let expired = self.by.is_some_and(silent);

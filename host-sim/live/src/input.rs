@@ -1,10 +1,10 @@
-//! The hand's path in a scene: of its file, or of another one.
+//! The hand's path in a scene: from the scene's file or from another one.
 
 use std::path::Path;
 
 use stiction_scene::{HandPath, InputError, Motion, SceneFile};
 
-/// The file that [`open_path`] reads, if it reads one.
+/// Returns the file that [`open_path`] reads, if it reads one.
 pub fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
     hand.or(match &scene.hand.motion {
         Some(Motion::Recorded(file)) => Some(file),
@@ -12,7 +12,8 @@ pub fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a
     })
 }
 
-/// The hand's path and the rate (Hz) to resample it to: a file, and a rate with what gives it, or else those of the scene.
+/// Returns the hand's path and the rate (Hz) to resample it to: from a file, and a rate with the name of its source; otherwise
+/// those of the scene.
 ///
 /// # Errors
 /// There is no path or no rate, the file cannot be read, or there would be too many frames.

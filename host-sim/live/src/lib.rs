@@ -1,8 +1,8 @@
-//! The solver in a hand, for a program that has threads, sockets and files, and for a page that has none: from a scene and the
-//! hand's samples to records, and from a client's messages to what it is told.
+//! The solver driven by a hand, for a program with threads, sockets and files, and for a page without them: computes records
+//! from a scene and samples of the hand, and answers from a client's messages.
 //!
 //! ```text
-//! samples ─ session ─ frames                                   (a path at once)
+//! samples ─ session ─ frames                                   (a whole path)
 //!
 //! messages ─ hear ─ orders ─ live ─ pair ─ feed ─ say ─ messages (tick by tick)
 //!                     │        │      └ body: the solver; the f64 path reference
@@ -10,8 +10,8 @@
 //!                     └ change: another setting, another run
 //! ```
 //!
-//! What is said and taken is in `host-sim/VIEW.md`. `stiction view` adds boards, recordings and clients; the static page has
-//! this alone.
+//! The messages are specified in `host-sim/VIEW.md`. `stiction view` adds boards, recordings and clients; the static page uses
+//! this package alone.
 
 pub mod body;
 pub mod change;

@@ -1,4 +1,4 @@
-//! The solver tick by tick, with the hand that leads it: what passes in a millisecond, and what there is to show then.
+//! The solver tick by tick, with its hand: what happens in a millisecond, and what is shown afterwards.
 
 use std::sync::Arc;
 
@@ -18,57 +18,57 @@ use crate::scenes::Offer;
 use crate::stage::Stage;
 use crate::step_times::StepTimes;
 
-/// From one tick to the next.
+/// Time between two ticks.
 pub const PERIOD: Duration = Duration::from_millis(1);
-/// Whoever is later than this does not catch up.
+/// Largest delay that is caught up.
 const PATIENCE: Duration = Duration::from_millis(100);
-/// So many scenes of clients are kept: of 1 MiB each at most.
+/// Number of clients' scenes that are kept, each at most 1 MiB.
 const MOST_OWN: usize = 32;
-/// Time in a tick for a seek.
+/// Time in a tick that a seek may use.
 const SEEKING: Duration = Duration::from_micros(500);
 
 /// The solver with its hand.
 pub struct Live {
-    /// What waits to be shown.
+    /// Data that waits to be shown.
     pub pending: Pending,
-    /// The scene as it is at a reset.
+    /// The scene as it is after a reset.
     pub stage: Stage,
-    /// The solver, and the reference beside it.
+    /// The solver and the reference.
     pub pair: Pair,
     /// The hand of the newest tick.
     pub sample: Sample,
-    /// How long the steps take.
+    /// Times of the steps.
     pub times: StepTimes,
-    /// Where the hand goes.
+    /// Leads the live hand.
     pub guide: Guide,
-    /// Who holds it.
+    /// The holder of the hand.
     pub holder: Holder,
-    /// The path that it follows instead.
+    /// The path that the hand follows instead.
     pub replay: Option<Replay>,
-    /// Scenes besides the bundled ones, the newest last.
+    /// Scenes other than the bundled ones, the newest last.
     pub own: Vec<Stage>,
-    /// Why the file of the scene, as it is now, cannot be shown.
+    /// Why the scene's file, in its present form, cannot be shown.
     pub scene_problem: Option<String>,
     /// The number of the newest tick.
     pub tick: u64,
-    /// Time stands still.
+    /// Whether time stands still.
     pub paused: bool,
-    /// Ticks that are still to be made while paused.
+    /// Ticks still to be made while paused.
     pub steps: u32,
-    /// Of the solver's time: 1 is real time.
+    /// Speed of the solver's time: 1 is real time.
     pub speed: f64,
-    /// Parts of a tick that have passed.
+    /// Fraction of a tick that has passed.
     phase: f64,
-    /// How many clients there are.
+    /// Number of clients.
     pub clients: usize,
-    /// What clients sent with their samples.
+    /// Values that clients sent with their samples.
     pub echoes: Echoes,
-    /// The state is another one.
+    /// Whether the state has changed.
     pub changed: bool,
 }
 
 impl Live {
-    /// With a scene, the body at its start.
+    /// Starts with a scene, the body at its start.
     ///
     /// # Errors
     /// The scene cannot be used.
@@ -101,7 +101,7 @@ impl Live {
         Ok(live)
     }
 
-    /// Counts a tick that begins more than `allowed` late. When it was due; where that is too long ago, now.
+    /// Counts a tick that begins more than `allowed` late. Returns when it was due, or `now` if that is too long ago.
     pub fn late(&mut self, due: Instant, now: Instant, allowed: Duration) -> Instant {
         let late = now.saturating_duration_since(due);
         let skips = late > PATIENCE;
@@ -111,13 +111,13 @@ impl Live {
         if skips { now } else { due }
     }
 
-    /// Ticks are made.
+    /// Returns whether ticks are made.
     fn moves(&self) -> bool {
         let ended = self.replay.as_ref().is_some_and(Replay::is_over);
         !self.paused && !ended
     }
 
-    /// A period passes. `advance` makes a tick, and says whether another one may follow in the same period.
+    /// Lets a period pass. `advance` makes a tick, and returns whether another one may follow in the same period.
     pub fn pass(&mut self, advance: &mut dyn FnMut(&mut Self) -> bool) {
         if self.replay.as_ref().is_some_and(Replay::is_seeking) {
             self.approach();
@@ -151,8 +151,8 @@ impl Live {
         }
     }
 
-    /// The hand goes on along the path that it follows; `follows`: the body goes with it here. Nothing where there is no path or it
-    /// is at its end.
+    /// Moves the hand along its path; `follows`: the body follows it here. Returns nothing if there is no path or it is at its
+    /// end.
     pub fn follow(&mut self, follows: bool) -> Option<()> {
         let replay = self.replay.as_mut()?;
         let sample = match follows {
@@ -161,7 +161,7 @@ impl Live {
         };
         self.changed |= replay.takes_change();
         if sample.is_none() && replay.rest() {
-            // The first snapshot is there, or the scene has begun before.
+            // Cannot fail: the first snapshot exists, or the scene has been started before.
             let _ = self.seek(0.0);
             return None;
         }
@@ -172,7 +172,7 @@ impl Live {
         Some(())
     }
 
-    /// The hand of the next tick is `hand`.
+    /// Sets the hand of the next tick.
     pub fn move_hand(&mut self, hand: HandPose) -> Sample {
         self.tick += 1;
         self.sample = Sample {
@@ -182,7 +182,7 @@ impl Live {
         self.sample
     }
 
-    /// The body follows the newest hand.
+    /// Makes the body follow the newest hand.
     pub fn step(&mut self) {
         let Sample { t, hand } = self.sample;
         self.echoes.move_now();
@@ -190,7 +190,7 @@ impl Live {
         self.pending.record(&self.pair.frame);
     }
 
-    /// One tick of a body that nobody records.
+    /// Makes one tick of a body that nobody records.
     pub fn advance(&mut self) {
         if self.replay.is_some() {
             self.follow(true);
@@ -201,19 +201,19 @@ impl Live {
         }
     }
 
-    /// A client is gone. A demonstration that nobody sees any more is over, as if it had not been.
+    /// Removes a client. A demonstration that nobody watches any more ends, as if it had not been shown.
     pub fn left(&mut self, client: u32) {
         self.clients = self.clients.saturating_sub(1);
         self.holder.leave(Source::Client(client));
         self.changed = true;
         let replay = self.replay.as_ref();
         if self.clients == 0 && replay.is_some_and(Replay::is_demonstration) {
-            // The scene has begun before.
+            // Cannot fail: the scene has been started before.
             let _ = self.apply(Change::run(self.stage.clone(), self.pair.setting.clone()));
         }
     }
 
-    /// What is shown from now on is of another run, which the hand begins at `home`.
+    /// Starts to show another run, in which the hand begins at `home`.
     pub fn begin_run(&mut self, home: HandPose) {
         self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
         let first = self.replay.as_ref().and_then(Replay::sample);
@@ -229,7 +229,7 @@ impl Live {
         self.changed = true;
     }
 
-    /// The hand as the newest frame has it.
+    /// Returns the hand of the newest frame.
     pub fn shown_hand(&self) -> HandPose {
         let frame = &self.pair.frame;
         HandPose {
@@ -239,7 +239,7 @@ impl Live {
         }
     }
 
-    /// Keeps a scene, in the place of another one of its name.
+    /// Keeps a scene; it replaces another one of the same name.
     pub fn keep(&mut self, stage: Stage) {
         self.own.retain(|own| own.scene.title != stage.scene.title);
         if self.own.len() == MOST_OWN {
@@ -248,7 +248,7 @@ impl Live {
         self.own.push(stage);
     }
 
-    /// The scenes that can be shown, those of clients first; `with_obstacles`: those with obstacles, too.
+    /// Returns the scenes that can be shown, those of clients first; `with_obstacles`: includes those with obstacles.
     pub fn offers(&self, with_obstacles: bool) -> Vec<Offer> {
         let is_own = |name: &str| self.own.iter().any(|own| own.scene.title == name);
         let own = self.own.iter();
@@ -257,20 +257,20 @@ impl Live {
         own.chain(bundled).collect()
     }
 
-    /// Their names.
+    /// Returns their names.
     pub fn scene_names(&self, with_obstacles: bool) -> Vec<String> {
         let offers = self.offers(with_obstacles).into_iter();
         offers.map(|offer| offer.name).collect()
     }
 
-    /// The state, with this status, waits to be shown.
+    /// Queues the state, with this status, to be shown.
     pub fn tell(&mut self, status: &Status) {
         let message = say::state(&self.stage, &self.pair, status);
         self.pending.state(message);
         self.changed = false;
     }
 
-    /// What the state says of time, hand and clients; without recordings.
+    /// Returns the part of the state about time, hand and clients, without recordings.
     pub fn status(&self) -> Status {
         let hand = match (&self.replay, self.holder.source()) {
             (Some(_), _) => By {
@@ -301,7 +301,7 @@ impl Live {
         }
     }
 
-    /// The newest there is; `board`: how the board fares that has the solver.
+    /// Returns the newest data; `board`: statistics of the board that runs the solver.
     pub fn latest(&self, board: Option<Fares>) -> Latest {
         let pair = &self.pair;
         Latest {

@@ -1,11 +1,11 @@
-//! Whitney's meter of a run: from its scene to `stiction-insertion`'s [`Meter`], from its frames to readings.
+//! Whitney's meter of a run: makes `stiction-insertion`'s [`Meter`] from its scene, and readings from its frames.
 
 use stiction_insertion::{Insertion, Meter, Reaction, Scene, SmallAngles, Solid, Springs};
 use stiction_scene::WrittenScene;
 
 use crate::record::{Frame, Run};
 
-/// The meter of a scene that has a peg and a hole.
+/// Returns the meter of a scene that has a peg and a hole.
 pub fn of_scene(scene: &WrittenScene) -> Option<Meter> {
     let surfaces: Vec<_> = (scene.surfaces.iter())
         .map(|surface| (surface.normal, surface.offset))
@@ -24,10 +24,10 @@ pub fn of_scene(scene: &WrittenScene) -> Option<Meter> {
     })
 }
 
-/// The reading of a frame; none where the peg is not in its hole.
+/// Returns the reading of a frame; none if the peg is not in its hole.
 pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
     let contacts: Vec<Reaction> = (frame.contacts.iter())
-        // Among obstacles every contact has its direction.
+        // In a scene with obstacles every contact has its direction.
         .filter_map(|contact| {
             Some(Reaction {
                 point: contact.point,
@@ -40,7 +40,7 @@ pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
     meter.read(frame.pose, &contacts)
 }
 
-/// F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
+/// Returns F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
 pub fn small_angles(
     (meter, depth): (&Meter, f64),
     frame: &Frame,
@@ -60,7 +60,7 @@ pub fn small_angles(
 }
 
 impl Run {
-    /// The frames in which the peg is in its hole, with their readings.
+    /// Returns the frames in which the peg is in its hole, with their readings.
     pub fn readings(&self) -> impl Iterator<Item = (&Frame, Insertion)> {
         let frames = self.meter.iter().flat_map(|_| &self.frames);
         frames.filter_map(|frame| Some((frame, read(self.meter.as_ref()?, frame)?)))

@@ -1,4 +1,4 @@
-//! The number types that a run can use, and how large their numbers may be; number types and evolutions by their names.
+//! The number types of a run and their largest numbers; number types and evolutions by name.
 
 use stiction_core::Evolution;
 use stiction_core::frame::NumberType;
@@ -19,7 +19,7 @@ impl Number {
     /// All number types.
     pub const ALL: [Self; 3] = [Self::F64, Self::F32, Self::Fixed];
 
-    /// The name on the command line.
+    /// Returns the name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",
@@ -28,7 +28,7 @@ impl Number {
         }
     }
 
-    /// The largest value that the type takes in SI units.
+    /// Returns the largest value of the type in SI units.
     pub const fn limit(self) -> f64 {
         match self {
             Self::F32 | Self::Fixed => f32::MAX as f64,
@@ -36,13 +36,13 @@ impl Number {
         }
     }
 
-    /// Whether results are f32 values, to be printed with the digits of f32.
+    /// Returns whether results are f32 values, to be printed with the digits of f32.
     pub const fn is_single(self) -> bool {
         matches!(self, Self::F32 | Self::Fixed)
     }
 }
 
-/// That of a board.
+/// The number type of a board.
 impl From<NumberType> for Number {
     fn from(number: NumberType) -> Self {
         match number {
@@ -52,10 +52,10 @@ impl From<NumberType> for Number {
     }
 }
 
-/// The one of a name, of all.
+/// Returns the item with this name.
 ///
 /// # Errors
-/// Those that are allowed.
+/// The allowed names.
 pub fn named<T: Copy, const N: usize>(
     all: [T; N],
     name: fn(T) -> &'static str,
@@ -66,18 +66,18 @@ pub fn named<T: Copy, const N: usize>(
     found.ok_or_else(allowed)
 }
 
-/// A number type by its name.
+/// Returns the number type with this name.
 ///
 /// # Errors
-/// Those that are allowed.
+/// The allowed names.
 pub fn parse_number(text: &str) -> Result<Number, String> {
     named(Number::ALL, Number::name, text)
 }
 
-/// An evolution by its name.
+/// Returns the evolution with this name.
 ///
 /// # Errors
-/// Those that are allowed.
+/// The allowed names.
 pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
     named(Evolution::ALL, Evolution::name, text)
 }

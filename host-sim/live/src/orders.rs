@@ -1,5 +1,5 @@
-//! What a client says, and what is made of it: a change of the setting, another run, or what concerns the hand and the time
-//! alone. What is refused changes nothing.
+//! Handles a client's messages: a change of the setting, another run, or an action on hand and time only. A refused message has
+//! no effect.
 
 use std::path::Path as FilePath;
 use std::sync::Arc;
@@ -20,11 +20,11 @@ use crate::replay::Way;
 use crate::scenes;
 use crate::stage::Stage;
 
-/// Steps that wait at most.
+/// Largest number of steps that wait.
 const MOST_STEPS: u32 = 100_000;
 
 impl Live {
-    /// Does what a client says.
+    /// Handles a message from a client.
     ///
     /// # Errors
     /// It cannot be done.
@@ -35,7 +35,7 @@ impl Live {
         }
     }
 
-    /// Does what can be done at once; a change of the body is given back. There are no recordings and no uploads here.
+    /// Does what can be done immediately; returns a change of the body. Recordings and uploads are not supported here.
     ///
     /// # Errors
     /// It cannot be done.
@@ -93,10 +93,10 @@ impl Live {
         Ok(None)
     }
 
-    /// A sample of the hand.
+    /// Takes a sample of the hand.
     ///
     /// # Errors
-    /// Somebody else holds it, or it follows a path.
+    /// Somebody else holds the hand, or it follows a path.
     pub fn hand(
         &mut self,
         source: Source,
@@ -138,7 +138,7 @@ impl Live {
         Ok(Change::run(stage, setting))
     }
 
-    /// A scene of a client's own, from its beginning; it can be shown again later.
+    /// Starts a client's own scene from its beginning; it can be shown again later.
     pub fn own_scene(&self, stage: Stage) -> Change {
         Change::Run(Box::new(Run {
             setting: self.setting_of(&stage),
@@ -155,8 +155,8 @@ impl Live {
         }
     }
 
-    /// Body and hand as at the beginning, and the parameters of the file where `parameters` says so; a path from its beginning. A
-    /// recording may have begun elsewhere.
+    /// Returns body and hand to their start, with the file's parameters if `parameters` is set; a path restarts from its
+    /// beginning. A recording may have begun elsewhere.
     pub fn anew(&self, parameters: bool) -> Change {
         let mut setting = self.pair.setting.clone();
         match parameters {
@@ -176,7 +176,7 @@ impl Live {
         }))
     }
 
-    /// The parameters of the scene's file.
+    /// Restores the parameters of the scene's file.
     fn defaults(&self) -> Change {
         let mut setting = self.pair.setting.clone();
         let mut scene = SceneFile::clone(&self.stage.scene);
@@ -234,7 +234,7 @@ impl Live {
         Change::Setting(setting)
     }
 
-    /// The scene's path over and over, until somebody takes the hand. It takes the hand from nobody but the client that asks.
+    /// Repeats the scene's path until somebody takes the hand. It takes the hand from nobody but the requesting client.
     fn demonstration(&mut self, client: u32, what: Option<Path>) -> Result<Change, String> {
         if what != Some(Path::Scene) {
             return Err("a demonstration of another path, allowed: \"scene\"".to_owned());
@@ -245,7 +245,7 @@ impl Live {
         Ok(change)
     }
 
-    /// The scene's path, from its beginning.
+    /// Follows the scene's path, from its beginning.
     fn scene_path(&self, way: fn(Arc<HandPath>) -> Way) -> Result<Change, String> {
         match &self.stage.path {
             Some(path) => self.path("scene".to_owned(), way(Arc::clone(path))),
@@ -253,7 +253,7 @@ impl Live {
         }
     }
 
-    /// The hand follows a path in the scene as it is.
+    /// Makes the hand follow a path in the present scene.
     ///
     /// # Errors
     /// The path is too long.
@@ -267,7 +267,7 @@ impl Live {
         })))
     }
 
-    /// The hand is live again, and stays where it is.
+    /// Makes the hand live again; it stays where it is.
     pub fn release(&mut self) {
         if self.replay.take().is_some() {
             self.guide = Guide::at(self.shown_hand());
@@ -276,7 +276,7 @@ impl Live {
         }
     }
 
-    /// Goes to a place of the path.
+    /// Jumps to a time (s) of the path.
     ///
     /// # Errors
     /// There is no path.
@@ -290,7 +290,7 @@ impl Live {
     }
 }
 
-/// What is told where there is no such path to replay.
+/// Returns the error message if there is no such path to replay.
 pub fn missing(what: &str, allowed: &str) -> String {
     format!("there is no {what} to replay, allowed: {allowed}")
 }

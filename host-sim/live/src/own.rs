@@ -1,5 +1,5 @@
-//! Scenes of a client's own: from the text of a scene file, or from what is changed in the scene that is shown, to a scene that can
-//! be shown; and back to the text of a file that `stiction run` takes.
+//! A client's own scenes: makes a scene that can be shown from the text of a scene file or from edits to the shown scene, and
+//! the text of a file for `stiction run` from a scene.
 
 use std::path::{Path, PathBuf};
 
@@ -11,15 +11,15 @@ use crate::body::check;
 use crate::scenes;
 use crate::stage::{Stage, at_start, written};
 
-/// The longest name of a file, in characters.
+/// Longest name of a file, in characters.
 const NAME: usize = 100;
-/// Digits after the point that an origin keeps (m, rad): a path that was moved and moved back has no rest of rounding.
+/// Decimal places kept in an origin (m, rad): moving a path back and forth leaves no rounding error.
 const DIGITS: i32 = 12;
-/// Frames a second (Hz) and length (s) of the path of a hand that rests.
+/// Frames a second (Hz) and length (s) of the path of a resting hand.
 const RATE: f64 = 1000.0;
 const REST: f64 = 1.0;
 
-/// The file of a scene that a client calls so: never the name of a bundled one, which stays what it is.
+/// Returns the file name of a client's scene: never the name of a bundled one, which stays unchanged.
 pub fn file_of(name: &str) -> PathBuf {
     let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let name = name.strip_suffix(".toml").unwrap_or(name);
@@ -34,11 +34,11 @@ pub fn file_of(name: &str) -> PathBuf {
     }
 }
 
-/// The scene of a text, for a number type whose largest number is `limit`. A file with the hand's path is not opened: the text comes
-/// from whoever can reach the program.
+/// Parses a scene from a text, for a number type whose largest number is `limit`. Does not open a file with the hand's path:
+/// the text comes from anyone who can reach the program.
 ///
 /// # Errors
-/// It is no scene: the key and the line.
+/// It is not a scene: the key and the line.
 pub fn parse(name: &str, text: Vec<u8>, limit: f64) -> Result<Stage, InputError> {
     let source = Source::of_bytes(&file_of(name), text)?;
     let scene = SceneFile::parse(source, limit)?;
@@ -46,7 +46,7 @@ pub fn parse(name: &str, text: Vec<u8>, limit: f64) -> Result<Stage, InputError>
     Stage::unopened(scene)
 }
 
-/// What a client changes in a scene: the sections of a scene file but the hand's, with every value.
+/// A client's edits to a scene: all sections of a scene file except the hand's, with every value.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Edit {
@@ -100,16 +100,17 @@ struct Obstacle {
     memory: Option<f64>,
 }
 
-/// The scene of `base` with changes (JSON), under a name of the client. The hand's path stays, and moves with the point that it holds.
+/// Returns the scene of `base` with edits (JSON), under the client's name. The hand's path stays, and moves with the holding
+/// point.
 ///
 /// # Errors
-/// The changes do not make a scene: the key and the line in the text that was made of them.
+/// The edits do not make a scene: the key and the line in the resulting text.
 pub fn edited(base: &Stage, name: &str, json: &[u8], limit: f64) -> Result<Stage, String> {
     let edit: Edit = serde_json::from_slice(json).map_err(|error| error.to_string())?;
     let mut scene = SceneFile::clone(&base.scene);
     edit.put(&mut scene);
     let text = whole(&scene, &moved(&base.scene, &scene));
-    // A path that was opened lies where the file of the scene does.
+    // The file of an opened path is relative to the scene's file.
     let file = base.scene.source().file().with_file_name(file_of(name));
     let scene = SceneFile::parse(Source::new(file, text), limit);
     let stage = scene.and_then(|scene| {
@@ -150,13 +151,13 @@ impl Edit {
     }
 }
 
-/// x, y (m) and phi (rad) of a hand.
+/// Returns x, y (m) and phi (rad) of a hand.
 fn pose(hand: &Hand<f64>) -> [f64; 3] {
     let [x, y] = hand.position;
     [x, y, hand.angle.radians()]
 }
 
-/// Where the hand's path lies in a scene whose holding point was elsewhere before.
+/// Returns the origin of the hand's path after the holding point has moved.
 fn moved(before: &SceneFile, now: &SceneFile) -> [f64; 3] {
     let (old, new) = (pose(&at_start(before)), pose(&at_start(now)));
     let (origin, scale) = (now.hand.placement.origin, 10_f64.powi(DIGITS));
@@ -169,8 +170,8 @@ fn moved(before: &SceneFile, now: &SceneFile) -> [f64; 3] {
     })
 }
 
-/// The text of the scene that is shown: that of its file, unless a parameter was changed since or the file has no path of the hand,
-/// without which it could not be run. `stage`: the scene as it is at a reset; `now`: with the parameters that hold.
+/// Returns the text of the shown scene: the text of its file, unless a parameter was changed since or the file has no path of
+/// the hand, without which it could not be run. `stage`: the scene as it is after a reset; `now`: with the present parameters.
 pub fn text(stage: &Stage, now: &SceneFile) -> String {
     let (of_file, source) = (&stage.scene, stage.scene.source());
     let is_as_in_file = of_file.stiffness_translation == now.stiffness_translation
@@ -186,7 +187,7 @@ pub fn text(stage: &Stage, now: &SceneFile) -> String {
     whole(&scene, &scene.hand.placement.origin)
 }
 
-/// A scene file with its hand, whose path has this origin.
+/// Returns a scene file with its hand, whose path has this origin.
 fn whole(scene: &SceneFile, origin: &[f64; 3]) -> String {
     let hand = match scene.hand.motion {
         Some(Motion::Keyframes(_) | Motion::Recorded(_)) => scene.hand_text(origin),
@@ -195,7 +196,7 @@ fn whole(scene: &SceneFile, origin: &[f64; 3]) -> String {
     format!("{}\n{hand}", written(scene))
 }
 
-/// The section of a hand that rests where it pulls at nothing.
+/// Returns the section of a hand at rest that exerts no force.
 fn resting(scene: &SceneFile) -> String {
     let [x, y, phi] = pose(&at_start(scene));
     let rate = scene.hand.rate.unwrap_or(RATE);

@@ -1,5 +1,5 @@
-//! The chosen solver with the f64 path reference beside it, on the same hand: poses, counts, slips, and how far the two are
-//! apart.
+//! The chosen solver and the f64 path reference, driven by the same hand: poses, counters, slips, and the deviation between the
+//! two.
 
 use std::sync::Arc;
 
@@ -14,39 +14,39 @@ use crate::meter;
 use crate::record::Frame;
 use crate::step_times::StepTimes;
 
-/// The newest slips that are kept.
+/// Number of newest slips that are kept.
 const SLIPS: usize = 32;
 
-/// Where a slip ended.
+/// The place where a slip ended.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SlipMark {
-    /// How many there were, with this one.
+    /// Number of slips, including this one.
     pub n: u64,
-    /// When (s).
+    /// Time (s).
     pub t: f64,
-    /// The foot (m).
+    /// Contact point (m).
     pub point: [f64; 2],
     /// The unit normal there, in a scene with obstacles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 2]>,
-    /// The longest slip of the tick (m).
+    /// Longest slip of the tick (m).
     pub length: f64,
 }
 
-/// The reference beside the solver.
+/// The comparison of the solver with the reference.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Comparison {
-    /// Where it is: x, y (m), theta (rad).
+    /// Pose of the reference: x, y (m), theta (rad).
     pub pose: [f64; 3],
-    /// Its contact state, by its name.
+    /// Name of its contact state.
     pub state: &'static str,
-    /// Now: of the body's origin (m), of the angle (rad).
+    /// Present deviation of the body's origin (m) and of the angle (rad).
     pub error: [f64; 2],
-    /// The worst since then.
+    /// Largest deviations since the comparison began.
     pub worst: [f64; 2],
-    /// Ticks in another state.
+    /// Ticks in which the states differed.
     pub differ: u64,
-    /// Ticks.
+    /// Ticks since the comparison began.
     pub since: u64,
 }
 
@@ -54,28 +54,28 @@ fn meter_of(setting: &Setting) -> Option<Arc<Meter>> {
     meter::of_scene(&setting.scene).map(Arc::new)
 }
 
-/// Two bodies in one hand.
+/// Two bodies driven by one hand.
 pub struct Pair {
     /// Scene, number type and evolution.
     pub setting: Setting,
     body: Box<dyn Body>,
     reference: Box<dyn Body>,
-    /// The last record; shared with those that show it.
+    /// The last record, shared with its viewers.
     pub frame: Arc<Frame>,
-    /// How far the two are apart.
+    /// The comparison of the two.
     pub comparison: Comparison,
-    /// What was counted so far.
+    /// The counters so far.
     pub counts: Counts,
     /// The newest slips.
     pub slips: Arc<[SlipMark]>,
-    /// Whitney's meter, where the scene has a peg and a hole.
+    /// Whitney's meter, if the scene has a peg and a hole.
     pub meter: Option<Arc<Meter>>,
-    /// Where the contact with the largest N is, and where it faces.
+    /// Point of the contact with the largest N, and its normal.
     foot: ([f64; 2], Option<[f64; 2]>),
 }
 
 impl Pair {
-    /// Both at the start.
+    /// Starts both.
     ///
     /// # Errors
     /// The scene cannot be used in this number type.
@@ -98,7 +98,7 @@ impl Pair {
         Ok(pair)
     }
 
-    /// The hand goes to a pose, and both follow.
+    /// Moves the hand to a pose; both follow.
     pub fn step(&mut self, t: f64, hand: &Hand<f64>, times: &mut StepTimes) {
         let begun = Instant::now();
         self.body.step(hand);
@@ -109,7 +109,7 @@ impl Pair {
         self.look(true);
     }
 
-    /// A board's answer to the sample `hand`: the body is the board's, and the reference follows the same hand.
+    /// Takes a board's answer to the sample `hand`: the body is the board's, and the reference follows the same hand.
     pub fn answered(&mut self, frame: Frame, body: Box<dyn Body>, hand: &Hand<f64>) {
         self.reference.step(hand);
         self.body = body;
@@ -118,10 +118,10 @@ impl Pair {
         self.look(true);
     }
 
-    /// A board works under another setting: it says itself where the body is. The comparison begins anew from there.
+    /// Takes another setting of a board, which itself reports where the body is. The comparison restarts from there.
     ///
     /// # Errors
-    /// The reference cannot follow: it and the comparison go on as they were.
+    /// The reference cannot follow: it and the comparison remain unchanged.
     pub fn changed(&mut self, setting: &Setting) -> Result<(), String> {
         self.setting = setting.clone();
         self.meter = meter_of(setting);
@@ -134,10 +134,11 @@ impl Pair {
         Ok(())
     }
 
-    /// Other parameters, another number type or evolution. The comparison begins anew, with both bodies where this one is.
+    /// Changes parameters, number type or evolution. The comparison restarts, with both bodies at the pose of the solver's
+    /// body.
     ///
     /// # Errors
-    /// What is refused changes nothing.
+    /// A refused change has no effect.
     pub fn change(&mut self, setting: &Setting) -> Result<(), String> {
         let present = self.body.present();
         let body = setting.carry(&present)?;
@@ -152,12 +153,12 @@ impl Pair {
         Ok(())
     }
 
-    /// Where the body is.
+    /// Returns the present pose and hold of the body.
     pub fn present(&self) -> Present {
         self.body.present()
     }
 
-    /// A copy of all of it.
+    /// Returns a copy of everything.
     pub fn snapshot(&self) -> Self {
         Self {
             setting: self.setting.clone(),
@@ -170,7 +171,7 @@ impl Pair {
         }
     }
 
-    /// Takes over what the body says.
+    /// Takes a new record of the body.
     fn show(&mut self, frame: Frame) {
         self.counts.add(Some(self.frame.state), &frame);
         let contacts = frame.contacts.iter();
@@ -192,7 +193,7 @@ impl Pair {
         self.frame = Arc::new(frame);
     }
 
-    /// How far the two are apart; `counted`: after a tick.
+    /// Updates the comparison; `counted`: after a tick.
     fn look(&mut self, counted: bool) {
         let reference = self.reference.frame(self.frame.t);
         let ([x, y, theta], [rx, ry, r_theta]) = (self.frame.pose, reference.pose);

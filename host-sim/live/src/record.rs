@@ -1,5 +1,5 @@
-//! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
-//! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
+//! The record of a run for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64 (an f32 run
+//! is widened without loss), SI units, world frame, angles unwrapped.
 
 use std::collections::BTreeSet;
 
@@ -29,9 +29,9 @@ pub struct Run {
     pub stiffness_rotation: f64,
     /// Weight (N) at the centroid, along world -y.
     pub weight: f64,
-    /// The initial holding point (m), body frame; `None`: taken from the hand at the grasp.
+    /// The initial holding point (m), body frame; `None`: determined by the hand at the grasp.
     pub holding_point: Option<[f64; 2]>,
-    /// Whitney's meter, where the scene has a peg and a hole.
+    /// Whitney's meter, if the scene has a peg and a hole.
     pub meter: Option<Meter>,
     /// The number type of the solver.
     pub number: Number,
@@ -42,7 +42,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Of a scene, without frames yet.
+    /// Returns a run of a scene, without frames yet.
     pub fn of(scene: &SceneFile, number: Number, evolution: Evolution) -> Self {
         Self {
             title: scene.title.clone(),
@@ -60,13 +60,13 @@ impl Run {
         }
     }
 
-    /// The obstacles and corners of them that are touched in any frame.
+    /// Returns the obstacles and their corners that are touched in any frame.
     pub fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
         let contacts = self.frames.iter().flat_map(|frame| &frame.contacts);
         contacts.filter_map(ContactRecord::corner).collect()
     }
 
-    /// What its trace has of the scene.
+    /// Returns the part of the scene that its trace needs.
     pub fn scenery(&self) -> Scenery {
         Scenery {
             names: Names::of(&self.surfaces, &self.obstacles),
@@ -75,26 +75,26 @@ impl Run {
     }
 }
 
-/// What a trace has of the scene: names, and the meter of a peg in a hole.
+/// The part of a scene that a trace needs: names, and the meter of a peg in a hole.
 #[derive(Clone, Debug, Default)]
 pub struct Scenery {
     /// The names.
     pub names: Names,
-    /// Whitney's meter, where there is a peg and a hole.
+    /// Whitney's meter, if there is a peg and a hole.
     pub meter: Option<Meter>,
 }
 
 /// The names of surfaces and obstacles.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
-    /// Of the surfaces, in the order of the scene.
+    /// Names of the surfaces, in the order of the scene.
     pub surfaces: Vec<String>,
-    /// Of the obstacles, in the order of the scene.
+    /// Names of the obstacles, in the order of the scene.
     pub obstacles: Vec<String>,
 }
 
 impl Names {
-    /// Of those of a scene.
+    /// Collects the names in a scene.
     pub fn of(surfaces: &[SurfaceInfo], obstacles: &[ObstacleInfo]) -> Self {
         let surfaces = surfaces.iter().map(|surface| surface.name.clone());
         let obstacles = obstacles.iter().map(|obstacle| obstacle.name.clone());
@@ -110,9 +110,9 @@ impl Names {
 pub struct Frame {
     /// Time of the hand's sample (s).
     pub t: f64,
-    /// Hand: x, y (m), phi (rad); the last good one where a bad one was held.
+    /// Hand: x, y (m), phi (rad); the last valid one if an invalid sample was held.
     pub hand: [f64; 3],
-    /// The hand holds the body.
+    /// Whether the hand holds the body.
     pub held: bool,
     /// Body: x, y (m), theta (rad).
     pub pose: [f64; 3],
@@ -126,36 +126,36 @@ pub struct Frame {
     pub wrench: [f64; 3],
     /// Slips that ended in this frame.
     pub slips: u32,
-    /// The longest of them (m).
+    /// Length of the longest of them (m).
     pub longest_slip: f64,
     /// What happened, in order.
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
-    /// The part of the hand's displacement that is not yet followed, 0 to 1, where a frame has a budget of work.
+    /// The part of the hand's displacement that is not yet followed, 0 to 1, if a frame has a budget of work.
     pub behind: Option<f64>,
 }
 
-/// A contact of the body: one of its vertices on a surface or on a side of an obstacle, or a corner of an obstacle on one of its
-/// sides.
+/// A contact of the body: one of its vertices on a surface or on a side of an obstacle, or a corner of an obstacle on a side of
+/// the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactRecord {
-    /// What touches what, by the indices of [`Run::body`], [`Run::surfaces`] and [`Run::obstacles`].
+    /// What touches what, as indices into [`Run::body`], [`Run::surfaces`] and [`Run::obstacles`].
     pub touch: Touch,
-    /// Where they touch (m).
+    /// Contact point (m).
     pub point: [f64; 2],
     /// Reaction N on the body along the normal n (N).
     pub normal: f64,
     /// Friction T on the body along the tangent t = (n_y, -n_x) (N).
     pub friction: f64,
-    /// 0 where it sticks, 1 or -1 where it slides along t or against it.
+    /// 0 if it sticks, 1 or -1 if it slides along t or against it.
     pub sliding: i8,
-    /// The unit normal n towards the body; `None` in a scene without obstacles, where it is the surface's.
+    /// The unit normal n towards the body; `None` in a scene without obstacles: there it is the surface's.
     pub direction: Option<[f64; 2]>,
 }
 
 impl ContactRecord {
-    /// The vertex of the body, where it is one that touches.
+    /// Returns the vertex of the body, if it is a vertex that touches.
     pub fn vertex(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => Some(vertex),
@@ -163,7 +163,7 @@ impl ContactRecord {
         }
     }
 
-    /// The surface, where it is one that is touched.
+    /// Returns the surface, if it is a surface that is touched.
     pub fn surface(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { surface, .. } => Some(surface),
@@ -171,7 +171,7 @@ impl ContactRecord {
         }
     }
 
-    /// The obstacle, where it is one that is touched.
+    /// Returns the obstacle, if it is an obstacle that is touched.
     pub fn obstacle(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { .. } => None,
@@ -179,7 +179,7 @@ impl ContactRecord {
         }
     }
 
-    /// The obstacle and its corner, where it is one that touches.
+    /// Returns the obstacle and its corner, if it is a corner that touches.
     pub fn corner(&self) -> Option<[usize; 2]> {
         match self.touch {
             Touch::Corner {
@@ -189,7 +189,7 @@ impl ContactRecord {
         }
     }
 
-    /// The unit normal n towards the body.
+    /// Returns the unit normal n towards the body.
     pub fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
         let of_surface = || Some(surfaces.get(self.surface()?)?.normal);
         self.direction.or_else(of_surface).unwrap_or_default()
@@ -197,7 +197,7 @@ impl ContactRecord {
 }
 
 impl Frame {
-    /// The frame at time `t` (s) with the solver's answer and the state after it.
+    /// Returns the frame at time `t` (s) with the solver's answer and the state after it.
     pub fn new<R: Real<Si: SiFloat>, M: HostModel>(
         t: f64,
         solver: &HostSolver<R, M>,
@@ -209,7 +209,7 @@ impl Frame {
         frame
     }
 
-    /// The same without contacts, in the place of another frame, whose memory it takes.
+    /// Does the same without contacts and reuses the memory of another frame.
     pub(crate) fn renewed<R: Real<Si: SiFloat>, M: HostModel>(
         self,
         t: f64,
@@ -240,19 +240,19 @@ impl Frame {
         }
     }
 
-    /// With the indices of the scene file, where the solver's obstacles have others.
+    /// Translates to the indices of the scene file, if the solver's obstacles have others.
     pub fn with_indices(mut self, indices: Option<&Indices>) -> Self {
         rename(&mut self.contacts, indices);
         self
     }
 
-    /// The holding point in the world while the hand holds the body: p_h - F / k_h (m).
+    /// Returns the holding point in the world while the hand holds the body: p_h - F / k_h (m).
     pub fn holding_point(&self, stiffness_translation: f64) -> [f64; 2] {
         [0, 1].map(|axis| self.hand[axis] - self.wrench[axis] / stiffness_translation)
     }
 }
 
-/// Puts the contacts of a state in the place of others.
+/// Replaces the contacts with those of a state.
 pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: HostModel>(
     contacts: &mut Vec<ContactRecord>,
     solver: &HostSolver<R, M>,
@@ -278,7 +278,7 @@ pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: HostModel>(
     contacts.extend(solver.contacts(state).iter().enumerate().map(contact));
 }
 
-/// Gives contacts the indices of the scene file, where the solver's obstacles have others.
+/// Gives contacts the indices of the scene file, if the solver's obstacles have others.
 pub(crate) fn rename(contacts: &mut [ContactRecord], indices: Option<&Indices>) {
     if let Some(indices) = indices {
         for contact in contacts {

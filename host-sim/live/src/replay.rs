@@ -1,4 +1,5 @@
-//! A path that the hand follows, tick by tick, with snapshots on the way: a seek goes on from the nearest one before.
+//! A path that the hand follows, tick by tick, with snapshots taken during the replay: a seek continues from the nearest
+//! earlier one.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -10,38 +11,38 @@ use crate::guide::HandPose;
 use crate::pair::Pair;
 use crate::step_times::StepTimes;
 
-/// Ticks from one snapshot to the next.
+/// Ticks between two snapshots.
 const SNAPSHOT_EVERY: usize = 500;
-/// The longest path that is replayed (s).
+/// Longest path that can be replayed (s).
 const LONGEST: f64 = 3600.0;
-/// Ticks that a demonstration rests at its end: so long one looks at what has become of the body.
+/// Ticks that a demonstration rests at its end: time to look at the result.
 const REST: u32 = 1000;
-/// Hertz.
+/// Tick rate (Hz).
 const RATE: f64 = 1000.0;
 
-/// A hand that was recorded tick by tick, with the settings on the way.
+/// A hand that was recorded tick by tick, with the changes of the setting.
 pub trait Recorded: Debug + Send + Sync {
-    /// How many ticks.
+    /// Returns the number of ticks.
     fn count(&self) -> usize;
-    /// The hand of a tick.
+    /// Returns the hand of a tick.
     fn get(&self, k: usize) -> Option<&HandPose>;
-    /// The setting that begins with a tick.
+    /// Returns the setting that begins with a tick.
     fn change_at(&self, k: usize) -> Option<&Setting>;
 }
 
 /// The hand at every tick.
 #[derive(Clone, Debug)]
 pub enum Way {
-    /// Resampled at the ticks.
+    /// A path, resampled at the ticks.
     Path(Arc<HandPath>),
-    /// The same, over and over, until somebody takes the hand.
+    /// The same, repeated until somebody takes the hand.
     Demonstration(Arc<HandPath>),
-    /// As it was recorded.
+    /// A recording, tick by tick.
     Recorded(Arc<dyn Recorded>),
 }
 
 impl Way {
-    /// How many ticks.
+    /// Returns the number of ticks.
     pub fn count(&self) -> usize {
         match self {
             Self::Path(path) | Self::Demonstration(path) => path.frame_count(Some(RATE)),
@@ -49,12 +50,12 @@ impl Way {
         }
     }
 
-    /// From its first tick to its last (s).
+    /// Returns the duration from the first tick to the last (s).
     pub fn seconds(&self) -> f64 {
         self.count().saturating_sub(1) as f64 / RATE
     }
 
-    /// Whether it can be followed.
+    /// Checks that it can be followed.
     ///
     /// # Errors
     /// It is too long.
@@ -78,26 +79,26 @@ impl Way {
     }
 }
 
-/// A path that is followed.
+/// A path that is being followed.
 pub struct Replay {
-    /// What the state calls it.
+    /// Its name in the state.
     pub what: String,
     /// The path.
     pub way: Way,
-    /// The tick that the body is at.
+    /// The present tick.
     pub at: usize,
-    /// The tick that is sought.
+    /// The tick to go to.
     sought: Option<usize>,
-    /// At ticks 0, n, 2 n ... as far as the path was followed.
+    /// At ticks 0, n, 2 n ... as far as the path has been followed.
     snapshots: Vec<Pair>,
-    /// The setting has changed on the way.
+    /// Whether the setting has changed during the replay.
     changed: bool,
-    /// Ticks that it has rested at its end.
+    /// Ticks rested at the end.
     rested: u32,
 }
 
 impl Replay {
-    /// A path from its beginning, and both bodies there.
+    /// Starts a path from its beginning. Returns it with both bodies there.
     ///
     /// # Errors
     /// The scene cannot be used.
@@ -118,12 +119,12 @@ impl Replay {
         Ok((replay, pair))
     }
 
-    /// From its first tick to its last (s).
+    /// Returns the duration from the first tick to the last (s).
     pub fn seconds(&self) -> f64 {
         self.way.seconds()
     }
 
-    /// Where it is (s).
+    /// Returns the present time of the path (s).
     pub fn position(&self) -> f64 {
         self.at as f64 / RATE
     }
@@ -132,51 +133,51 @@ impl Replay {
         self.way.count().saturating_sub(1)
     }
 
-    /// It is at the end.
+    /// Returns whether it is at the end.
     pub fn is_over(&self) -> bool {
         self.at >= self.last() && !self.is_seeking()
     }
 
-    /// It goes on until somebody takes the hand.
+    /// Returns whether it repeats until somebody takes the hand.
     pub const fn is_demonstration(&self) -> bool {
         matches!(self.way, Way::Demonstration(_))
     }
 
-    /// A tick at the end. Whether it is time to begin again.
+    /// Counts a tick at the end. Returns whether it is time to begin again.
     pub fn rest(&mut self) -> bool {
         self.rested = self.rested.saturating_add(1);
         self.is_demonstration() && self.rested >= REST
     }
 
-    /// There is a tick to go to.
+    /// Returns whether a seek is in progress.
     pub fn is_seeking(&self) -> bool {
         self.sought.is_some()
     }
 
-    /// The hand where it is.
+    /// Returns the hand at the present tick.
     pub fn sample(&self) -> Option<Sample> {
         self.way.sample(self.at)
     }
 
-    /// Goes to the next tick; nothing at the end.
+    /// Goes to the next tick. Returns nothing at the end.
     pub fn go_on(&mut self) -> Option<Sample> {
         let sample = self.way.sample(self.at + 1)?;
         self.at += 1;
         Some(sample)
     }
 
-    /// Whether the setting has changed since this was asked last.
+    /// Returns whether the setting has changed since the last call.
     pub fn takes_change(&mut self) -> bool {
         std::mem::take(&mut self.changed)
     }
 
-    /// As [`Self::go_on`], and the body follows.
+    /// Goes to the next tick as [`Self::go_on`] does, and the body follows.
     pub fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> Option<Sample> {
         let sample = self.go_on()?;
         if let Way::Recorded(recording) = &self.way
             && let Some(setting) = recording.change_at(self.at)
         {
-            // As it was when it was recorded, or, where it was changed since, as far as it can be.
+            // As during the recording; or, if the scene was changed since, as far as possible.
             self.changed |= pair.change(setting).is_ok();
         }
         pair.step(sample.t, &sample.hand, times);
@@ -186,7 +187,8 @@ impl Replay {
         Some(sample)
     }
 
-    /// Seeks a time (s): from the nearest snapshot before it, or from here where that is nearer. [`Self::approach`] goes on.
+    /// Seeks a time (s): from the nearest earlier snapshot, or from the present tick if that is nearer. [`Self::approach`]
+    /// continues.
     ///
     /// # Errors
     /// The scene cannot be used.
@@ -210,7 +212,7 @@ impl Replay {
         Ok(())
     }
 
-    /// One tick towards the one that is sought.
+    /// Makes one tick towards the tick to go to.
     pub fn approach(&mut self, pair: &mut Pair, times: &mut StepTimes) {
         let arrived =
             self.advance(pair, times).is_none() || self.sought.is_none_or(|tick| self.at >= tick);
@@ -219,7 +221,7 @@ impl Replay {
         }
     }
 
-    /// The setting has changed: the snapshots are of another one.
+    /// Drops the snapshots after a change of the setting: they belong to the old one.
     pub fn forget(&mut self) {
         self.snapshots.clear();
     }

@@ -1,4 +1,4 @@
-//! What a client is told: hello, the state, frames, answers. JSON, as `host-sim/VIEW.md` has it.
+//! Messages to a client: hello, the state, frames, answers. JSON, as specified in `host-sim/VIEW.md`.
 
 use std::sync::Arc;
 
@@ -17,35 +17,35 @@ use crate::scenes::Offer;
 use crate::stage::Stage;
 use crate::trace::Record;
 
-/// Of the protocol.
+/// Version of the protocol.
 const VERSION: u32 = 1;
-/// The most ticks of a strip.
+/// Largest number of ticks in a strip.
 const STRIP: usize = 64;
 
-/// How a board fares.
+/// Statistics of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fares {
-    /// It is there.
+    /// Whether it is connected.
     pub connected: bool,
-    /// Answers in a second.
+    /// Answers per second.
     pub rate: f64,
-    /// From a sample to its answer (s), median of the last ones.
+    /// Time from a sample to its answer (s), median of the last ones.
     pub latency: Option<f64>,
-    /// Samples that a newer one overtook.
+    /// Samples overtaken by a newer one.
     pub late: u64,
     /// Samples without an answer.
     pub lost: u64,
-    /// Ticks of the board that came too late.
+    /// Ticks that the board made too late.
     pub missed: u64,
-    /// Garbled frames, of both sides.
+    /// Garbled frames, in both directions.
     pub faults: u64,
-    /// The longest step of its solver (s).
+    /// Longest step of its solver (s).
     #[serde(skip)]
     pub worst_step: Option<f64>,
 }
 
 impl Fares {
-    /// Of no board.
+    /// The statistics without a board.
     pub const NONE: Self = Self {
         connected: false,
         rate: 0.0,
@@ -58,7 +58,7 @@ impl Fares {
     };
 }
 
-/// Who has the solver.
+/// What runs the solver.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Source<'a> {
@@ -66,18 +66,18 @@ pub enum Source<'a> {
     Core,
     /// A board.
     Board {
-        /// What it calls itself.
+        /// Name that it reports.
         name: &'a str,
         /// Its number type.
         number: &'a str,
-        /// Where it is.
+        /// Where it is connected.
         r#where: &'a str,
-        /// In an emulator on this computer.
+        /// Whether it is emulated on this computer.
         emulated: bool,
     },
 }
 
-/// The first message to a client.
+/// Returns the first message to a client.
 pub fn hello(client: u32, scenes: &[Offer], source: &Source<'_>) -> String {
     let names: Vec<_> = scenes.iter().map(|scene| &scene.name).collect();
     let stories: Vec<_> = scenes.iter().map(|scene| &scene.story).collect();
@@ -93,7 +93,7 @@ pub fn hello(client: u32, scenes: &[Offer], source: &Source<'_>) -> String {
     .to_string()
 }
 
-/// The answer to a message; none where nobody waits for one.
+/// Returns the answer to a message; none if nobody waits for one.
 pub fn answer(id: Option<i64>, result: Result<(), String>) -> Option<String> {
     match (result, id) {
         (Ok(()), id) => id.map(done),
@@ -101,12 +101,12 @@ pub fn answer(id: Option<i64>, result: Result<(), String>) -> Option<String> {
     }
 }
 
-/// The answer to a message that was carried out.
+/// Returns the answer to a message that succeeded.
 pub fn done(id: i64) -> String {
     json!({"type": "done", "id": id}).to_string()
 }
 
-/// The answer to one that was not.
+/// Returns the answer to one that failed.
 pub fn error(id: Option<i64>, problem: &str) -> String {
     match id {
         Some(id) => json!({"type": "error", "id": id, "message": problem}),
@@ -115,64 +115,64 @@ pub fn error(id: Option<i64>, problem: &str) -> String {
     .to_string()
 }
 
-/// What the state says besides scene and setting.
+/// The part of the state other than scene and setting.
 #[derive(Clone, Debug, Serialize)]
 pub struct Status {
-    /// Time stands still.
+    /// Whether time stands still.
     pub paused: bool,
-    /// Of the solver's time: 1 is real time.
+    /// Speed of the solver's time: 1 is real time.
     pub speed: f64,
-    /// Seconds so far.
+    /// Seconds recorded so far.
     pub recording: Option<f64>,
-    /// The file that they go to.
+    /// The file of that recording.
     pub recording_file: Option<String>,
-    /// What can be downloaded.
+    /// The recording that can be downloaded.
     pub recorded: Option<Recorded>,
     /// The path that the hand follows.
     pub replay: Option<Replayed>,
-    /// Who holds the hand.
+    /// The holder of the hand.
     pub hand: By,
-    /// How many there are.
+    /// Number of clients.
     pub clients: usize,
     /// The names of the scenes that can be shown.
     pub scenes: Vec<String>,
-    /// Why the file of the scene, as it is now, cannot be shown.
+    /// Why the scene's file, in its present form, cannot be shown.
     pub scene_problem: Option<String>,
 }
 
-/// A recording that is there.
+/// A finished recording.
 #[derive(Clone, Debug, Serialize)]
 pub struct Recorded {
-    /// From its first tick to its last (s).
+    /// Duration from the first tick to the last (s).
     pub seconds: f64,
-    /// How many records.
+    /// Number of records.
     pub frames: usize,
-    /// Where it is on the computer of this program.
+    /// Path of the file on the computer of this program.
     pub file: String,
-    /// Made before this program was started.
+    /// Whether it was made before this program was started.
     pub earlier: bool,
-    /// Why it is not in its file as a whole.
+    /// Why its file is incomplete.
     pub problem: Option<String>,
 }
 
-/// A path that is followed.
+/// A path that is being followed.
 #[derive(Clone, Debug, Serialize)]
 pub struct Replayed {
-    /// What the path is called.
+    /// Name of the path.
     pub what: String,
-    /// From its first tick to its last (s).
+    /// Duration from the first tick to the last (s).
     pub seconds: f64,
-    /// It begins again and again, until somebody takes the hand.
+    /// Whether it repeats until somebody takes the hand.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub demonstration: bool,
 }
 
-/// Who holds the hand.
+/// The holder of the hand.
 #[derive(Clone, Debug, Serialize)]
 pub struct By {
-    /// By what.
+    /// Kind of the holder.
     pub by: Option<&'static str>,
-    /// The number of the client, where it is one.
+    /// Number of the client, if it is one.
     pub client: Option<u32>,
 }
 
@@ -187,7 +187,7 @@ struct State<'a> {
     status: &'a Status,
 }
 
-/// The state.
+/// Returns the state as a message.
 pub fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
     let setting = &pair.setting;
     let scene = &setting.scene;
@@ -219,7 +219,7 @@ pub fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
 }
 
 fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
-    // A recording may have begun elsewhere: start, holding point and reach are those of a reset.
+    // A recording may have begun elsewhere: start, holding point and reach are those after a reset.
     let (scene, of_stage) = (&pair.setting.scene, &stage.scene);
     let surface = |surface: &SurfaceInfo| {
         json!({
@@ -287,7 +287,7 @@ struct FrameMessage<'a> {
     position: Option<f64>,
 }
 
-/// F_z (N) of one point and of two.
+/// F_z (N) of one-point and of two-point contact.
 #[derive(Serialize)]
 struct Formulas {
     one_point: Option<f64>,
@@ -309,7 +309,7 @@ impl Formulas {
 
 #[derive(Serialize)]
 struct StepTime {
-    /// A board tells the worst one only.
+    /// None from a board, which reports only the worst one.
     median: Option<f64>,
     worst: Option<f64>,
 }
@@ -324,7 +324,7 @@ impl StepTime {
     }
 }
 
-/// The newest record with what led to it, for one client.
+/// The newest record with the records before it, for one client.
 #[derive(Debug)]
 pub struct News {
     latest: Latest,
@@ -332,20 +332,20 @@ pub struct News {
 }
 
 impl News {
-    /// The records since `next`, which goes on to the next one to come.
+    /// Returns the records since `next`, and advances `next` to the number of the next one to come.
     pub fn since(shown: &Shown, next: &mut u64) -> Option<Self> {
         let latest = shown.latest.clone()?;
         let (records, now) = shown.since(*next);
         *next = now;
         let count = records.len();
         let every = count.div_ceil(STRIP).max(1);
-        // The last one is always there.
+        // The last one is always included.
         let from = (count + every - 1) % every;
         let since = records.skip(from).step_by(every).cloned().collect();
         Some(Self { latest, since })
     }
 
-    /// The message for a client that lost `skipped` frames.
+    /// Returns the message for a client that lost `skipped` frames.
     pub fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
@@ -379,7 +379,7 @@ impl News {
     }
 }
 
-/// t, and N and T of every surface and every obstacle.
+/// Returns t, and N and T of every surface and every obstacle.
 fn strip(frame: &Frame, [surfaces, obstacles]: [usize; 2]) -> Vec<f64> {
     let mut row = vec![0.0; 1 + 2 * (surfaces + obstacles)];
     row[0] = frame.t;
@@ -397,7 +397,7 @@ fn strip(frame: &Frame, [surfaces, obstacles]: [usize; 2]) -> Vec<f64> {
     row
 }
 
-/// What is serialised here has no keys but text.
+/// Cannot fail: whatever is serialised here has only text keys.
 fn text(message: &impl Serialize) -> String {
     serde_json::to_string(message).unwrap_or_default()
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use stiction_scene::Source;
 use stiction_text::nearest;
 
-/// The scene of `stiction board` where none is named.
+/// The scene of `stiction board` if none is named.
 pub const DEFAULT: &str = "vertex-stick-slip";
 
 macro_rules! bundled {
@@ -36,32 +36,32 @@ pub const ALL: &[(&str, &str)] = bundled![
     "hook",
 ];
 
-/// Those of them without obstacles.
+/// Returns those without obstacles.
 pub fn without_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
     ALL.iter().filter(|scene| !has_obstacles(scene))
 }
 
-/// The others.
+/// Returns those with obstacles.
 pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
     ALL.iter().filter(|scene| has_obstacles(scene))
 }
 
-/// Whether a bundled scene has obstacles.
+/// Returns whether a bundled scene has obstacles.
 pub fn has_obstacles((_, text): &(&str, &str)) -> bool {
     text.contains("\n[[obstacle]]")
 }
 
-/// A scene that can be shown: its name, and what there is to see in it.
+/// A scene that can be shown: its name and what there is to see in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Offer {
     /// Its name.
     pub name: String,
-    /// Its story, where it has one.
+    /// Its story, if it has one.
     pub story: Option<String>,
 }
 
 impl Offer {
-    /// A scene file under a name.
+    /// Returns a scene file under a name.
     pub fn new(name: impl Into<String>, source: &Source) -> Self {
         Self {
             name: name.into(),
@@ -69,7 +69,7 @@ impl Offer {
         }
     }
 
-    /// All that are bundled, or those without obstacles.
+    /// Returns all bundled scenes, or those without obstacles.
     pub fn bundled(with_obstacles: bool) -> impl Iterator<Item = Self> {
         let shown = move |scene: &&(&str, &str)| with_obstacles || !has_obstacles(scene);
         let scenes = ALL.iter().filter(shown);
@@ -77,21 +77,21 @@ impl Offer {
     }
 }
 
-/// The bundled scene of a name.
+/// Returns the bundled scene with this name.
 pub fn find(name: &Path) -> Option<Source> {
     let (name, text) = ALL.iter().find(|(known, _)| Path::new(known) == name)?;
     Some(Source::new(format!("{name}.toml"), *text))
 }
 
-/// The names of all bundled scenes.
+/// Returns the names of all bundled scenes.
 pub fn names() -> String {
     let names: Vec<&str> = ALL.iter().map(|(name, _)| *name).collect();
     names.join(", ")
 }
 
-/// What is wrong with a name that is neither a file nor a bundled scene.
+/// Returns the error message for a name that is neither a file nor a bundled scene.
 pub fn unknown(name: &Path) -> String {
-    // Whoever adds the ending means a bundled scene, too.
+    // A name with an extension may mean a bundled scene, too.
     let stem = name.file_stem().unwrap_or_default().to_string_lossy();
     match nearest(&stem, ALL.iter().map(|(name, _)| *name)) {
         Some(scene) => format!("no such file or bundled scene, did you mean `{scene}`?"),
@@ -103,7 +103,7 @@ pub fn unknown(name: &Path) -> String {
 mod tests {
     use super::*;
 
-    /// Width of a gallery's card or a terminal's line that a story is to fit.
+    /// Width of a gallery card or a terminal line, into which a story has to fit.
     const LONGEST: usize = 120;
 
     #[test]

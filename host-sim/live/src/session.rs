@@ -1,4 +1,4 @@
-//! A scene that is run sample by sample, whatever the type of its solver: what other languages hold.
+//! A scene that is run sample by sample, whatever the type of its solver: the object behind the bindings for other languages.
 
 use stiction_core::Evolution;
 use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
@@ -8,11 +8,11 @@ use crate::record::Frame;
 pub use crate::simulate::Contacts;
 use crate::simulate::{Running, Shared, Task, with_solver};
 
-/// A solver with its run. A copy of it is a run of its own.
+/// A solver with its run. A copy is an independent run.
 pub struct Session(Box<dyn Steps>);
 
 impl Session {
-    /// Of a scene, before its first sample, with the budget of a frame (units of work; `u32::MAX`: none).
+    /// Creates a session of a scene, before its first sample, with the budget of a frame (units of work; `u32::MAX`: none).
     ///
     /// # Errors
     /// The scene is refused in this number type.
@@ -25,12 +25,12 @@ impl Session {
         with_solver(scene, (number, evolution, budget), Boxed).map(Self)
     }
 
-    /// The frame of the next sample; the first one starts the scene.
+    /// Returns the frame of the next sample; the first sample starts the scene.
     pub fn step(&mut self, sample: &Sample) -> Frame {
         self.0.step(sample)
     }
 
-    /// Gives the frames of samples without their contacts, which the answer makes when they are wanted.
+    /// Passes the frames of samples without their contacts to `take`; the returned value computes the contacts on demand.
     pub fn run(
         &mut self,
         samples: &mut dyn Iterator<Item = Sample>,
@@ -77,7 +77,7 @@ where
     }
 }
 
-/// Any solver.
+/// Accepts any solver.
 struct Boxed;
 
 impl Task for Boxed {

@@ -1,5 +1,5 @@
-//! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
-//! of the solver's type is chosen here, `with_solver`.
+//! Runs the solver over a hand's motion, for any number type and any surroundings: takes samples, returns recorded frames.
+//! `with_solver` chooses the type of solver that a scene needs.
 
 mod again;
 pub use again::Contacts;
@@ -22,7 +22,7 @@ pub struct Running<R: Real, M: Model = Full> {
 }
 
 impl<R: Real, M: Model> Running<R, M> {
-    /// Before its first hand.
+    /// Creates a run before its first hand.
     pub const fn new(solver: HostSolver<R, M>) -> Self {
         Self {
             solver,
@@ -31,7 +31,7 @@ impl<R: Real, M: Model> Running<R, M> {
         }
     }
 
-    /// The answer to the next hand, with the solver and the state after it; the first hand starts the scene.
+    /// Returns the answer to the next hand, with the solver and the state after it; the first hand starts the scene.
     pub fn step(&mut self, hand: Hand<R::Si>) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
         let solver = &self.solver;
         let mut started = None;
@@ -46,7 +46,7 @@ impl<R: Real, M: Model> Running<R, M> {
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
-    /// Of a scene, with the budget of a frame (units of work).
+    /// Creates a run of a scene, with the budget of a frame (units of work).
     ///
     /// # Errors
     /// The scene is refused.
@@ -58,15 +58,14 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
         })
     }
 
-    /// The frame of the next sample.
+    /// Returns the frame of the next sample.
     pub fn frame(&mut self, sample: &Sample) -> Frame {
         let (solver, state, output) = self.step(narrow_hand(&sample.hand));
         let frame = Frame::new(sample.t, solver, state, &output);
         frame.with_indices(self.indices.as_ref())
     }
 
-    /// Steps through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
-    /// in it.
+    /// Steps through `samples` and passes every frame to `sink`. Returns the time that the solver's steps took, without `sink`.
     ///
     /// # Errors
     /// The first error of `sink`.
@@ -98,11 +97,11 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
     }
 }
 
-/// So many steps are timed together, so that the clock costs nothing beside them.
+/// Number of steps timed together, so that the cost of the clock is negligible.
 const BATCH: usize = 64;
 
-/// Steps a solver through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
-/// in it.
+/// Steps a solver through `samples` and passes every frame to `sink`. Returns the time that the solver's steps took, without
+/// `sink`.
 ///
 /// # Errors
 /// The first error of `sink`.
@@ -114,22 +113,22 @@ pub fn simulate<R: Real<Si: SiFloat>, E>(
     Running::new(solver).simulate(samples, sink)
 }
 
-/// What is done with a solver, whatever its type.
+/// A task for a solver of any type.
 pub trait Task {
-    /// What it gives.
+    /// Result of the task.
     type Done;
-    /// Does it.
+    /// Runs the task.
     fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Self::Done
     where
         HostSolver<R, M>: Send + Sync;
 }
 
-/// A number of the solver that threads share.
+/// A number type of the solver that threads can share.
 pub trait Shared: Real<Si: SiFloat + Send + Sync> + Send + Sync {}
 
 impl<R: Real<Si: SiFloat + Send + Sync> + Send + Sync> Shared for R {}
 
-/// Does a task with the solver that a scene needs, of the number type: with obstacles only where the scene has some.
+/// Runs a task with the solver that a scene needs, in this number type: with obstacles only if the scene has some.
 ///
 /// # Errors
 /// The scene is refused.
@@ -146,10 +145,10 @@ pub fn with_solver<T: Task>(
     }
 }
 
-/// The solver with obstacles is built in.
+/// Whether the solver with obstacles is built in.
 pub const OBSTACLES: bool = cfg!(feature = "obstacles");
 
-/// Whether the solver of a scene is built in.
+/// Checks that the solver of a scene is built in.
 ///
 /// # Errors
 /// It has obstacles, and the feature `obstacles` is off.

@@ -1,4 +1,4 @@
-//! A scene that is shown: its file, the hand's path in it, and where the hand is at the beginning.
+//! A scene that is shown: its file, the hand's path in it, and the initial hand.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use stiction_scene::{HandPath, InputError, Motion, Sample, SceneFile, Source};
 use crate::body::Setting;
 use crate::input::open_path;
 
-/// How far from a point or a rod a hand may be at least, and still take hold (m): a hand's tremor.
+/// Smallest reach for grasping a point or a rod (m): the tremor of a hand.
 const LEAST_REACH: f64 = 1e-4;
 
 /// A scene with its hand.
@@ -16,14 +16,14 @@ const LEAST_REACH: f64 = 1e-4;
 pub struct Stage {
     /// The scene.
     pub scene: Arc<SceneFile>,
-    /// The path of its hand, where it has one.
+    /// The path of its hand, if it has one.
     pub path: Option<Arc<HandPath>>,
-    /// The hand at the beginning.
+    /// The initial hand.
     pub home: Hand<f64>,
 }
 
 impl Stage {
-    /// Of a scene file.
+    /// Creates a stage from a scene file.
     ///
     /// # Errors
     /// Its path cannot be read.
@@ -32,7 +32,7 @@ impl Stage {
         Self::with_path(scene, opens)
     }
 
-    /// Of a scene file whose hand's path, where that is a file of its own, is not opened.
+    /// Creates a stage from a scene file, without opening the hand's path if it is a file of its own.
     ///
     /// # Errors
     /// Its path is too long.
@@ -58,7 +58,8 @@ impl Stage {
     }
 }
 
-/// The reach of a body that can be held again once it was let go: a point and a rod have no inside where a hand could be.
+/// Returns a reach with which the body can be grasped again after a release: a point and a rod have no inside where a hand
+/// could be.
 fn graspable(scene: &SceneFile) -> f64 {
     match scene.vertices.len() {
         ..3 => scene.reach.max(LEAST_REACH),
@@ -66,14 +67,14 @@ fn graspable(scene: &SceneFile) -> f64 {
     }
 }
 
-/// A hand that pulls at nothing, at the holding point or at the body's origin.
+/// Returns a hand that exerts no force, at the holding point or at the body's origin.
 pub(crate) fn at_start(scene: &SceneFile) -> Hand<f64> {
     let [x, y, theta] = scene.start;
     let [gx, gy] = scene.holding_point.unwrap_or_default();
     let (sin, cos) = theta.sin_cos();
     Hand {
         position: [x + cos * gx - sin * gy, y + sin * gx + cos * gy],
-        // The spring of a given holding point rests where the hand and the body have the same angle.
+        // The spring of a given holding point is relaxed if hand and body have the same angle.
         angle: Angle::from_radians(theta),
         depth: 0.0,
         held: true,
@@ -81,7 +82,7 @@ pub(crate) fn at_start(scene: &SceneFile) -> Hand<f64> {
     }
 }
 
-/// A scene as a file without its hand, in the digits that read back to the same values.
+/// Returns a scene as a file without its hand, with enough digits to read back the same values.
 pub fn written(scene: &SceneFile) -> String {
     let pair = |[x, y]: [f64; 2]| format!("[{x:?}, {y:?}]");
     let vertices: Vec<String> = scene.vertices.iter().map(|&vertex| pair(vertex)).collect();
@@ -127,13 +128,13 @@ pub fn written(scene: &SceneFile) -> String {
     text
 }
 
-/// A string of TOML, which has those of JSON but for one character.
+/// Returns a TOML string, which has the same syntax as JSON except for one character.
 fn quoted(text: &str) -> String {
     let json = serde_json::to_string(text).unwrap_or_else(|_| "\"\"".to_owned());
     json.replace('\u{7f}', "\\u007f")
 }
 
-/// A setting whose scene is read from a written one: what it gives is what a reader of the file gets, to the last bit.
+/// Returns a setting whose scene is written and read again: its results are those for a reader of the file, to the last bit.
 ///
 /// # Errors
 /// The parameters are not those of a scene.
@@ -144,7 +145,7 @@ pub fn reread(setting: &Setting) -> Result<Setting, String> {
     let read = read.map_err(|error| error.to_string())?;
     Ok(Setting {
         scene: Arc::new(SceneFile {
-            // Where paths lie in it stays as it is.
+            // The placement of paths stays unchanged.
             hand: scene.hand.clone(),
             ..read
         }),

@@ -1,13 +1,13 @@
-//! How long the steps of the solver take, of the last second.
+//! Times of the solver's steps during the last second.
 
 use std::time::Duration;
 
-/// So many steps are a second.
+/// Number of steps in a second.
 const SECOND: usize = 1000;
-/// The median is found anew after so many steps.
+/// Number of steps after which the median is computed again.
 const EVERY: usize = 100;
 
-/// How long the steps of the last second took (s).
+/// Times of the steps of the last second (s).
 #[derive(Clone, Debug)]
 pub struct StepTimes {
     times: Vec<f32>,
@@ -30,7 +30,7 @@ impl Default for StepTimes {
 }
 
 impl StepTimes {
-    /// A step.
+    /// Adds the time of a step.
     pub fn add(&mut self, time: Duration) {
         let time = time.as_secs_f32();
         match self.times.get_mut(self.next) {
@@ -47,7 +47,7 @@ impl StepTimes {
         }
     }
 
-    /// The median and the worst.
+    /// Returns the median and the worst time (s).
     pub const fn summary(&self) -> [f32; 2] {
         [self.median, self.worst]
     }

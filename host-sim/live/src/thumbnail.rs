@@ -1,7 +1,7 @@
-//! A small picture of a scene: from a scene file to an SVG of about 1 kB, the same for the page's gallery and for the command line.
-//! It shows the world, the body at the start as an outline, and body and hand in the middle of the path, where the story is under way.
+//! A small picture of a scene: makes an SVG of about 1 kB from a scene file, the same for the page's gallery and for the
+//! command line. It shows the world, the body at the start as an outline, and body and hand halfway along the path.
 //!
-//! Lines have `currentColor`; fills have variables of the page's style sheet, each with a colour for where there is none.
+//! Lines have `currentColor`; fills use variables of the page's style sheet, each with a fallback colour.
 
 use std::fmt::Write as _;
 
@@ -16,17 +16,17 @@ use crate::stage::Stage;
 
 /// Width and height of the picture, in its own units, which are pixels of a card.
 const SIZE: [f64; 2] = [120.0, 72.0];
-/// Room between what has to be seen and the border.
+/// Margin between the visible objects and the border.
 const MARGIN: f64 = 10.0;
-/// Half a line that reaches from border to border wherever it is: more than the diagonal of the picture.
+/// Half the length of a line that spans the picture wherever it is: more than the diagonal of the picture.
 const REACH: f64 = 150.0;
-/// Nothing is drawn farther from the middle than this: whatever is there is out of sight, and its numbers stay short.
+/// Coordinates are clamped to this distance from the middle: anything beyond is out of sight, and the numbers stay short.
 const FARTHEST: f64 = 9999.0;
-/// The path is followed to its middle in so many steps. With events found between frames their number does not matter, but for
-/// corners of a path that they cut.
+/// Number of steps to the middle of the path. Events are found between frames, so the number does not matter, except for
+/// corners of the path that the steps cut.
 const STEPS: u16 = 200;
 
-/// The picture of a scene.
+/// Returns the picture of a scene.
 ///
 /// # Errors
 /// The scene cannot be used, or its path cannot be read.
@@ -37,7 +37,7 @@ pub fn thumbnail(source: &Source) -> Result<String, InputError> {
     Ok(Drawing::around(&stage.scene, &start, &middle).svg(&start, &middle))
 }
 
-/// The body at the start, and in the middle of the path.
+/// Returns the body at the start and in the middle of the path.
 fn moments(stage: &Stage) -> Result<[Frame; 2], String> {
     let setting = Setting {
         scene: stage.scene.clone(),
@@ -56,19 +56,19 @@ fn moments(stage: &Stage) -> Result<[Frame; 2], String> {
     Ok([start, body.frame(0.0)])
 }
 
-/// A scene, and how it is put into the picture.
+/// A scene and its mapping to the picture.
 struct Drawing<'a> {
     scene: &'a SceneFile,
-    /// The holding point, where the hand holds.
+    /// The holding point, if the hand holds.
     holding: Option<[f64; 2]>,
-    /// What is in the middle of the picture (m).
+    /// The point in the middle of the picture (m).
     centre: [f64; 2],
-    /// Units of the picture for a metre.
+    /// Picture units per metre.
     scale: f64,
 }
 
 impl<'a> Drawing<'a> {
-    /// With all of the body, and the hand, in sight.
+    /// Fits the whole body and the hand into the picture.
     fn around(scene: &'a SceneFile, start: &Frame, middle: &Frame) -> Self {
         let holding = Springs::of(scene, middle).holding;
         let [x, y, _] = middle.hand;
@@ -90,12 +90,12 @@ impl<'a> Drawing<'a> {
             scene,
             holding,
             centre: [0, 1].map(|axis| f64::midpoint(least[axis], most[axis])),
-            // Of a point that nobody holds there is nothing to fit in.
+            // A point that nobody holds has no extent to fit.
             scale: if scale.is_finite() { scale } else { 1.0 },
         }
     }
 
-    /// Where a point of the world is in the picture.
+    /// Returns the position of a world point in the picture.
     fn place(&self, point: [f64; 2]) -> [f64; 2] {
         let [dx, dy] = [0, 1].map(|axis| {
             let distance = self.scale * (point[axis] - self.centre[axis]);
@@ -104,7 +104,7 @@ impl<'a> Drawing<'a> {
         [SIZE[0] / 2.0 + dx, SIZE[1] / 2.0 - dy]
     }
 
-    /// The points of a line, as a path has them.
+    /// Returns the points of a line in the syntax of an SVG path.
     fn line(&self, points: impl Iterator<Item = [f64; 2]>) -> String {
         let places = points.map(|point| {
             let [x, y] = self.place(point).map(number);
@@ -129,7 +129,7 @@ impl<'a> Drawing<'a> {
             );
         }
         let outline = self.line(corners(self.scene, middle));
-        // Of a point the round caps of the line are all there is.
+        // A point is drawn only by the round caps of its line.
         let thick = match self.scene.vertices.len() {
             1 => 7,
             2 => 4,
@@ -154,7 +154,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The border of each surface with strokes on its solid side: one dashed line, as wide as these are long, and slanted.
+    /// Draws the border of each surface with hatching on its solid side: one dashed line, as wide as the strokes are long, and
+    /// slanted.
     fn surfaces(&self, svg: &mut String) {
         for surface in &self.scene.surfaces {
             let [nx, ny] = surface.normal;
@@ -171,11 +172,11 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The hand, and the spring by which it holds.
+    /// Draws the hand and its spring.
     fn hand(&self, svg: &mut String, frame: &Frame) {
         let [x, y, _] = frame.hand;
         if let Some(holding) = self.holding {
-            // A point is held by a stick, without which the hand would have nothing to do with it.
+            // A point is held by a stick, without which the hand would be unconnected to it.
             let stick = corners(self.scene, frame).filter(|_| self.scene.vertices.len() == 1);
             let spring = self.line(stick.chain([holding, [x, y]]));
             let _ = write!(svg, "<path d=\"M{spring}\"/>");
@@ -188,7 +189,7 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// The corners of the body in the world.
+/// Returns the corners of the body in the world.
 fn corners(scene: &SceneFile, frame: &Frame) -> impl Iterator<Item = [f64; 2]> {
     let [x, y, theta] = frame.pose;
     let (sin, cos) = theta.sin_cos();
@@ -196,9 +197,9 @@ fn corners(scene: &SceneFile, frame: &Frame) -> impl Iterator<Item = [f64; 2]> {
     corners.map(move |[bx, by]| [x + cos * bx - sin * by, y + sin * bx + cos * by])
 }
 
-/// A number with one decimal, or none where that is 0.
+/// Returns a number with one decimal, or none if that is 0.
 fn number(value: f64) -> f64 {
-    // Without a minus before a zero.
+    // No negative zero.
     (10.0 * value).round() / 10.0 + 0.0
 }
 
@@ -208,14 +209,14 @@ mod tests {
     use crate::scenes;
     use crate::simulate::OBSTACLES;
 
-    /// What a card of a gallery may weigh, so that all of them are less than the page (bytes).
+    /// Size limit of a gallery card (bytes), so that all of them together are smaller than the page.
     const LARGEST: usize = 2000;
 
     fn source(scene: &str) -> Source {
         Source::new("scene.toml", scene)
     }
 
-    /// The numbers in the path of the body.
+    /// Returns the numbers in the path of the body.
     fn outline(svg: &str) -> Vec<f64> {
         let path = svg
             .split("<path d=\"M")
@@ -240,8 +241,8 @@ mod tests {
         }
     }
 
-    /// A box of 2 m × 1 m at rest on the floor without a hand's path: its middle is that of the picture, but for the hand, which is
-    /// where the body's origin is.
+    /// A box of 2 m × 1 m at rest on the floor without a hand's path: it is centred in the picture, apart from the hand, which
+    /// is at the body's origin.
     #[test]
     fn a_box_at_rest_lies_flat_in_the_middle_and_on_its_floor() {
         let svg = thumbnail(&source(
@@ -250,7 +251,7 @@ mod tests {
         ));
         let svg = svg.expect("a scene");
         let corners = outline(&svg);
-        // 120 units of width less two margins of 10 for 2 m.
+        // For 2 m: 120 units of width minus two margins of 10.
         assert_eq!(corners, [10.0, 61.0, 110.0, 61.0, 110.0, 11.0, 10.0, 11.0]);
         assert!(svg.contains("translate(60 61)rotate(0)"), "{svg}");
     }

@@ -11,9 +11,9 @@ use crate::record::{ContactRecord, Frame, Scenery};
 /// A value of the run's number type, printed with the digits of that type.
 #[derive(Clone, Copy, Debug)]
 pub struct Value {
-    /// Without loss.
+    /// The value, widened without loss.
     pub value: f64,
-    /// It is one of f32.
+    /// Whether it is an f32 value.
     pub single: bool,
 }
 
@@ -34,13 +34,13 @@ pub struct Record<'a> {
     pub t: f64,
     /// x, y (m), phi (rad).
     pub hand: [Value; 3],
-    /// The hand holds the body.
+    /// Whether the hand holds the body.
     pub held: bool,
     /// x, y (m), theta (rad).
     pub pose: [Value; 3],
     /// Depth coordinate (m).
     pub depth: Value,
-    /// By its name.
+    /// Name of the contact state.
     pub state: &'static str,
     /// In the order of the solver.
     pub contacts: Vec<ContactEntry<'a>>,
@@ -48,34 +48,34 @@ pub struct Record<'a> {
     pub wrench: [Value; 3],
     /// Slips that ended.
     pub slips: u32,
-    /// By their names.
+    /// Names of the events.
     pub events: Vec<&'static str>,
-    /// By its name.
+    /// Name of the status.
     pub status: &'static str,
-    /// Where a frame has a budget.
+    /// Present if a frame has a budget.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub behind: Option<Value>,
-    /// While a peg is in its hole.
+    /// Present while a peg is in its hole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub insertion: Option<InsertionEntry>,
 }
 
-/// A reading of Whitney's meter; `lambda` and `margin` are null where there is none.
+/// A reading of Whitney's meter; `lambda` and `margin` are null if undefined.
 #[derive(Debug, Serialize)]
 pub struct InsertionEntry {
-    /// How deep the peg is in its hole (m).
+    /// Depth of the peg in its hole (m).
     pub depth: Value,
-    /// Across the hole, in the peg's frame (N).
+    /// Force across the hole, in the peg's frame (N).
     pub fx: Value,
-    /// Along it (N).
+    /// Force along it (N).
     pub fz: Value,
     /// Moment about the tip (N·m).
     pub m: Value,
-    /// Depth by what keeps a peg from jamming.
+    /// Depth relative to the depth that keeps a peg from jamming.
     pub lambda: Option<Value>,
-    /// To jamming.
+    /// Margin to jamming.
     pub margin: Option<Value>,
-    /// By its name.
+    /// Name of the verdict.
     pub verdict: &'static str,
 }
 
@@ -94,36 +94,36 @@ impl InsertionEntry {
     }
 }
 
-/// A vertex on a surface, a vertex on a side of an obstacle, or a corner of one on a side of the body.
+/// A vertex on a surface, a vertex on a side of an obstacle, or a corner of an obstacle on a side of the body.
 #[derive(Debug, Serialize)]
 pub struct ContactEntry<'a> {
-    /// Of the body.
+    /// Vertex of the body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vertex: Option<usize>,
-    /// Of the obstacle.
+    /// Corner of the obstacle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<usize>,
-    /// By its name.
+    /// Name of the surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface: Option<&'a str>,
-    /// By its name.
+    /// Name of the obstacle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<&'a str>,
-    /// Of the obstacle.
+    /// Side of the obstacle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side: Option<usize>,
-    /// Of the body.
+    /// Side of the body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_side: Option<usize>,
-    /// Where they touch (m).
+    /// Contact point (m).
     pub point: [Value; 2],
     /// Reaction N (N).
     pub normal: Value,
     /// Friction T (N).
     pub friction: Value,
-    /// 1, -1, or 0 where it sticks.
+    /// 1, -1, or 0 if it sticks.
     pub sliding: i8,
-    /// In a scene with obstacles.
+    /// Present in a scene with obstacles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<[Value; 2]>,
 }
@@ -161,7 +161,7 @@ fn name(names: &[String], index: usize) -> &str {
 }
 
 impl<'a> Record<'a> {
-    /// Of a frame; `single`: the numbers have the digits of f32.
+    /// Returns the record of a frame; `single`: the numbers have the digits of f32.
     pub fn new(frame: &Frame, scenery: &'a Scenery, single: bool) -> Self {
         let value = |value| Value { value, single };
         let contacts = frame.contacts.iter();

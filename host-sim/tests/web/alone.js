@@ -1,4 +1,4 @@
-// The page without a server for its tests: the folder that stiction-page makes, behind the plainest of servers or as a file.
+// The page without a server, for its tests: the folder made by stiction-page, from a minimal server or as a file.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
@@ -8,18 +8,18 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 const workspace = fileURLToPath(new URL("../../../", import.meta.url));
 const target = process.env.CARGO_TARGET_DIR ?? join(workspace, "target");
-/** The folders of the page and of the npm package. */
+/** Folders of the page and of the npm package. */
 export const folder = process.env.STICTION_PAGE ?? join(target, "page");
 export const npm = process.env.STICTION_NPM ?? join(target, "npm");
 
-/** Why the tests cannot run here, or false. */
+/** Reason why the tests cannot run here, or false. */
 export const missingPage =
   existsSync(join(folder, "index.html")) && existsSync(join(npm, "package.json"))
     ? false
     : `no ${folder} or ${npm}: type cargo run --release -p stiction-page -- --out ${folder} --npm ${npm}`;
 if (missingPage && process.env.CI === "true") throw new Error(missingPage);
 
-/** What a web host says of a file. */
+/** Content types of a web host. */
 const KINDS = /** @type {{[end: string]: string}} */ ({
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript",
@@ -28,7 +28,7 @@ const KINDS = /** @type {{[end: string]: string}} */ ({
   ".wasm": "application/wasm",
 });
 
-/** A host that serves a folder and nothing else; it has what a `Bench` asks of a program. */
+/** A host that serves a folder and nothing else; it has the parts of a program that a `Bench` needs. */
 export class Host {
   /** @param {import("node:http").Server} server */
   constructor(server) {
@@ -53,17 +53,17 @@ export class Host {
     return new Host(server);
   }
 
-  /** Ends it. */
+  /** Stops the host. */
   async kill() {
     this.server.closeAllConnections();
     await new Promise((done) => this.server.close(done));
   }
 }
 
-/** The page in one file, opened from the disk. */
+/** The page as a single file, opened from the disk. */
 export const oneFile = pathToFileURL(join(folder, "stiction.html")).href;
 
-/** Something is there. @template T @param {T | null | undefined} value @returns {T} */
+/** Asserts that a value exists. @template T @param {T | null | undefined} value @returns {T} */
 export function there(value) {
   assert.ok(value !== null && value !== undefined);
   return value;

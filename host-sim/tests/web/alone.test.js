@@ -1,5 +1,5 @@
-// The page that has the solver itself: from a web host and from a file it does what the served page does, at 1 kHz, and its address
-// says what it shows.
+// The page with its own solver: from a web host and from a file it does what the served page does, at 1 kHz, and its address
+// describes what it shows.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -12,7 +12,7 @@ import { Live, shared } from "./live.js";
 const WINDOW = { width: 1280, height: 800 };
 
 /**
- * A test of a page of its own, at an address of the host or in one file.
+ * Defines a test with its own page, at an address of the host or in a single file.
  * @param {string} name @param {(live: Live, open: (hash: string, reducedMotion?: "no-preference") => Promise<Live>) => Promise<void>} work
  * @param {{file?: boolean}} [options]
  */

@@ -1,5 +1,5 @@
-// A board over Web Serial, without the program between: a port of the browser behind which a board answers as
-// core/FRAME.md says. It lets the box slide on the floor without friction.
+// A board over Web Serial, without a program in between: a serial port of the browser behind which a board answers as specified
+// in core/FRAME.md. The box slides on the floor without friction.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -7,14 +7,14 @@ import { Board } from "../../web/board.js";
 import { Decoder } from "../../web/frame.js";
 import { liveTest } from "./live.js";
 
-/** The stiffest translational spring that the board takes (N/m). */
+/** Largest translational stiffness that the board accepts (N/m). */
 const STIFFEST = 9000;
-/** The hand's height above the lower edge of the box (m), half the box's height, and its spring (N/m). */
+/** Height of the hand above the lower edge of the box (m), half the box's height, and its spring (N/m). */
 const GRASP = 0.05;
 const HALF = 0.03;
 const STIFFNESS = 500;
 
-/** Puts the port into a page that is about to be opened. @param {import("playwright-core").Page} page */
+/** Adds the port to a page that is about to be opened. @param {import("playwright-core").Page} page */
 function plugIn(page) {
   return page.addInitScript(
     ([stiffest, grasp, half, stiffness]) => {
@@ -25,7 +25,7 @@ function plugIn(page) {
         /** @type {ReadableStream | null} */ readable: null,
         /** @type {WritableStream | null} */ writable: null,
       });
-      /** Every command that the board got. @type {any[]} */
+      /** All commands that the board received. @type {any[]} */
       const commands = [];
       Object.assign(window, { commands });
 
@@ -204,7 +204,7 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
   await live.reads("#board-link", /^connected, \d+ poses\/s$/);
   await live.until(() => window.stiction.latencies.length > 5);
 
-  // What the board refuses is told in its words, and what it takes holds.
+  // A refusal is shown in the board's words; an accepted value is applied.
   await page.fill("#type-stiffness_translation", String(STIFFEST + 500));
   await page.keyboard.press("Enter");
   await live.reads("#note", new RegExp(`allowed: ${STIFFEST} or less`));
@@ -226,7 +226,7 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
   assert.ok(await page.locator("#pause").isEnabled());
 });
 
-/** A board without a page around it: what it is told, and answers to that. @param {any} [state] */
+/** Returns a board without a page, the messages sent to it, and a function to answer them. @param {any} [state] */
 function wired(state = null) {
   const board = new Board({ hello() {}, state() {}, frame() {}, connected() {}, error() {} }, state);
   /** @type {any[]} */
@@ -237,7 +237,7 @@ function wired(state = null) {
     board.take({
       type: "reply", sequence: 0, time: 0, command_sequence: message.sequence, reason, allowed: "",
     });
-  /** Waits until so many messages were told. */
+  /** Waits until this many messages have been sent to the board. */
   const untilTold = async (count) => {
     while (told.length < count) await new Promise((done) => setTimeout(done, 5));
   };
@@ -288,7 +288,7 @@ test("frictions of surfaces are set together, and are those of the scene then", 
   const state = board.model.state();
   assert.deepEqual([state.parameters.static, state.parameters.dynamic], [0.75, 0.5]);
   for (const { static: mu_s, dynamic: mu_d } of state.scene.surfaces) assert.deepEqual([mu_s, mu_d], [0.75, 0.5]);
-  // Now that they are the same, one of them can be set alone.
+  // Now that they are equal, one of them can be set alone.
   const next = board.request({ type: "set", parameters: { dynamic: 0.25 } });
   await untilTold(2);
   assert.deepEqual([told[1].mu_s, told[1].mu_d], [0.75, 0.25]);

@@ -1,4 +1,4 @@
-// Every control of the page does what it says, judged by what the solver then does and the page then shows.
+// Every control of the page has its effect, judged by the solver's behaviour and by what the page then shows.
 
 import assert from "node:assert/strict";
 import { readdirSync, writeFileSync } from "node:fs";
@@ -8,10 +8,10 @@ import { liveTest, newFolder } from "./live.js";
 /** @typedef {import("./live.js").Live} Live */
 
 const PARAMETERS = /** @type {const} */ (["stiffness_translation", "stiffness_rotation", "static", "dynamic"]);
-/** A number of the page has at least so many digits. */
+/** Least number of digits of a number on the page. */
 const DIGITS = 3;
 
-/** Waits until a parameter is another one; its value. @param {Live} live @param {string} name @param {number | null} old */
+/** Waits until a parameter has changed; returns its value. @param {Live} live @param {string} name @param {number | null} old */
 async function changed(live, name, old) {
   await live.until(([key, value]) => window.stiction.state?.parameters[key] !== value, /** @type {[string, number | null]} */ (
     [name, old]
@@ -25,7 +25,7 @@ async function type(live, name, text) {
   await live.page.press(`#type-${name}`, "Enter");
 }
 
-/** The box pressed onto the floor, the mouse down. @param {Live} live @param {number} depth m */
+/** Presses the box onto the floor, with the mouse down. @param {Live} live @param {number} depth m */
 async function press(live, depth) {
   await live.grab();
   const { hand } = (await live.frame()).frame;
@@ -59,13 +59,13 @@ for (const name of PARAMETERS) {
     assert.ok(Math.abs(middle / between - 1) < 0.05, `${middle} in the middle of ${least} and ${most}`);
     assert.ok(Math.abs((await field()) / middle - 1) < 10 ** -DIGITS);
 
-    // What is typed is taken as it is, with a point or a comma, and the slider goes there.
+    // A typed value is taken exactly, with a point or a comma, and the slider follows.
     const place = Number(await page.inputValue(`#slide-${name}`));
     const typed = name.startsWith("stiffness") ? 0.5 * first : 0.45;
     await type(live, name, String(typed).replace(".", ","));
     assert.equal(await changed(live, name, middle), typed);
     assert.ok(Number(await page.inputValue(`#slide-${name}`)) < place);
-    // What cannot be is refused in words, and the field says again what holds.
+    // An invalid value is refused with a message, and the field shows the valid one again.
     for (const [text, words] of [
       ["much", /must be a number/],
       ["", /must be a number/],
@@ -102,7 +102,7 @@ liveTest("the slider and the field of the memory length", async (bench) => {
   assert.equal(await changed(live, "memory", 25.5e-6), null);
 });
 
-/** The sum of a component over contacts. @param {Contact[]} contacts @param {"normal" | "friction"} component */
+/** Returns the sum of a component over contacts. @param {Contact[]} contacts @param {"normal" | "friction"} component */
 const sum = (contacts, component) => contacts.reduce((total, contact) => total + contact[component], 0);
 
 liveTest("the spring and the friction that are set are those that act; the hand keeps its hold", async (bench) => {
@@ -124,11 +124,11 @@ liveTest("the spring and the friction that are set are those that act; the hand 
     await live.fresh();
     const { contacts, hand, wrench } = (await live.frame()).frame;
     const normal = sum(contacts, "normal");
-    // f32 carries some seven digits of lengths that are ten times the depth.
+    // f32 has about seven digits for lengths that are ten times the depth.
     assert.ok(Math.abs(normal - stiffness * (touching - hand[1])) < 1e-4 * normal, `${normal} N at ${stiffness} N/m`);
     assert.ok(Math.abs(Math.abs(wrench[1]) - normal) < 1e-4 * normal);
   }
-  // Less friction than holds, one coefficient of it: it slides, and is within the cone again.
+  // Too little friction to hold, with equal coefficients: it slides, and is within the cone again.
   await type(live, "static", "0.2");
   await live.until(
     () =>
@@ -139,7 +139,7 @@ liveTest("the spring and the friction that are set are those that act; the hand 
   await live.fresh();
   const { contacts } = (await live.frame()).frame;
   assert.ok(Math.abs(sum(contacts, "friction")) <= 0.2 * sum(contacts, "normal") * (1 + 1e-5));
-  // More dynamic friction than static: the static one goes with it.
+  // More dynamic friction than static: the static one is raised as well.
   await type(live, "dynamic", "0.7");
   await live.until(() => window.stiction.state?.parameters.dynamic === 0.7);
   assert.equal((await live.state()).parameters.static, 0.7);
@@ -187,7 +187,7 @@ liveTest("every scene loads and is drawn", async (bench) => {
     await live.scene(name);
     const state = await live.state();
     assert.ok(state.scene.body.length > 0);
-    // The object, the ground's border and its solid side are there.
+    // The object, the ground's border and its solid side are visible.
     const { frame } = await live.frame();
     for (const role of ["body", "ink", "solid"]) assert.ok((await live.painted(role)) > 50, `${role} of ${name}`);
     const place = await live.pixel(frame.pose[0], frame.pose[1]);
@@ -213,7 +213,7 @@ liveTest("the number type and the evolution", async (bench) => {
       await live.reads("#trade-what", new RegExp(`^${number}, ${evolution} against`));
     }
   }
-  // With f64 and path there is nothing between the solver and its reference; with f32 there is.
+  // With f64 and path the solver equals its reference; with f32 it does not.
   await page.selectOption("#replay", "scene");
   for (const [number, exact] of /** @type {const} */ ([
     ["f64", true],
@@ -249,7 +249,7 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
     const after = await live.frame();
     assert.equal(after.tick, before.tick + 1);
     assert.ok(Math.abs(after.frame.t - before.frame.t - 0.001) < 1e-9);
-    // The words follow at once, as long as they take.
+    // The text follows immediately, whatever its length.
     await live.until(
       (text) => document.querySelector("#body-pose")?.textContent?.startsWith(text),
       (1e3 * after.frame.pose[0])
@@ -282,7 +282,7 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
         Math.round(500 * speed),
       )
     );
-    // A slow computer makes fewer, none makes more.
+    // A slow computer makes fewer; none makes more.
     assert.ok(ticks <= 1.3 * speed * time, `${ticks} ticks in ${time} ms at ${speed}`);
   }
   await page.selectOption("#speed", "1");
@@ -455,7 +455,7 @@ liveTest("the hand follows the scene's path, an uploaded one, or nobody", async 
   );
   await live.reads("#place", /^0\.\d of \d+\.\d s$/);
   await live.until((y) => window.stiction.frame && window.stiction.frame.frame.hand[1] < y - 0.005, home[1]);
-  // Nobody holds what a replay moves.
+  // Nobody holds the hand that a replay moves.
   await page.mouse.click(300, 300);
   await page.selectOption("#replay", "live");
   await live.until(() => window.stiction.state?.replay === null);
@@ -475,7 +475,7 @@ liveTest("the hand follows the scene's path, an uploaded one, or nobody", async 
   assert.ok(Math.hypot(hand[0] - 0.01, hand[1] - 0.09) < 1e-6, String(hand));
   assert.match(await live.page.locator("#replay option:checked").innerText(), /upward\.csv/);
 
-  // A malformed one is refused: the line and what is allowed are named, and nothing changes.
+  // A malformed one is refused: the message names the line and what is allowed, and nothing changes.
   live.expects(/status of 400|status 400: .*upload/);
   for (const [row, line] of [
     ["1.01,wide,0.09,0", 103],

@@ -1,5 +1,5 @@
-// The box is dragged with the mouse: the hand stays with the pointer. The drag is recorded, downloaded and replayed: what the
-// page shows, what `stiction run` computes of the same path, and what the replay shows are one and the same.
+// The box is dragged with the mouse: the hand stays with the pointer. The drag is recorded, downloaded and replayed: the page,
+// `stiction run` with the same path, and the replay show the same.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -7,14 +7,14 @@ import { join } from "node:path";
 import { liveTest, newFolder, runProgram } from "./live.js";
 import { recordsOf, transitionsOf } from "./trace.js";
 
-/** Slips that a drag goes on for. */
+/** Number of slips after which a drag ends. */
 const SLIPS = 6;
-/** The box is pressed so deep below the height at which its edge touches (m). */
+/** Depth of the box below the height at which its edge touches (m). */
 const DEPTH = 0.01;
-/** The hand is drawn so near to the pointer (px). */
+/** Largest distance of the drawn hand from the pointer (px). */
 const TOGETHER = 2;
 
-/** The transitions that the diagram shows. @param {import("./live.js").Live} live */
+/** Returns the transitions that the diagram shows. @param {import("./live.js").Live} live */
 function transitionsShown(live) {
   return live.page.evaluate(() =>
     Object.fromEntries(
@@ -25,7 +25,7 @@ function transitionsShown(live) {
   );
 }
 
-/** Notes every state that the page names. @param {import("./live.js").Live} live */
+/** Collects every state that the page shows. @param {import("./live.js").Live} live */
 function watchStates(live) {
   return live.page.evaluate(() => {
     const name = /** @type {Element} */ (document.querySelector("#state-name"));
@@ -39,14 +39,14 @@ function watchStates(live) {
   });
 }
 
-/** True if the items of a list come in another one, in their order. @param {unknown[]} part @param {unknown[]} all */
+/** Returns true if the items of a list occur in another one, in the same order. @param {unknown[]} part @param {unknown[]} all */
 function isSubsequence(part, all) {
   let next = 0;
   for (const item of all) if (item === part[next]) next++;
   return next === part.length;
 }
 
-/** As the page shows a pose. @param {Pose} pose */
+/** Formats a pose as the page does. @param {Pose} pose */
 function poseText([x, y, angle]) {
   const text = (/** @type {number} */ value) => (Math.abs(value) < 0.005 ? 0 : value).toFixed(2).replace("-", "−");
   return `${text(1e3 * x)}, ${text(1e3 * y)} mm, ${text((180 * angle) / Math.PI)}°`;
@@ -67,7 +67,7 @@ async function recordDrag(live) {
   const { hand, contacts } = (await live.frame()).frame;
   assert.deepEqual(contacts, []);
   const { body, grasp } = (await live.state()).scene;
-  // The hand's height at which the lower edge touches the floor.
+  // Height of the hand at which the lower edge touches the floor.
   const touching = (grasp?.[1] ?? 0) - Math.min(...body.map(([, y]) => y));
   await live.handTo(hand[0], touching - DEPTH);
   await live.until(() => window.stiction.frame?.frame.state === "edge");
@@ -86,7 +86,7 @@ async function recordDrag(live) {
 }
 
 /**
- * The frames of the newest run among messages: their time only grows.
+ * Returns the frames of the newest run among messages: their time only increases.
  * @param {any[]} messages @returns {TraceFrame[]}
  */
 function newestRun(messages) {
@@ -96,7 +96,7 @@ function newestRun(messages) {
   return frames.slice(first);
 }
 
-/** The slips that the chart's title counts. @param {import("./live.js").Live} live */
+/** Returns the number of slips in the chart's title. @param {import("./live.js").Live} live */
 const slipsShown = async (live) => Number((await live.reads("#now-slip", /in all/)).match(/(\d+) in all/)?.[1]);
 
 for (const [number, evolution] of [
@@ -142,7 +142,7 @@ for (const [number, evolution] of [
 
     const records = recordsOf(files["trace.jsonl"]);
     assert.equal((await live.state()).recorded?.frames, records.length);
-    // Every frame that the page got is the record of its time.
+    // Every frame that the page received is the record of its time.
     const byTime = new Map(records.map((record) => [record.t, record]));
     const got = newestRun(live.received.messages).filter(({ t }) => byTime.has(t));
     assert.ok(got.length > 20, `${got.length} frames`);
@@ -156,7 +156,7 @@ for (const [number, evolution] of [
     const shown = await page.evaluate(() => /** @type {any} */ (window).seen);
     assert.ok(isSubsequence(shown, passed), `${shown} in ${passed}`);
     assert.equal(shown.at(-1), passed.at(-1));
-    // It rests where it was let go, and goes on resting.
+    // It rests where it was released, and stays at rest.
     const last = /** @type {TraceFrame} */ (records.at(-1));
     assert.equal(last.held, false);
     await live.until((text) => document.querySelector("#body-pose")?.textContent === text, poseText(last.pose));
@@ -187,7 +187,7 @@ liveTest("a recording, its download and its replay are the same", async (bench) 
   );
   assert.deepEqual(await transitionsShown(live), transitionsOf(trace));
 
-  // The scrubber goes to any place, forward and back, running or paused, and shows the record of it.
+  // The scrubber seeks any time, forward and back, running or paused, and shows its record.
   await page.click("#pause");
   await live.until(() => window.stiction.state?.paused);
   const box = await page.locator("#scrubber").boundingBox();
@@ -220,7 +220,7 @@ liveTest("a recording, its download and its replay are the same", async (bench) 
 });
 
 /**
- * Notes with every drawing how far the hand is from the line along which the pointer is led, from one place to another (px).
+ * Measures with every drawing the distance of the hand from the line between two points along which the pointer moves (px).
  * @param {import("./live.js").Live} live @param {Spot} from @param {Spot} to
  */
 function watchLine(live, from, to) {
@@ -256,7 +256,7 @@ liveTest("the hand is drawn at the pointer, however fast and far it is dragged",
   assert.ok(box && live.pointer);
   const start = live.pointer;
   const [left, right, top, bottom] = [box.x + 3, box.x + box.width - 3, box.y + 3, box.y + box.height - 3];
-  // The corners crosswise, out of the window on the right, and back; in as many moves as a slow mouse makes, or in two.
+  // To the corners crosswise, out of the window on the right, and back; in as many moves as a slow mouse makes, or in two.
   const places = [
     { x: left, y: bottom },
     { x: right, y: top },
@@ -271,7 +271,7 @@ liveTest("the hand is drawn at the pointer, however fast and far it is dragged",
       await watchLine(live, live.pointer, place);
       live.pointer = place;
       await page.mouse.move(place.x, place.y, { steps });
-      // The frame that has the last sample of the pointer, and the hand there.
+      // The frame with the last sample of the pointer, and the hand there.
       const apart = await live.until(
         ([x, y, near]) => {
           const [hx, hy] = window.stiction.frame?.frame.hand ?? [NaN, NaN];
@@ -291,11 +291,11 @@ liveTest("the hand is drawn at the pointer, however fast and far it is dragged",
   const farthest = await page.evaluate(() => /** @type {any} */ (window).farthest);
   assert.ok(farthest <= TOGETHER, `${farthest} px off the line on the way`);
   assert.deepEqual(await live.pixel(0, 0), origin, "the window moved");
-  // After some 15 windows of displacement it is where it began: nothing has added up.
+  // After a displacement of some 15 windows it is where it began: no error has accumulated.
   const { hand } = (await live.frame()).frame;
   const pixel = await live.metresPerPixel();
   assert.ok(Math.hypot(hand[0] - begin[0], hand[1] - begin[1]) < pixel, String(hand));
-  // A zoom while it is led is about the pointer.
+  // A zoom during a drag is about the pointer.
   await page.keyboard.press("+");
   await live.drawn();
   assert.ok((await live.metresPerPixel()) < 0.9 * pixel);

@@ -1,4 +1,4 @@
-// The editor of the scene: what is drawn, dragged, typed, undone and saved is what the solver has, with the program and without.
+// The editor of the scene: what is drawn, dragged, typed, undone and saved reaches the solver, with the program and without.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { Host, missingPage } from "./alone.js";
 import { Live, liveTest, newFolder, Program, runProgram, shared } from "./live.js";
 
-/** Where something of the editor is (CSS px). @param {Live} live @param {string} key */
+/** Returns the position of a handle of the editor (CSS px). @param {Live} live @param {string} key */
 async function spotOf(live, key) {
   const box = await live.page.locator(`[data-handle="${key}"]`).boundingBox();
   assert.ok(box, key);
@@ -36,7 +36,7 @@ function drop(live, name, text) {
   }, [name, text]);
 }
 
-/** Saves the scene; its text. @param {Live} live */
+/** Saves the scene; returns its text. @param {Live} live */
 async function save(live) {
   const coming = live.page.waitForEvent("download");
   await live.page.click("#save-scene");
@@ -63,14 +63,14 @@ async function edits(live) {
   const { page } = live;
   await page.click("#edit");
   await page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
-  // A pentagon with a point in it, which no convex polygon has.
+  // A pentagon and a point inside it, which is no corner of a convex polygon.
   await drawPolygon(live, [[-80, 40], [-60, -40], [0, -70], [10, 0], [70, -30], [60, 40]]);
   await live.until(() => window.stiction.state?.scene.body.length === 5);
   await live.reads("#note", /1 of the points is left out/);
   const drawn = (await live.state()).scene;
   assert.deepEqual(drawn.title, "my-box-flat");
 
-  // A corner follows the mouse, by as much as it moves.
+  // A corner follows the mouse by the same displacement.
   const metres = await live.metresPerPixel();
   const corner = drawn.body[0];
   await pull(live, "body-0", -20, 0);
@@ -79,14 +79,14 @@ async function edits(live) {
     return Math.abs(u - x) < near && Math.abs(v - y) < near;
   }, [corner[0] - 20 * metres, corner[1], metres]);
 
-  // A surface goes along its normal.
+  // A surface moves along its normal.
   const { offset } = drawn.surfaces[0];
   await pull(live, "surface-0", 7, 30);
   await live.until(([wanted, near]) => Math.abs((window.stiction.state?.scene.surfaces[0].offset ?? Infinity) - wanted) < near,
     [offset - 30 * metres, metres]);
   assert.deepEqual((await live.state()).scene.surfaces[0].normal, [0, 1]);
 
-  // What is not convex is refused where it is, and nothing is applied.
+  // A shape that is not convex is refused and marked, and nothing is applied.
   const before = (await live.state()).scene.body;
   await pull(live, "body-2", 0, 200, 1);
   await live.reads(".editor-problem", /body\.vertices/);
@@ -95,7 +95,7 @@ async function edits(live) {
   await page.keyboard.press("Control+z");
   await live.until(() => document.querySelector(".editor-problem")?.textContent === "");
 
-  // Friction is typed, undone and done again.
+  // Friction is typed, undone and redone.
   await (await page.waitForSelector('[data-handle="surface-0"]')).focus();
   const rough = page.locator('.editor-card [data-field="static"]');
   await rough.fill("0.77");
@@ -119,7 +119,7 @@ async function edits(live) {
   await page.mouse.dblclick(box.x + 2, box.y + 17);
   await live.until(() => window.stiction.state?.scene.obstacles?.[0].vertices.length === 5);
 
-  // The file of it is the same scene.
+  // Its file is the same scene.
   const wanted = (await live.state()).scene;
   const { name, text } = await save(live);
   assert.equal(name, "my-box-flat.toml");
@@ -130,7 +130,7 @@ async function edits(live) {
   assert.deepEqual((await live.state()).scene, { ...wanted, title: "saved" });
   assert.ok(await page.locator('#scenes input[value="my-box-flat"]').count() === 1);
 
-  // A file with a mistake is refused with its line, and the scene goes on.
+  // A file with a mistake is refused with its line, and the present scene continues.
   await drop(live, "broken.toml", text.replace(/weight = .*/, 'weight = "much"'));
   await live.reads("#note", /broken\.toml, line \d+: `body\.weight`/);
   assert.equal((await live.state()).scene.title, "saved");
@@ -145,7 +145,7 @@ liveTest("a scene is drawn, changed, undone, saved, opened and run", async (benc
   const folder = newFolder();
   writeFileSync(join(folder, "saved.toml"), text);
   await runProgram(["run", "saved.toml", "--quiet"], folder);
-  // What the sliders change is put back by a reset, and by the button without one.
+  // Changes by the sliders are undone by a reset, and by the button without one.
   await live.page.fill("#type-static", "0.2");
   await live.page.press("#type-static", "Enter");
   await live.until(() => window.stiction.state?.parameters.static === 0.2);

@@ -1,4 +1,4 @@
-// Slips that are heard and felt, and what is seen as files: a picture and a film.
+// Slips that are heard and felt, and the visible scene as files: a picture and a film.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,11 +7,11 @@ import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** Slips that are waited for. */
+/** Number of slips that are awaited. */
 const SLIPS = 4;
 
 /**
- * How loud the page makes a slip of a length, or a slide at a speed: the effective amplitude of half a second.
+ * Returns the loudness of a slip of a length, or of a slide at a speed: the RMS amplitude over half a second.
  * @param {Live} live @param {{slip?: number, speed?: number, sliding?: number}} what in sizes of the body, and a second
  */
 function loudness(live, what) {
@@ -47,7 +47,7 @@ liveTest("the longer a slip and the faster a slide, the louder; what is rounding
   }
 });
 
-/** Presses the box down and drags it until it has slipped so often. @param {Live} live @param {number} count */
+/** Presses the box down and drags it until it has slipped this many times. @param {Live} live @param {number} count */
 async function slip(live, count) {
   await live.grab();
   const { hand, pose } = (await live.frame()).frame;
@@ -124,7 +124,7 @@ liveTest("slips are heard and felt while that is wanted, and not before", async 
   assert.deepEqual(await counts(), heard);
 });
 
-/** The size of the stage, in pixels of the screen. @param {Live} live */
+/** Returns the size of the stage, in pixels of the screen. @param {Live} live */
 const stageSize = (live) =>
   live.page.evaluate(() => {
     const { width, height } = /** @type {HTMLCanvasElement} */ (document.querySelector("#stage"));
@@ -132,7 +132,7 @@ const stageSize = (live) =>
   });
 
 /**
- * Presses a button, by mouse or by finger, and takes the file that comes.
+ * Presses a button, by mouse or by finger, and returns the downloaded file.
  * @param {Live} live @param {string} button @param {boolean} touches
  */
 async function fileOf(live, button, touches) {
@@ -158,7 +158,7 @@ for (const [by, options] of /** @type {const} */ ([
     const picture = await fileOf(live, "#picture", touches);
     assert.match(picture.name, /^box-flat-\d{8}-\d{6}\.png$/);
     assert.deepEqual([...picture.bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-    // Width and height in the first chunk, as the specification of PNG has it.
+    // Width and height in the first chunk, as in the specification of PNG.
     assert.deepEqual({ width: picture.bytes.readUInt32BE(16), height: picture.bytes.readUInt32BE(20) }, size);
 
     await (touches ? page.tap("#film") : page.click("#film"));
@@ -168,10 +168,10 @@ for (const [by, options] of /** @type {const} */ ([
     const film = await fileOf(live, "#film", touches);
     await live.until(() => document.querySelector("#film")?.getAttribute("aria-pressed") === "false");
     assert.match(film.name, /^box-flat-\d{8}-\d{6}\.webm$/);
-    // EBML, and more than one still picture.
+    // EBML, and more than a single still picture.
     assert.deepEqual([...film.bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
     assert.ok(film.bytes.length > 10_000, `${film.bytes.length} bytes`);
-    // A player shows it in the size of the stage, and as long as it took.
+    // A player shows it in the size of the stage, and for its real duration.
     const player = await page.context().newPage();
     const shown = await player.evaluate(async (data) => {
       const video = document.createElement("video");

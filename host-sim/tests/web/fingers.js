@@ -1,13 +1,13 @@
-// Fingers on a touch screen, for tests: what Chromium makes of them is what a phone's would be.
+// Fingers on a touch screen, for tests: Chromium handles them like those on a phone.
 
-/** A phone's window. */
+/** Window of a phone. */
 export const PHONE = { viewport: { width: 412, height: 800 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 export class Fingers {
   /** @param {import("playwright-core").CDPSession} devtools */
   constructor(devtools) {
     this.devtools = devtools;
-    /** Where they are (CSS px). @type {Spot[]} */
+    /** Positions of the fingers (CSS px). @type {Spot[]} */
     this.points = [];
   }
 
@@ -25,22 +25,22 @@ export class Fingers {
     });
   }
 
-  /** All of them are down at these places. @param {Spot[]} points */
+  /** Puts all fingers down at these positions. @param {Spot[]} points */
   down(...points) {
     return this.touch("touchStart", points);
   }
 
-  /** All lift. */
+  /** Lifts all fingers. */
   lift() {
     return this.touch("touchEnd", []);
   }
 
-  /** Each goes along a path, from 0 to 1. @param {(part: number) => Spot[]} path */
+  /** Moves every finger along a path, from 0 to 1. @param {(part: number) => Spot[]} path */
   async along(path, steps = 20) {
     for (let k = 1; k <= steps; k++) await this.touch("touchMove", path(k / steps));
   }
 
-  /** They go straight. @param {Spot[]} to */
+  /** Moves the fingers in straight lines. @param {Spot[]} to */
   async glide(...to) {
     const from = this.points;
     await this.along((part) =>

@@ -1,5 +1,5 @@
-// The first ten seconds: whoever opens the page sees what it is, sees it move, finds the scenes, and can take the object at once.
-// STICTION_SCREENSHOTS: a folder that pictures are written to.
+// The first ten seconds: whoever opens the page sees what it is, sees it move, finds the scenes, and can take the object
+// immediately. STICTION_SCREENSHOTS: a folder for pictures.
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -14,17 +14,17 @@ const WINDOWS = [
   { width: 1280, height: 800 },
   { width: 1920, height: 1080 },
 ];
-/** What is seen at once at the top, but for the stage, of which there is more than half of its height. */
+/** Elements that are visible at the top without scrolling; of the stage, more than half of its height. */
 const AT_ONCE = ["#what", "#cards", "#story", "#help-open"];
-/** What the demonstration of a box that is set down and dragged says one after the other, among others. */
+/** Some captions of the demonstration of a box that is set down and dragged, in order. */
 const SAID = ["moves freely", "slips", "sticks and slips"];
-/** Terms whose meaning the page tells, by what has the title. */
+/** Terms that the page explains, by the element with the title. */
 const TERMS = [
   "#h-trade", "#number", "#evolution", "#keep", '[data-layer="ghost"]', '[data-layer="trails"]', '[data-layer="cones"]',
   ...["stiffness_translation", "stiffness_rotation", "static", "dynamic", "memory", "weight"].map((name) => `#slide-${name}`),
 ];
 
-/** Writes a picture, where they are wanted. @param {Live} live @param {string} name */
+/** Writes a picture, if pictures are requested. @param {Live} live @param {string} name */
 async function picture(live, name) {
   const folder = process.env.STICTION_SCREENSHOTS;
   if (!folder) return;
@@ -32,7 +32,7 @@ async function picture(live, name) {
   await live.page.screenshot({ path: join(folder, `first-${name}.png`) });
 }
 
-/** Waits until the demonstration is so far (s). @param {Live} live @param {number} seconds */
+/** Waits until the demonstration has reached a time (s). @param {Live} live @param {number} seconds */
 const shown = (live, seconds) =>
   live.until(
     (from) => window.stiction.state?.replay?.demonstration && (window.stiction.frame?.position ?? 0) > from,
@@ -53,7 +53,7 @@ for (const viewport of WINDOWS) {
       const stage = await live.page.locator("#stage").boundingBox();
       assert.ok(stage && viewport.height - stage.y > stage.height / 2, JSON.stringify(stage));
     }
-    // As in `look.test.js`: no column is wider than the window, and pictures have come.
+    // As in `look.test.js`: no column is wider than the window, and the pictures are loaded.
     assert.ok(await live.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
     await live.until(() => [...document.querySelectorAll(".card")].every((card) => card.querySelector("svg")));
     assert.match(await live.text("#story"), /^A box lies flat on the floor .*\.$/);
@@ -72,7 +72,7 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
     look();
   });
   await live.until((words) => words.every((word) => /** @type {any} */ (window).said.has(word)), SAID);
-  // What the body does is the solver's answer to the scene's own path.
+  // The motion of the body is the solver's answer to the scene's own path.
   assert.equal((await live.state()).hand.by, "replay");
   await live.until(() => (window.stiction.frame?.frame.pose[0] ?? 0) > 0.005);
   const { frame } = await live.frame();
@@ -87,13 +87,13 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
   await live.page.mouse.up();
   await live.page.waitForSelector("#demonstration", { state: "hidden" });
 
-  // Again where it is asked for, and until a key is pressed.
+  // Again on request, and until a key is pressed.
   await live.page.click("#show-me");
   await shown(live, 0.1);
   await live.page.keyboard.press("Shift");
   await live.until(() => window.stiction.state?.replay === null);
 
-  // Another page, while nobody holds the hand here: it does not begin by itself where somebody else is.
+  // Another page, while nobody holds the hand here: the demonstration does not start by itself if somebody else is present.
   const second = await bench.open({ reducedMotion: "no-preference" });
   await second.fresh();
   assert.equal((await second.state()).replay, null);
@@ -136,7 +136,7 @@ liveTest("a scene is picked by its card and by the keyboard, and its story is to
     }),
     ["parallel-walls", true, true],
   );
-  // Commands work there, and the card of a scene begins it anew.
+  // Commands work there, and the card of a scene restarts it.
   await page.keyboard.press("p");
   await live.until(() => window.stiction.state?.paused);
   await page.keyboard.press("p");
@@ -199,7 +199,7 @@ liveTest("every term is explained where it stands, by a title, a description, an
     const { nodes } = await devtools.send("Accessibility.getPartialAXTree", { nodeId, fetchRelatives: false });
     assert.equal(nodes[0].description?.value.replace(/\s+/g, " "), title?.replace(/\s+/g, " "), term);
   }
-  // The button of a group tells all of it, by a finger or a key, and Escape closes it.
+  // The button of a group shows all explanations, by a finger or a key, and Escape closes them.
   const all = await page.locator(".tip").all();
   let told = "";
   for (const button of all) {

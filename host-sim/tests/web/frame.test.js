@@ -1,5 +1,5 @@
-// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against what the
-// emulated board said, as examples/board_client.py has it in bytes.
+// The page's decoder and encoder of the wire format against every example of core/FRAME.md, and against the messages of the
+// emulated board, recorded as bytes in examples/board_client.py.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -9,17 +9,17 @@ import { crc32, decode, Decoder, encode, Fault, statusName, stuff, unstuff } fro
 const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
 const every = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) => read(text));
 
-/** The version of a frame: its first byte. */
+/** Returns the version of a frame: its first byte. */
 const version = ({ bytes }) => unstuff(bytes.subarray(0, -1))[0];
 
-// The page is a client of version 2, without obstacles: what boards with room for them say beyond that it does not know.
+// The page is a client of version 2, without obstacles: it does not know the additional messages of boards that support them.
 const isKnown = (example) => version(example) === 2 && example.message.type !== "room";
 const examples = every.filter(isKnown);
 const newer = every.filter((example) => !isKnown(example));
 
 const captured = JSON.parse(readFileSync(new URL("captured.json", import.meta.url), "utf8"));
 
-/** An example: its bytes, and the message that it says. */
+/** Returns an example: its bytes, and the message that they encode. */
 function read(text) {
   const lines = text.trim().split("\n");
   const first = lines.findIndex((line) => line.includes("="));
@@ -35,7 +35,7 @@ function read(text) {
   return { bytes, message };
 }
 
-/** A message of its fields: contact_0, contact_1, ... are a list. */
+/** Makes a message from its fields: contact_0, contact_1, ... become a list. */
 function collect(fields) {
   const message = {};
   for (const [name, value] of fields) {
@@ -46,7 +46,7 @@ function collect(fields) {
   return message;
 }
 
-/** A number that may be a text; other things stay. */
+/** Converts a number that may be a text; leaves other values. */
 function number(value) {
   return (
     { nan: NaN, inf: Infinity, "-inf": -Infinity }[value] ??
@@ -54,7 +54,7 @@ function number(value) {
   );
 }
 
-/** The same with every number that is not whole as the nearest f32, as the wire carries it. */
+/** Rounds every number that is not whole to the nearest f32, as on the wire. */
 function single(value) {
   if (Array.isArray(value)) return value.map(single);
   if (typeof value === "number") return Number.isInteger(value) ? value : Math.fround(value);

@@ -1,5 +1,5 @@
-// Turning the hand by its handle and by the wheel, the wheel that zooms, the arrow to an object that is out of the window, and a hand
-// that is free as soon as it is let go.
+// Turning the hand by its handle and by the wheel, zooming by the wheel, the arrow to an object outside the window, and a hand
+// that is free as soon as it is released.
 
 import assert from "node:assert/strict";
 import { Fingers, PHONE } from "./fingers.js";
@@ -7,18 +7,18 @@ import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** A degree (rad). */
+/** One degree (rad). */
 const DEGREE = Math.PI / 180;
-/** From the hand to the knob (px), as a user sees it. */
+/** Distance from the hand to the knob (px), as a user sees it. */
 const ARM = 56;
-/** The hand turns as the pointer does about it: to half a degree, a pixel at the knob being one. */
+/** Tolerance of the hand's angle: half a degree; a pixel at the knob is one degree. */
 const EXACT = 0.5 * DEGREE;
 
 /** Waits for the hand's angle. @param {Live} live @param {number} wanted rad @param {number} [near] */
 const turned = (live, wanted, near = EXACT) =>
   live.until(([angle, most]) => Math.abs((window.stiction.frame?.frame.hand[2] ?? NaN) - angle) < most, [wanted, near]);
 
-/** Where the hand is on the screen, and a place about it. @param {Live} live */
+/** Returns a function from polar coordinates about the hand to points on the screen. @param {Live} live */
 async function aboutHand(live) {
   const { hand } = (await live.frame()).frame;
   const { x, y } = await live.pixel(hand[0], hand[1]);
@@ -53,7 +53,7 @@ liveTest("the handle turns the hand as far as the pointer goes about it, and lea
   }
   await page.mouse.up();
   await live.fresh();
-  // The place of the hand and its hold are what they were.
+  // The position of the hand and its hold are unchanged.
   const { frame, holding } = await live.frame();
   assert.ok(holding);
   assert.deepEqual(frame.hand.slice(0, 2), [x, y]);
@@ -78,7 +78,7 @@ liveTest("the handle turns the hand as far as the pointer goes about it, and lea
   await page.mouse.up();
   await live.until(() => window.stiction.frame?.holding === null);
   const [ex, ey] = (await live.frame()).frame.hand;
-  // As near as f32 has the place.
+  // Within the precision of the position in f32.
   assert.ok(Math.hypot(ex - hx, ey - hy) < 1e-6);
 });
 
@@ -113,7 +113,7 @@ liveTest("the wheel turns the hand that holds, 5 degrees a notch; without a hold
   await page.keyboard.up("Shift");
   await turned(live, phi - 18 * DEGREE, 0.01 * DEGREE);
   assert.ok((await live.frame()).holding);
-  // With ctrl it zooms all the same.
+  // With ctrl it zooms even so.
   await page.keyboard.down("Control");
   await page.mouse.wheel(0, -100);
   await page.keyboard.up("Control");
@@ -128,7 +128,7 @@ liveTest("the wheel turns the hand that holds, 5 degrees a notch; without a hold
   await page.mouse.wheel(0, -200);
   await live.until((old) => 1 / Math.abs(window.stiction.pixelOf(1, 0).x - window.stiction.pixelOf(0, 0).x) < 0.9 * old, closer);
   const ratio = closer / (await live.metresPerPixel());
-  // What is under the pointer stays there.
+  // The point under the pointer stays there.
   const now = await live.pixel(0, 0);
   assert.ok(Math.abs(now.x - at.x - ratio * (origin.x - at.x)) < 0.5 && Math.abs(now.y - at.y - ratio * (origin.y - at.y)) < 0.5);
   assert.deepEqual((await live.frame()).frame.hand, hand);
@@ -141,7 +141,7 @@ liveTest("an arrow points to the object that is out of the window, and a press o
   assert.ok(await away.isHidden());
   const box = await page.locator("#stage").boundingBox();
   assert.ok(box);
-  // The window goes down and to the left, by its own size and more.
+  // The window moves down and to the left, by more than its own size.
   const from = { x: box.x + 40, y: box.y + box.height - 25 };
   for (let k = 0; k < 3; k++) {
     await page.mouse.move(from.x, from.y);
@@ -156,7 +156,7 @@ liveTest("an arrow points to the object that is out of the window, and a press o
   assert.ok(arrow);
   const at = { x: arrow.x + arrow.width / 2, y: arrow.y + arrow.height / 2 };
   assert.ok(at.x > box.x && at.x < box.x + box.width && at.y > box.y && at.y < box.y + box.height);
-  // It points there, and says how far that is.
+  // It points there, and shows the distance.
   const angle = await page.evaluate(() => parseFloat(/** @type {HTMLElement} */ (document.querySelector("#away i")).style.rotate));
   const wanted = Math.atan2(object.y - at.y, object.x - at.x);
   assert.ok(Math.abs(angle - wanted) < 0.02, `${angle} instead of ${wanted}`);
@@ -182,7 +182,7 @@ liveTest("a hand that is let go is free for another page at once, by pointer and
     await giver.grab();
     await taker.reads("#holder", /^Hand: page \d+$/);
     await giver.page.mouse.up();
-    // Less than the 10 s after which a silent one has lost it.
+    // Less than the 10 s after which a silent holder would lose it.
     const released = performance.now();
     await taker.reads("#holder", /^Hand: nobody$/);
     await taker.grab();

@@ -6,11 +6,11 @@ import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** What Tab has to come to: all that can be used now, in the order of the document. */
+/** What Tab has to reach: all enabled controls, in the order of the document. */
 const CONTROLS = "button, select, input, a[href], [tabindex='0']";
 
 /**
- * The element that has the focus: its id or other mark, its region, and whether the focus is seen.
+ * Returns the focused element: its id or another name, its region, and whether the focus is visible.
  * @param {Live} live
  */
 function focused(live) {
@@ -37,7 +37,7 @@ async function tabTo(live, id) {
   assert.fail(`Tab never comes to ${id}`);
 }
 
-/** Holds a key down until something is so. @param {Live} live @param {string} key @param {() => unknown} what */
+/** Holds a key down until a condition is true. @param {Live} live @param {string} key @param {() => unknown} what */
 async function hold(live, key, what) {
   await live.page.keyboard.down(key);
   await live.until(what);
@@ -47,7 +47,7 @@ async function hold(live, key, what) {
 liveTest("Tab comes to every control, in order, and the focus is seen", async (bench) => {
   const live = await bench.open();
   const { page } = live;
-  // With a recording its links are there, and with a replay the scrubber.
+  // With a recording its links are visible, and with a replay the scrubber.
   await page.click("#record");
   await live.until(() => (window.stiction.state?.recording ?? 0) > 0.1);
   await page.click("#record");
@@ -65,7 +65,7 @@ liveTest("Tab comes to every control, in order, and the focus is seen", async (b
           (element) =>
             element.checkVisibility() &&
             !element.closest("dialog:not([open])") &&
-            // Of a group of radio buttons Tab comes to the one that is chosen.
+            // In a group of radio buttons Tab reaches the selected one.
             !element.matches(":disabled, [type=radio]:not(:checked)"),
         )
         .map((element) => element.id || element.dataset.layer || element.tagName),
@@ -98,7 +98,7 @@ liveTest(
     const { page } = live;
     const { keyboard } = page;
     await tabTo(live, "stage");
-    // The box is held from its beginning: let go, and take it again.
+    // The box is held from the beginning: let go, and grasp it again.
     await keyboard.press("Space");
     await live.until(() => window.stiction.frame?.holding === null);
     await keyboard.press("Space");
@@ -267,7 +267,7 @@ liveTest("one finger drags, two turn it as they turn, two off the object zoom", 
   await live.until(() => window.stiction.state?.hand.by === "page" && window.stiction.frame?.holding);
   await fingers.glide({ x: start.x + 20, y: start.y - 12 });
   await handNear([hx + 20 * pixel, hy + 12 * pixel, phi], 2 * pixel);
-  // The second finger goes a quarter of a right angle about the first one, which stays: counter-clockwise.
+  // The second finger moves by a quarter of a right angle about the first one, which stays: counter-clockwise.
   const [one] = fingers.points;
   const about = (/** @type {Spot} */ { x, y }, /** @type {number} */ r, /** @type {number} */ angle) => ({
     x: x + r * Math.cos(angle),
@@ -277,7 +277,8 @@ liveTest("one finger drags, two turn it as they turn, two off the object zoom", 
   await fingers.down(one, about(one, 100, 0));
   await fingers.along((part) => [one, about(one, 100, angle * part)]);
   await handNear([hx + 20 * pixel, hy + 12 * pixel, phi + angle], 2 * pixel);
-  // Both turn about their middle, clockwise by a right angle: the hand turns as far, and stays at the first finger.
+  // Both rotate about their middle, clockwise by a right angle: the hand turns by the same angle, and stays at the first
+  // finger.
   const middle = about(one, 50, angle);
   const twist = -Math.PI / 2;
   const ends = (/** @type {number} */ part) =>

@@ -1,10 +1,10 @@
-// What is wrong with the layout of a page, for tests of how it looks.
+// Faults in the layout of a page, for tests of its appearance.
 
-/** No text is smaller (px), but for what stands below the line. */
+/** Smallest text (px), and smallest subscript. */
 const SMALLEST = 11;
 const SMALLEST_INDEX = 9;
 
-/** What is wrong with the layout. @param {import("./live.js").Live} live */
+/** Returns the faults in the layout. @param {import("./live.js").Live} live */
 export function layoutFaults(live) {
   return live.page.evaluate(
     ([smallest, smallestIndex]) => {
@@ -12,7 +12,7 @@ export function layoutFaults(live) {
       const faults = [];
       const wide = document.documentElement.clientWidth;
       if (document.documentElement.scrollWidth > wide) faults.push(`${document.documentElement.scrollWidth} px wide`);
-      // A window that is wide enough for all beside one another does not scroll.
+      // A window wide enough for all columns next to each other does not scroll.
       const tall = document.documentElement.scrollHeight - window.innerHeight;
       if (window.matchMedia("(min-width: 901px)").matches && tall > 0) faults.push(`${tall} px too high`);
       for (const key of document.querySelectorAll(".key")) {
@@ -23,7 +23,7 @@ export function layoutFaults(live) {
       }
       const name = (/** @type {Element} */ element) =>
         element.id || `${element.tagName} “${element.textContent?.trim().slice(0, 30)}”`;
-      // What the strip of scenes has scrolled out of sight is not there.
+      // Cards that the strip of scenes has scrolled out of sight do not count.
       const strip = /** @type {Element} */ (document.querySelector("#cards")).getBoundingClientRect();
       const shown = (/** @type {Element} */ element) =>
         element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&

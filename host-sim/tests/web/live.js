@@ -1,6 +1,5 @@
-// A browser, the program and its pages, for the tests of the live page. All that a page reports as wrong is collected,
-// and a test fails on what it did not expect: messages on the console, errors, failed requests, requests to anywhere
-// else.
+// A browser, the program and its pages, for the tests of the live page. All faults of a page are collected, and a test fails on
+// unexpected ones: messages on the console, errors, failed requests, requests to any other server.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -14,12 +13,12 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
-/** Whatever is waited for comes within this, or not at all (ms). */
+/** Timeout of every wait (ms). */
 export const PATIENCE = 60_000;
-/** The window of a page, unless a test asks for another one (px). */
+/** The window of a page, unless a test requests another one (px). */
 const WINDOW = { width: 1280, height: 800 };
 
-/** The first file of a name in PATH that can be run. @param {string} name */
+/** Returns the first executable file of a name in PATH. @param {string} name */
 function inPath(name) {
   return (process.env.PATH ?? "")
     .split(delimiter)
@@ -34,7 +33,7 @@ function inPath(name) {
     });
 }
 
-/** Chromium: of the environment, in PATH, or that which playwright installs; undefined where there is none. */
+/** Returns Chromium: from the environment, in PATH, or installed by playwright; undefined if there is none. */
 function findChromium() {
   const own = () => (existsSync(chromium.executablePath()) ? chromium.executablePath() : undefined);
   return process.env.CHROMIUM ?? ["chromium", "chromium-browser", "google-chrome"].map(inPath).find(Boolean) ?? own();
@@ -45,19 +44,19 @@ const browserFile = findChromium();
 const target = process.env.CARGO_TARGET_DIR ?? join(workspace, "target");
 const programFile = resolve(process.env.STICTION ?? join(target, "debug", "stiction"));
 
-/** Why tests without a page cannot run here, or false. */
+/** Reason why tests without a page cannot run here, or false. */
 export const missingProgram = existsSync(programFile)
   ? false
   : `no ${programFile}: set STICTION, or type cargo build`;
-/** Why the tests cannot run here, or false. */
+/** Reason why the tests cannot run here, or false. */
 const missing = browserFile ? missingProgram : "no Chromium: set CHROMIUM, or install it";
 if (missing && process.env.CI === "true") throw new Error(missing);
 
-/** Folders that go with the process. @type {string[]} */
+/** Folders that are removed at the end of the process. @type {string[]} */
 const folders = [];
 process.on("exit", () => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
 
-/** A folder that goes with the process. */
+/** Makes a folder that is removed at the end of the process. */
 export function newFolder() {
   const folder = mkdtempSync(join(tmpdir(), "stiction-page-"));
   folders.push(folder);
@@ -79,7 +78,7 @@ export class Program {
       stdio: ["ignore", "pipe", "pipe"],
     });
     this.gone = new Promise((done) => this.child.once("exit", done));
-    /** What it complains of. */
+    /** Its error output. */
     this.said = "";
     this.child.stderr.on("data", (text) => {
       this.said += text;
@@ -88,7 +87,7 @@ export class Program {
     this.port = port;
   }
 
-  /** @param {string[]} [args] @param {number} [port] a free one unless it is said */
+  /** @param {string[]} [args] @param {number} [port] by default a free one */
   static async start(args = [], port = 0) {
     const program = new Program(args, port);
     const lines = createInterface(program.child.stdout);
@@ -103,13 +102,13 @@ export class Program {
     return program;
   }
 
-  /** Ends it, as a crash would. */
+  /** Kills it, as a crash would. */
   async kill() {
     this.child.kill("SIGKILL");
     await this.gone;
   }
 
-  /** Memory that it holds (bytes), or null where the system does not tell. */
+  /** Resident memory (bytes), or null if the system does not report it. */
   get memory() {
     try {
       const [, kilobytes] = readFileSync(`/proc/${this.child.pid}/status`, "utf8").match(/^VmRSS:\s+(\d+) kB/m) ?? [];
@@ -121,7 +120,8 @@ export class Program {
 }
 
 /**
- * A client of the socket that asks for all frames, over and over, and reads none: one that says nothing has to go.
+ * Connects a client of the socket that requests all frames repeatedly and reads none: a client that sends nothing is
+ * disconnected.
  * @param {Program} program
  */
 export async function stalled(program) {
@@ -148,7 +148,7 @@ export async function stalled(program) {
 }
 
 /**
- * Runs the program to its end; its output.
+ * Runs the program to its end; returns its output.
  * @param {string[]} args @param {string} folder
  */
 export async function runProgram(args, folder) {
@@ -165,13 +165,13 @@ export async function runProgram(args, folder) {
   return output;
 }
 
-/** The frames and states that a page got, as they came. */
+/** The frames and states that a page received, unmodified. */
 class Received {
   constructor() {
     /** @type {any[]} */
     this.messages = [];
     this.bytes = 0;
-    /** Keep the messages; else only their size is counted. */
+    /** Whether to keep the messages; otherwise only their size is counted. */
     this.keep = false;
   }
 
@@ -182,7 +182,7 @@ class Received {
   }
 }
 
-/** A page that is open. */
+/** An open page. */
 export class Live {
   /** @param {import("playwright-core").Page} page @param {string} origin */
   constructor(page, origin) {
@@ -193,13 +193,13 @@ export class Live {
     this.faults = [];
     /** @type {RegExp[]} */
     this.expected = [];
-    /** Where the mouse is while it drags (CSS px). @type {Spot | null} */
+    /** Position of the mouse during a drag (CSS px). @type {Spot | null} */
     this.pointer = null;
     page.setDefaultTimeout(PATIENCE);
     this.listen();
   }
 
-  /** Collects all that is wrong. */
+  /** Collects all faults. */
   listen() {
     const { page } = this;
     page.on("console", (message) => {
@@ -220,19 +220,19 @@ export class Live {
     });
   }
 
-  /** A request goes to the program, and nowhere else. @param {string} url */
+  /** Checks that a request goes to the program, and nowhere else. @param {string} url */
   stays(url) {
-    // What a page makes itself is not asked for anywhere.
+    // Data made by the page itself cause no request.
     if (/^(data|blob):/.test(url)) return;
     if (new URL(url).origin !== this.origin) this.faults.push(`elsewhere: ${url}`);
   }
 
-  /** Something that this test provokes. @param {RegExp} fault */
+  /** Declares a fault that this test provokes. @param {RegExp} fault */
   expects(fault) {
     this.expected.push(fault);
   }
 
-  /** Fails on what was not expected. */
+  /** Fails on unexpected faults. */
   check() {
     assert.deepEqual(
       this.faults.filter((fault) => !this.expected.some((known) => known.test(fault))),
@@ -241,7 +241,7 @@ export class Live {
   }
 
   /**
-   * Waits until something is so in the page.
+   * Waits until a condition is true in the page.
    * @template T @param {string | ((arg: T) => unknown)} what @param {T} [arg]
    */
   async until(what, arg) {
@@ -257,22 +257,22 @@ export class Live {
     return this.text(selector);
   }
 
-  /** The text of an element. @param {string} selector */
+  /** Returns the text of an element. @param {string} selector */
   async text(selector) {
     return (await this.page.textContent(selector)) ?? "";
   }
 
-  /** The newest frame message. @returns {Promise<FrameMessage>} */
+  /** Returns the newest frame message. @returns {Promise<FrameMessage>} */
   frame() {
     return this.page.evaluate(() => /** @type {FrameMessage} */ (window.stiction.frame));
   }
 
-  /** The newest state message. @returns {Promise<StateMessage>} */
+  /** Returns the newest state message. @returns {Promise<StateMessage>} */
   state() {
     return this.page.evaluate(() => /** @type {StateMessage} */ (window.stiction.state));
   }
 
-  /** Waits for frames that were made after now: two, as one may be under way. */
+  /** Waits for frames made after now: two, as one may be in transit. */
   async fresh() {
     const from = await this.page.evaluate(() => window.stiction.framesReceived);
     await this.until((count) => window.stiction.framesReceived >= count + 2, from);
@@ -288,13 +288,13 @@ export class Live {
     });
   }
 
-  /** Waits until the scene was drawn anew, from its beginning: twice, as a drawing may be under way. */
+  /** Waits until the scene has been drawn again completely: twice, as a drawing may be in progress. */
   async drawn() {
     const from = await this.page.evaluate(() => window.stiction.framesDrawn);
     await this.until((count) => window.stiction.framesDrawn >= count + 2, from);
   }
 
-  /** Waits until the window on the scene rests: it follows the object softly. */
+  /** Waits until the window on the scene is at rest: it follows the object smoothly. */
   async steady() {
     await this.until(() => {
       const page = /** @type {any} */ (window);
@@ -311,14 +311,14 @@ export class Live {
     await this.settled();
   }
 
-  /** Another scene, from its beginning. @param {string} name */
+  /** Starts another scene from its beginning. @param {string} name */
   async scene(name) {
     await this.page.click(`.card:has(input[value="${name}"])`);
     await this.until((title) => window.stiction.state?.scene.title === title && window.stiction.frame, name);
     await this.fresh();
   }
 
-  /** Where a point of the world is (CSS px). @param {number} x @param {number} y */
+  /** Returns the position of a point of the world (CSS px). @param {number} x @param {number} y */
   pixel(x, y) {
     return this.page.evaluate(([wx, wy]) => window.stiction.pixelOf(wx, wy), [x, y]);
   }
@@ -347,21 +347,21 @@ export class Live {
     );
   }
 
-  /** Drags the hand to a point of the world, as near as pixels are. @param {number} x @param {number} y */
+  /** Drags the hand to a point of the world, within the resolution of pixels. @param {number} x @param {number} y */
   async handTo(x, y) {
     const near = 1.5 * (await this.metresPerPixel());
     for (let attempt = 0; attempt < 20; attempt++) {
       await this.fresh();
       const [hx, hy] = (await this.frame()).frame.hand;
       if (Math.hypot(hx - x, hy - y) <= near) return;
-      // The window follows the object: only the way counts, not the place.
+      // The window follows the object: only the displacement counts, not the position.
       const [from, to] = [await this.pixel(hx, hy), await this.pixel(x, y)];
       await this.drag(to.x - from.x, to.y - from.y);
     }
     assert.fail(`the hand does not come to ${x}, ${y}`);
   }
 
-  /** Moves the mouse that is down. @param {number} dx px @param {number} dy px */
+  /** Moves the pressed mouse. @param {number} dx px @param {number} dy px */
   async drag(dx, dy) {
     assert.ok(this.pointer);
     this.pointer = { x: this.pointer.x + dx, y: this.pointer.y + dy };
@@ -369,13 +369,13 @@ export class Live {
     await this.page.mouse.move(this.pointer.x, this.pointer.y, { steps });
   }
 
-  /** Size of a pixel in the world (m). */
+  /** Returns the size of a pixel in the world (m). */
   async metresPerPixel() {
     return this.page.evaluate(() => 1 / Math.abs(window.stiction.pixelOf(1, 0).x - window.stiction.pixelOf(0, 0).x));
   }
 
   /**
-   * How many pixels of the scene have the colour of a role.
+   * Returns the number of pixels of the scene with the colour of a role.
    * @param {string} role as in style.css
    */
   painted(role) {
@@ -408,7 +408,7 @@ export class Live {
   }
 }
 
-/** What a test gets. */
+/** The environment of a test. */
 export class Bench {
   /** @param {import("playwright-core").Browser} browser @param {Program} program */
   constructor(browser, program) {
@@ -419,8 +419,8 @@ export class Bench {
   }
 
   /**
-   * Opens a page of the program in a window of its own, and waits until it shows something. Its reader wants less motion: no
-   * demonstration moves the hand.
+   * Opens a page of the program in a window of its own, and waits until it shows something. Its reader prefers reduced motion:
+   * no demonstration moves the hand.
    * @param {import("playwright-core").BrowserContextOptions} [options]
    */
   async open(options) {
@@ -428,7 +428,7 @@ export class Bench {
   }
 
   /**
-   * Opens a page that something is done with before it asks for anything.
+   * Opens a page after preparing it, before it requests anything.
    * @param {import("playwright-core").BrowserContextOptions | undefined} options
    * @param {(page: import("playwright-core").Page) => Promise<void>} before
    */
@@ -442,13 +442,13 @@ export class Bench {
     return live;
   }
 
-  /** Ends all, and fails on what was wrong. */
+  /** Closes everything, and fails on faults. */
   async close() {
     for (const { page } of this.pages) await page.context().close();
     await this.program.kill();
   }
 
-  /** Fails on what was wrong. */
+  /** Fails on faults. */
   check() {
     for (const live of this.pages) live.check();
     assert.equal(this.program.said, "");
@@ -458,7 +458,7 @@ export class Bench {
 /** The browser of a file's tests. @type {import("playwright-core").Browser | null} */
 let browser = null;
 
-/** Before the first test of a file the browser starts, after the last one it ends. */
+/** Starts the browser before the first test of a file, and closes it after the last one. */
 function shareBrowser() {
   if (!browserFile || isShared) return;
   isShared = true;
@@ -469,7 +469,7 @@ function shareBrowser() {
 }
 let isShared = false;
 
-/** The browser, for tests without a program. */
+/** Returns the browser, for tests without a program. */
 export function shared() {
   shareBrowser();
   const get = () => {
@@ -480,7 +480,7 @@ export function shared() {
 }
 
 /**
- * A test in the browser, with a program of its own.
+ * Defines a test in the browser, with a program of its own.
  * @param {string} name @param {(bench: Bench) => Promise<void>} work @param {string[]} [args] of `stiction view`
  */
 export function liveTest(name, work, args = []) {

@@ -1,5 +1,5 @@
-// How the page looks, in small and large windows, light and dark: nothing is cut, nothing overlaps, all can be read and
-// has a name. STICTION_SCREENSHOTS: a folder that pictures are written to.
+// The appearance of the page, in small and large windows, light and dark: nothing is cut off, nothing overlaps, everything is
+// readable and has a name. STICTION_SCREENSHOTS: a folder for pictures.
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -9,21 +9,21 @@ import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** Windows (px), and pixels of the screen for one of them. */
+/** Windows (px), and screen pixels per px. */
 const WINDOWS = [
   { width: 360, height: 740, ratio: 3 },
   { width: 1024, height: 768, ratio: 1.5 },
   { width: 1920, height: 1080, ratio: 1 },
 ];
 const THEMES = /** @type {const} */ (["light", "dark"]);
-/** Least contrast of text (WCAG 2.2, 1.4.3), and of what is drawn and of the borders of controls (1.4.11). */
+/** Least contrast of text (WCAG 2.2, 1.4.3), and of the drawing and the borders of controls (1.4.11). */
 const CONTRAST = 4.5;
 const SIGNS = 3;
-/** The oldest parts of trails and the oldest marks of slips are so faint, as in trails.js. */
+/** Opacity of the oldest parts of trails and the oldest marks of slips, as in trails.js. */
 const FAINTEST = 0.8;
-/** What a browser may have to load (bytes). */
+/** Largest size of what a browser has to load (bytes). */
 const WEIGHT = 250_000;
-/** What has to have a name. */
+/** Roles that must have a name. */
 const ROLES = [
   "button",
   "checkbox",
@@ -40,7 +40,7 @@ const ROLES = [
 ];
 
 /**
- * The box in a corner, replayed until it has slipped a few times on both surfaces, and paused there.
+ * Replays the box in a corner until it has slipped a few times on both surfaces, and pauses there.
  * @param {Live} live
  */
 async function inCorner(live) {
@@ -53,7 +53,7 @@ async function inCorner(live) {
   await live.pause();
 }
 
-/** Writes a picture, where they are wanted. @param {Live} live @param {string} name */
+/** Writes a picture, if pictures are requested. @param {Live} live @param {string} name */
 async function picture(live, name) {
   const folder = process.env.STICTION_SCREENSHOTS;
   if (!folder) return;
@@ -90,12 +90,12 @@ liveTest("texts in the drawing are not over one another, in the smallest window"
   await live.page.evaluate((height) => {
     const { prototype } = CanvasRenderingContext2D;
     const { fillText, fillRect } = prototype;
-    /** Texts of the drawing that is under way, in pixels of the canvas. @type {{text: string, xs: number[], ys: number[]}[]} */
+    /** Texts of the drawing in progress, in pixels of the canvas. @type {{text: string, xs: number[], ys: number[]}[]} */
     let written = [];
     const texts = { most: 0, corners: 0, over: /** @type {string[]} */ ([]) };
     Object.assign(window, { texts });
     prototype.fillRect = function (x, y, w, h) {
-      // A drawing begins with its ground.
+      // A drawing begins with its background.
       if (this.canvas.id === "stage" && x === 0 && y === 0) written = [];
       fillRect.call(this, x, y, w, h);
     };
@@ -144,7 +144,7 @@ liveTest("every control has a name", async (bench) => {
       .filter(({ name }) => !name?.value?.trim())
       .map(({ role, backendDOMNodeId }) => [role?.value, backendDOMNodeId]);
     assert.deepEqual(nameless, []);
-    // Two of the same kind are told apart by their names.
+    // Two of the same kind differ by their names.
     const names = controls.map(({ role, name }) => `${role?.value} ${name?.value}`);
     assert.deepEqual(
       names.filter((name, i) => names.indexOf(name) !== i),
@@ -153,7 +153,7 @@ liveTest("every control has a name", async (bench) => {
   }
 });
 
-/** What is drawn, by its role, and what it stands on. */
+/** Colours in the drawing, by role, with their background. */
 const DRAWN = [
   ["body", "paper"],
   ["ghost", "paper"],
@@ -183,13 +183,16 @@ const TEXTS = [
   ["friction", "paper"],
 ];
 
-/** Puts `contrast(element or role, ground, alpha)` and `groundOf(element)` into the page (WCAG 2.2). @param {Live} live */
+/** Adds `contrast(element or role, ground, alpha)` and `groundOf(element)` to the page (WCAG 2.2). @param {Live} live */
 const bringContrast = (live) =>
   live.page.evaluate(() => {
     const dot = /** @type {OffscreenCanvasRenderingContext2D} */ (
       new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true })
     );
-    /** Colours over one another, the lowest first, as the browser mixes them. @param {string[]} layers @param {number} alpha of the last one */
+    /**
+     * Mixes colours over one another, the lowest first, as the browser does.
+     * @param {string[]} layers @param {number} alpha of the last one
+     */
     const mixed = (layers, alpha = 1) => {
       layers.forEach((color, i) => {
         dot.globalAlpha = i === layers.length - 1 ? alpha : 1;
@@ -216,7 +219,7 @@ const bringContrast = (live) =>
       probe.remove();
       return color;
     };
-    /** The grounds under an element, the lowest first. @param {Element | null} element @returns {string[]} */
+    /** Returns the backgrounds under an element, the lowest first. @param {Element | null} element @returns {string[]} */
     const groundsOf = (element) => {
       if (!element) return [ofRole("page")];
       return [...groundsOf(element.parentElement), getComputedStyle(element).backgroundColor];
@@ -301,7 +304,7 @@ liveTest("the page is light, and loads what talks to a board only when asked", a
   assert.ok(files.length > 10 && !files.some(({ path }) => path.includes("board")));
   const sum = (/** @type {"plain" | "sent"} */ what) => files.reduce((total, file) => total + file[what], 0);
   assert.ok(sum("plain") > 50_000 && sum("sent") <= WEIGHT, `${sum("sent")} of ${sum("plain")} bytes`);
-  // Texts become half as long at least, and a browser that takes no gzip gets them as they are.
+  // Text files shrink to less than half, and a browser without gzip gets them uncompressed.
   assert.ok(files[0].encoding === "gzip" && sum("sent") < sum("plain") / 2, `${sum("sent")} of ${sum("plain")} bytes`);
   const { path, plain } = files[0];
   const bare = await fetch(`${bench.program.origin}${path}`, { headers: { "accept-encoding": "identity" } });

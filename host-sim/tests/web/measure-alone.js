@@ -1,10 +1,10 @@
-// Figures of the page without a server on this computer, as the table of the README of host-sim/wasm:
+// Figures of the page without a server on this computer, as in the table of the README of host-sim/wasm:
 //
 //     cargo run --release -p stiction-page -- --out target/page --npm target/npm
 //     npm run --prefix host-sim/tests/web measure-alone -- [--seconds 60] [--readme]
 //
-// When it shows its first frame, how many of its ticks are late while the mouse drags, what it weighs, and how long a step takes in
-// the npm package.
+// The time of its first frame, the number of its late ticks while the mouse drags, its size, and the time of a step in the npm
+// package.
 
 import { readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { cpus, release, type } from "node:os";
@@ -18,14 +18,14 @@ import { Live, startBrowser } from "./live.js";
 const { values: options } = parseArgs({
   options: { seconds: { type: "string", default: "60" }, readme: { type: "boolean", default: false } },
 });
-/** Pages that are opened for the time of the first frame. */
+/** Number of pages opened for the time of the first frame. */
 const OPENED = 5;
-/** Scenes, and how often each of their paths is run. */
+/** Scenes, and number of runs of each of their paths. */
 const SCENES = ["box-flat", "ladder", "peg-in-hole"];
 
 const browser = await startBrowser();
 
-/** A page, and when it drew its first frame (ms after it was asked for). @param {string} address */
+/** Returns a page, and the time of its first frame (ms after its request). @param {string} address */
 async function opened(address) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
   const page = await context.newPage();
@@ -41,7 +41,7 @@ async function opened(address) {
   return { live: new Live(page, new URL(address).origin), first: Number(first) };
 }
 
-/** Median of times until the first frame (ms). @param {string} address */
+/** Returns the median time until the first frame (ms). @param {string} address */
 async function firstFrame(address) {
   const times = [];
   for (let k = 0; k < OPENED; k++) {
@@ -52,7 +52,7 @@ async function firstFrame(address) {
   return times.sort((a, b) => a - b)[OPENED >> 1];
 }
 
-/** Ticks, and those of them that are late, while the mouse drags. @param {string} address @param {string} scene */
+/** Returns the number of ticks, and of late ones, while the mouse drags. @param {string} address @param {string} scene */
 async function ticking(address, scene) {
   const { live } = await opened(address);
   await live.scene(scene);
@@ -70,11 +70,11 @@ async function ticking(address, scene) {
   return `${late} of ${ticks} (${((100 * late) / ticks).toFixed(2)} %)`;
 }
 
-/** What files weigh, packed (kB). @param {string[]} names @param {(bytes: Buffer) => Buffer} pack */
+/** Returns the compressed size of files (kB). @param {string[]} names @param {(bytes: Buffer) => Buffer} pack */
 const weight = (names, pack) =>
   (names.reduce((sum, name) => sum + pack(readFileSync(join(folder, name))).length, 0) / 1000).toFixed(0);
 
-/** The files that a page asks for until its first frame. @param {string} address */
+/** Returns the files that a page requests until its first frame. @param {string} address */
 async function files(address) {
   const { live } = await opened(address);
   const names = await filesOfFirstDrawing(live);
@@ -82,7 +82,7 @@ async function files(address) {
   return names;
 }
 
-/** Time of a sample in `run`, median of scenes, for a number type (µs). @param {"f32" | "f64" | "fixed"} number */
+/** Returns the time of a sample in `run`, median of scenes, for a number type (µs). @param {"f32" | "f64" | "fixed"} number */
 async function step(number) {
   const { Solver, scenePath } = await import(pathToFileURL(join(npm, "node.js")).href);
   const times = SCENES.map((scene) => {

@@ -1,10 +1,10 @@
-// Figures of the live page on this computer, as the table of the README:
+// Figures of the live page on this computer, as in the table of the README:
 //
 //     cargo build --release && npm run --prefix host-sim/tests/web measure -- [--seconds 600] [--readme]
 //
-// How late a drawn pose is after its pointer event, how often and how quickly it draws, what it weighs; and how many of the
-// solver's ticks are late while two pages are open, of which one drags, and a third client reads nothing. With
-// `--picture page.png` a picture of the page instead.
+// The delay from a pointer event to its drawn pose, the rate and time of drawings, the size of the page; and the number of late
+// ticks of the solver while two pages are open, one of which drags, and a third client reads nothing. With `--picture
+// page.png`, takes a picture of the page instead.
 
 import { readFileSync, renameSync, writeFileSync } from "node:fs";
 import { cpus, release, type } from "node:os";
@@ -20,11 +20,11 @@ const { values: options } = parseArgs({
   options: { seconds: { type: "string", default: "600" }, readme: { type: "boolean", default: false }, picture: { type: "string" } },
 });
 
-/** The mouse moves so long for the first figures (s), so many times a second. */
+/** Duration of the mouse's motion for the first figures (s), and number of moves per second. */
 const SECONDS = 20;
 const MOVES = 125;
 
-/** Median and 99 %. @param {readonly number[]} samples @returns {[string, string]} */
+/** Returns median and 99 %. @param {readonly number[]} samples @returns {[string, string]} */
 function spread(samples) {
   const sorted = [...samples].sort((a, b) => a - b);
   const at = (/** @type {number} */ part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
@@ -48,7 +48,7 @@ async function drag(live, seconds, rate) {
   await live.page.mouse.up();
 }
 
-/** Time that the system took from this computer for others (s), where it tells. */
+/** Returns the time that the system took from this computer for others (s), if it is reported. */
 function stolen() {
   try {
     const [all] = readFileSync("/proc/stat", "utf8").split("\n");
@@ -60,7 +60,7 @@ function stolen() {
 
 const browser = await startBrowser();
 
-/** One page that drags. */
+/** Measures one page that drags. */
 async function drawing() {
   const bench = new Bench(browser, await Program.start());
   const live = await bench.open();
@@ -92,7 +92,7 @@ async function drawing() {
   ];
 }
 
-/** Two pages, of which one drags, and a client that reads nothing. */
+/** Measures two pages, one of which drags, and a client that reads nothing. */
 async function ticking() {
   const seconds = Number(options.seconds);
   const bench = new Bench(browser, await Program.start());
@@ -119,7 +119,7 @@ async function ticking() {
   ];
 }
 
-/** The page while the body slips. @param {string} file */
+/** Takes a picture of the page while the body slips. @param {string} file */
 async function picture(file) {
   const bench = new Bench(browser, await Program.start());
   const live = await bench.open();

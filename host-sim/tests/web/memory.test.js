@@ -1,23 +1,23 @@
-// A long session does not take more and more memory, neither in the page nor in the program: it is dragged, recorded,
-// replayed and looked at, over and over. STICTION_SOAK: for so many seconds.
+// The memory of a long session does not grow without bound, neither in the page nor in the program: dragging, recording,
+// replaying and viewing are repeated. STICTION_SOAK: duration in seconds.
 
 import assert from "node:assert/strict";
 import { liveTest } from "./live.js";
 
 const SECONDS = Number(process.env.STICTION_SOAK ?? 20);
-/** The first part of the session, in which memory may grow: caches, code, rings that fill. */
+/** The first part of the session, in which memory may grow: caches, code, ring buffers that fill. */
 const WARM = 0.2;
-/** Rounds at least, and before it is warm. */
+/** Least number of rounds, in total and before it is warm. */
 const ROUNDS = 4;
 const FIRST = 2;
-/** What lies idle in the heap of the browser and in that of the program (bytes). */
+/** Idle memory in the heaps of the browser and of the program (bytes). */
 const SLACK = { page: 1.5e6, program: 2.5e6 };
-/** What the page may keep of the bytes of the messages that it got since then. */
+/** Fraction of the bytes of received messages that the page may keep since then. */
 const KEPT = 0.02;
-/** What the program may keep of each of its ticks (bytes); a record of the trace has some 300. */
+/** Memory that the program may keep per tick (bytes); a record of the trace has some 300. */
 const PER_TICK = 10;
 
-/** One round. @param {import("./live.js").Live} live @param {number} round */
+/** Runs one round. @param {import("./live.js").Live} live @param {number} round */
 async function round(live, round) {
   const { page } = live;
   await page.click(`.card:has(input[value="${["box-flat", "corner-stick-slip"][round % 2]}"])`);

@@ -1,4 +1,4 @@
-// The npm package: the lines at the beginning of its README run, what is wrong is told, and it comes to the same bits as the program.
+// The npm package: the first lines of its README run, errors are reported, and its results have the same bits as the program's.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -19,7 +19,7 @@ const options = { skip: missingPage };
 /** @returns {Promise<any>} */
 const load = () => import(pathToFileURL(join(npm, "node.js")).href);
 
-/** A folder in which the package is installed. */
+/** Returns a folder in which the package is installed. */
 function installed() {
   const folder = newFolder();
   mkdirSync(join(folder, "node_modules"));
@@ -28,7 +28,7 @@ function installed() {
   return folder;
 }
 
-/** The first lines of the README. */
+/** Returns the first lines of the README. */
 function firstLines() {
   const [, lines] = readFileSync(join(npm, "README.md"), "utf8").match(/```js\n(.*?)```/s) ?? [];
   assert.ok(lines && lines.trim().split("\n").length <= 10);
@@ -46,7 +46,7 @@ test("the first ten lines of the README run, and have the right types", options,
   execFileSync(process.execPath, [tsc, ...flags, "--lib", "es2022,dom", "first.ts"], { cwd: folder, stdio: "pipe" });
 });
 
-/** What a page and its worker do: a step each. @param {string} from */
+/** Returns the steps of a page and its worker: one each. @param {string} from */
 const steps = (from) => `import { Solver } from "${from}";
   const solver = new Solver("box-flat");
   solver.step(0, 0.03, 0);

@@ -6,7 +6,7 @@ import { liveTest } from "./live.js";
 /** @typedef {import("./live.js").Live} Live */
 
 /**
- * The scene's path, until the peg has two points at a depth (m), and paused there.
+ * Replays the scene's path until the peg has two points at a depth (m), and pauses there.
  * @param {Live} live @param {number} depth
  */
 async function insert(live, depth) {
@@ -19,7 +19,7 @@ async function insert(live, depth) {
   await live.pause();
 }
 
-/** How many pixels of a canvas are painted. @param {Live} live @param {string} id */
+/** Returns the number of painted pixels of a canvas. @param {Live} live @param {string} id */
 const painted = (live, id) =>
   live.page.evaluate((name) => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById(name));
@@ -32,13 +32,13 @@ const painted = (live, id) =>
 liveTest("the meter is there where a scene has a peg and a hole, and nowhere else", async (bench) => {
   const live = await bench.open();
   const panel = live.page.locator("#insertion");
-  // Nor is what draws it.
+  // Its code is not loaded, either.
   assert.equal(await panel.count(), 0);
   await live.scene("table-edge");
   assert.ok(await panel.isHidden());
   await insert(live, 0.008);
   assert.ok(await panel.isVisible());
-  // By the time that it pauses it may be farther.
+  // It may have moved farther before the pause.
   const { insertion } = (await live.frame()).frame;
   assert.ok(insertion);
   await live.reads("#verdict", new RegExp(`^${insertion.verdict}$`));

@@ -1,9 +1,9 @@
-// Several pages, a server that is killed, and clients that do not read: everyone else goes on.
+// Several pages, a server that is killed, and clients that do not read: all others continue.
 
 import assert from "node:assert/strict";
 import { liveTest, PATIENCE, Program, stalled } from "./live.js";
 
-/** What a page says of a frame. @param {import("./live.js").Live} live */
+/** Returns the texts of a page about a frame. @param {import("./live.js").Live} live */
 const words = (live) =>
   live.page.evaluate(() =>
     ["#state-name", "#hand-pose", "#body-pose", "#wrench", "#place", "#differ", "#ticks"].map(
@@ -24,7 +24,7 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
   await second.reads("#holder", new RegExp(`^Hand: page ${number}$`));
   await first.page.mouse.up();
 
-  // Refused, in words, and nothing moves.
+  // Refused with a message, and nothing moves.
   const there = (await second.frame()).frame.hand;
   const at = await second.pixel(there[0], there[1]);
   await second.page.mouse.move(at.x, at.y);
@@ -36,7 +36,7 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
   assert.deepEqual((await second.frame()).frame.hand, there);
   assert.equal((await second.state()).hand.client, number);
 
-  // A setting of one is shown by both, and paused both show the same record in the same words.
+  // Both show a setting changed in one, and when paused both show the same record with the same texts.
   await second.page.selectOption("#number", "f64");
   await first.until(() => /** @type {HTMLSelectElement} */ (document.querySelector("#number")).value === "f64");
   await first.pause();
@@ -58,7 +58,7 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
   );
   await first.page.click("#pause");
 
-  // After letting go, the other one takes it; and when a page goes, its hand is free.
+  // After a release, the other page takes the hand; and when a page is closed, its hand is free.
   await first.page.click("#let-go");
   await second.reads("#holder", /^Hand: nobody$/);
   await second.grab();
@@ -91,7 +91,7 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
     assert.match(await lost.innerText(), /No connection/);
     await live.reads("#source", /^not connected$/);
     assert.equal(await page.evaluate(() => window.stiction.connected), false);
-    // What cannot be done is said, and breaks nothing.
+    // An impossible request is reported, and breaks nothing.
     await page.click("#pause");
     await live.reads("#note", /no connection/i);
 
@@ -99,7 +99,7 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
     await lost.waitFor({ state: "hidden" });
     await live.reads("#source", /^core/);
     await live.until(() => window.stiction.connected && window.stiction.state?.clients === 1);
-    // All of the new program's beginning: nobody holds the hand, and it runs.
+    // The complete initial state of the new program: nobody holds the hand, and it runs.
     await live.reads("#holder", /^Hand: nobody$/);
     assert.equal((await live.state()).paused, false);
     await live.fresh();
@@ -117,8 +117,8 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
 });
 
 /**
- * Reads all that waits, up to a frame of a tick; how many frames the client is then told to have lost. It reads no more
- * then.
+ * Reads everything pending, up to a frame of a tick, and then stops reading; returns the number of frames reported as lost to
+ * the client.
  * @param {import("node:net").Socket} socket @param {number} tick @returns {Promise<number>}
  */
 function skippedUpTo(socket, tick) {
@@ -146,7 +146,7 @@ liveTest("a client that never reads and a page that is busy stop nobody else", a
   const socket = await stalled(bench.program);
   await live.reads("#clients", /^3 pages$/);
   const begin = await live.frame();
-  // The page's main thread is busy until the others are through, while the hand goes on.
+  // The page's main thread is busy until the others have finished, while the hand continues to move.
   const blocked = busy.page.evaluate(
     () =>
       new Promise((done) =>
@@ -158,7 +158,9 @@ liveTest("a client that never reads and a page that is busy stop nobody else", a
       ),
   );
   await live.grab();
-  /** How long the other one goes on before the client reads for once: longer, until the system keeps no more for it. */
+  /**
+   * Ticks for which the other page continues before the client reads once: increased until the system buffers no more for it.
+   */
   let ticks = 9000;
   let skipped = 0;
   for (; skipped <= 100 && ticks < 200_000; ticks *= 2) {
@@ -174,7 +176,7 @@ liveTest("a client that never reads and a page that is busy stop nobody else", a
   const tick = await blocked;
   const now = await live.frame();
   assert.ok(now.counts.ticks >= 9000);
-  // What the busy page showed was old; as soon as it can, it shows what the other one does.
+  // The busy page showed old data; as soon as it can, it shows what the other one does.
   assert.ok(Number(tick) < now.tick);
   await busy.until((least) => (window.stiction.frame?.tick ?? 0) >= least, now.tick);
   await busy.fresh();

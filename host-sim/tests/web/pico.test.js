@@ -1,5 +1,5 @@
-// The Pico over USB, in an emulator of its own: the file of `stiction image` on an RP2040 of rp2040js, which shares nothing with the
-// emulator of the program. A computer finds the board, opens its line, and its poses have the bits of the program.
+// The Pico over USB, in its own emulator: the file of `stiction image` on an RP2040 of rp2040js, which shares nothing with the
+// program's emulator. A computer finds the board, opens its line, and its poses have the same bits as the program's.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -11,16 +11,17 @@ import { missingProgram, newFolder, runProgram } from "./live.js";
 import { MS, UsbHost } from "./usb-host.js";
 
 const workspace = fileURLToPath(new URL("../../../", import.meta.url));
-/** The scene that the board has from power-up on. */
+/** The scene of the board after power-up. */
 const SCENE = join(workspace, "firmware/scenes/board.toml");
-/** What it says of itself on USB. Its serial number is that of the flash, which the empty ROM of the emulator does not ask for. */
+/** Its identity on USB. Its serial number is that of the flash, which the emulator's empty ROM does not request. */
 const IDENTITY = { vendor: 0x2e8a, product: 0x000a, texts: ["stiction", "stiction on Pico", "0".repeat(16)] };
-/** Samples of the hand, and how many of a second. */
+/** Number of samples of the hand, and sample rate (Hz). */
 const SAMPLES = 400;
 const RATE = 1000;
 
 /**
- * A hand that presses the box 10 mm into the floor, draws it 50 mm to the right and tips it: x, y [m], phi [rad], as f32.
+ * Returns a hand that presses the box 10 mm into the floor, drags it 50 mm to the right and tips it: x, y [m], phi [rad], as
+ * f32.
  * @param {number} i
  */
 function hand(i) {
@@ -30,11 +31,11 @@ function hand(i) {
   return [0.05 * along, 0.055 - 0.015 * down, 0.8 * along].map(Math.fround);
 }
 
-/** The file for the drive, or null where something that builds it is not installed. @param {string} folder */
+/** Returns the file for the drive, or null if something needed to build it is not installed. @param {string} folder */
 async function image(folder) {
   const file = join(folder, "pico.uf2");
   try {
-    // There it finds the sources.
+    // The sources are found there.
     await runProgram(["image", "pico", "--out", file], workspace);
   } catch (error) {
     if (process.env.CI !== "true" && String(error).includes("missing: ")) return null;
@@ -43,7 +44,7 @@ async function image(folder) {
   return new Uint8Array(readFileSync(file));
 }
 
-/** What the program computes of the same hand. @param {string} folder @param {number} budget of a step */
+/** Returns the program's results for the same hand. @param {string} folder @param {number} budget of a step */
 async function expected(folder, budget) {
   const rows = Array.from({ length: SAMPLES }, (_, i) => [i / RATE, ...hand(i)].join(","));
   writeFileSync(join(folder, "hand.csv"), `t,x,y,phi\n${rows.join("\n")}\n`);
@@ -77,7 +78,7 @@ class Client {
     return this.heard.find((message) => message.type === type);
   }
 
-  /** A command that is carried out. @param {any} message */
+  /** Sends a command, which must succeed. @param {any} message */
   done(message) {
     this.heard = [];
     this.send(message);
@@ -85,9 +86,9 @@ class Client {
   }
 }
 
-/** What a board says of itself over its UART. @param {UsbHost} host */
+/** Returns what a board reports about itself over its UART. @param {UsbHost} host */
 function overUart(host) {
-  /** At 921600 baud (cycles). */
+  /** Cycles per byte at 921600 baud. */
   const BYTE = Math.ceil((10 * 125e6) / 921_600);
   const [uart] = host.chip.uart;
   /** @type {any} */
@@ -105,7 +106,7 @@ function overUart(host) {
 }
 
 /**
- * A test with a Pico that a computer has just found; `host` is that computer.
+ * Defines a test with a Pico that a computer has just found; `host` is that computer.
  * @param {string} name @param {(host: UsbHost, client: Client, folder: string) => void | Promise<void>} body
  */
 function usbTest(name, body) {
@@ -125,7 +126,7 @@ usbTest("a Pico over USB has the bits of the program, however fast the samples c
   client.send({ type: "hello" });
   const info = client.wait("info");
   assert.deepEqual([info.name, info.number], ["pico", 1]);
-  // At more ticks of a second poses and forces would not fit the line of a UART, by which a mode is judged.
+  // At more ticks per second, poses and forces would not fit the line of a UART, against which a mode is checked.
   const [{ axis_x, axis_y }, tick_rate] = [info, 500];
   const every = { events: 1, pose_every: 1, forces_every: 1, health_every: 0 };
   client.done({ type: "mode", evolution: 0, stepping: 1, axis_x, axis_y, tick_rate, ...every });
@@ -139,7 +140,7 @@ usbTest("a Pico over USB has the bits of the program, however fast the samples c
 
   client.heard = [];
   const from = client.sequence;
-  // All at once: the board takes them as it can, and the computer waits.
+  // All simultaneously: the board takes them when it can, and the computer waits.
   for (let i = 0; i < SAMPLES; i++) {
     const [x, y, phi] = hand(i);
     client.send({ type: "hand", x, y, phi, turns: 0, depth: 0, held: 1 });
@@ -159,9 +160,9 @@ usbTest("a Pico over USB has the bits of the program, however fast the samples c
 });
 
 usbTest("the line is USB while a program has it open there, else the UART", (host, client) => {
-  /** Nothing comes over USB. @param {string} why */
+  /** Checks that nothing comes over USB. @param {string} why */
   const silent = (why) => {
-    // What was on its way.
+    // Messages already in transit.
     host.run(10 * MS);
     client.heard = [];
     host.run(50 * MS);

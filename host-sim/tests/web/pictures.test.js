@@ -1,5 +1,5 @@
-// What is drawn is what is there: rounding is drawn as no force, counters agree with the trace, the charts show one moment,
-// and no value, however long, moves or covers anything.
+// The drawing is correct: rounding is drawn as no force, counters agree with the trace, the charts show the same moment, and no
+// value, however long, moves or covers anything.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -19,7 +19,7 @@ const keepTexts = (live) =>
     /** @type {string[]} */
     let now = [];
     prototype.fillRect = function (x, y, width, height) {
-      // A drawing begins with its ground.
+      // A drawing begins with its background.
       if (this.canvas.id === "stage" && x === 0 && y === 0) Object.assign(window, { written: (now = []) });
       fillRect.call(this, x, y, width, height);
     };
@@ -29,7 +29,7 @@ const keepTexts = (live) =>
     };
   });
 
-/** What a page shows of forces and slips. @param {Live} live */
+/** Returns what a page shows of forces and slips. @param {Live} live */
 async function shownOf(live) {
   const texts = await live.page.evaluate(() => /** @type {any} */ (window).written);
   const [normal, friction, slip] = [
@@ -46,7 +46,7 @@ async function shownOf(live) {
 }
 
 /**
- * The resting box with a force in both contacts, and a slip.
+ * Returns the resting box with a force in both contacts, and a slip.
  * @param {number} force N @param {number} length m @param {Pose} wrench
  */
 function pressed(force, length, wrench) {
@@ -72,23 +72,23 @@ liveTest("what is below 1e-6 of the scene's force and length is neither drawn no
     assert.deepEqual(shown.isDrawn, none);
     assert.deepEqual(shown.words, ["N 0 N", "T 0 N", "0.00 N, 0.0 mN·m"]);
   }
-  // What came is not changed for those who read it.
+  // The received message is not changed for its readers.
   assert.equal((await live.frame()).frame.contacts[0].normal, 0.9 * least.force);
 
-  // Twice as much of it is shown, and friction, which is half of the reaction, a little above the threshold.
+  // At twice the threshold it is shown, and so is friction, which is half of the reaction, slightly above the threshold.
   await said.frame(pressed(2.2 * least.force, 2 * least.length, [0, 0, 0]));
   const above = await shownOf(live);
   assert.deepEqual(above.isDrawn, { normal: true, friction: true, slip: true });
   assert.deepEqual(above.values, ["N 1.28e−4", "T −6.4e−5", "N 1.28e−4", "T −6.4e−5"]);
   assert.match(above.scale, /µN$/);
 
-  // Where the hand pulls with a thousand times k_h L, its rounding is a thousand times as large.
+  // If the hand pulls with a thousand times k_h L, its rounding is a thousand times as large.
   await said.frame(pressed(0.9e3 * least.force, 0, [0, -58.3e3, 0]));
   assert.deepEqual((await shownOf(live)).values, []);
   await said.frame(pressed(2.2e3 * least.force, 0, [0, -58.3e3, 0]));
   assert.equal((await shownOf(live)).values.length, 4);
 
-  // A scene of a thousandth of the stiffness has a thousandth of the threshold.
+  // A scene with a thousandth of the stiffness has a thousandth of the threshold.
   said.state({ title: "soft box" }, { stiffness_translation: 0.5, stiffness_rotation: 5e-4 });
   await said.frame(pressed(0.5 * least.force, 0.5 * least.length, [0, 0, 0]));
   const soft = await shownOf(live);
@@ -96,7 +96,7 @@ liveTest("what is below 1e-6 of the scene's force and length is neither drawn no
   assert.match(soft.words[0], /^N 0\.0291 mN$/);
 });
 
-/** Where everything is that keeps its place (px). @param {Live} live */
+/** Returns the positions of all elements that must not move (px). @param {Live} live */
 const places = (live) =>
   live.page.evaluate(() =>
     [...document.querySelectorAll("dt, th, h2, h3, figcaption b, .chart, .key, #events li, #diagram, canvas, button, select")]
@@ -107,7 +107,7 @@ const places = (live) =>
       }),
   );
 
-/** Values that a scene may bring, from the smallest to the largest. @param {number} size */
+/** Returns values that a scene may have, from the smallest to the largest. @param {number} size */
 function extreme(size) {
   const message = pressed(size, size, [-size, -size, -size]);
   const many = Math.min(9_999_999, Math.ceil(Math.abs(size)));
@@ -158,7 +158,7 @@ liveTest("values from 1e-9 to 1e6 fit, and move nothing", async (bench) => {
 });
 
 /**
- * A hand that presses the box and throws it to and fro and over, by several slips and tips in a tick.
+ * Returns a hand that presses the box and throws it back and forth and over, with several slips and tips per tick.
  * @param {number} k number of the tick
  */
 function thrown(k) {
@@ -187,7 +187,7 @@ liveTest("every counter is that of the trace, and slips have one count", async (
   const events = {};
   for (const name of records.flatMap((record) => record.events)) events[name] = (events[name] ?? 0) + 1;
   const transitions = transitionsOf(records);
-  // The path is one in which these differ.
+  // These differ for this path.
   assert.ok(slips > 2 * events.slip && events.tip > 2 * transitions["edge>single-vertex"]);
 
   const number = (/** @type {string} */ text) => Number(text.replace(/\s/g, "").match(/\d+/)?.[0]);
@@ -216,7 +216,7 @@ liveTest("the charts show one span of time, and under the pointer one moment", a
   live.received.keep = true;
   await live.scene("corner-stick-slip");
   await live.page.selectOption("#replay", "scene");
-  /** The span of each chart, at once. */
+  /** Returns the ranges of all charts at the same time. */
   const spans = () =>
     live.page.evaluate(() =>
       /** @type {any} */ (uPlot).sync("stiction-time").plots.map(({ scales }) => `${scales.x.min} to ${scales.x.max}`),
@@ -234,7 +234,7 @@ liveTest("the charts show one span of time, and under the pointer one moment", a
   for (const id of ["chart-forces", "chart-slips", "chart-steps"]) {
     const area = await live.page.locator(`#${id} .u-over`).boundingBox();
     assert.ok(area);
-    // Of the window of 8 s, at about 2 s.
+    // At about 2 s of the window of 8 s.
     await live.page.mouse.move(area.x + 0.25 * area.width, area.y + area.height / 2);
     await live.until(() => document.querySelectorAll(".moment:not([hidden])").length === 3);
     const all = await moments();
@@ -247,7 +247,7 @@ liveTest("the charts show one span of time, and under the pointer one moment", a
     );
     assert.equal(lines.length, 3);
     assert.ok(Math.max(...lines) - Math.min(...lines) < 1.5, String(lines));
-    /** The last record at a time after the moment. @param {number} later s */
+    /** Returns the last record up to a time after the moment. @param {number} later s */
     const at = (later) => strip.filter(([t]) => t <= moment + later).at(-1);
     const [, normal, friction] = at(5e-4);
     for (const [label, value] of /** @type {[string, number][]} */ ([["#now-n", normal], ["#now-t", friction]])) {
@@ -258,7 +258,7 @@ liveTest("the charts show one span of time, and under the pointer one moment", a
     }
     await live.reads("#now-worst", /^worst [\d.]+ /);
   }
-  // Beside the charts: the newest again.
+  // With the pointer outside the charts: the newest again.
   await live.page.mouse.move(600, 100);
   await live.until(() => document.querySelectorAll(".moment:not([hidden])").length === 0);
   const last = strip.at(-1)[1];

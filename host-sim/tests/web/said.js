@@ -1,4 +1,4 @@
-// A server that says what a test wants: messages of the socket, in the place of a solver's.
+// A server that sends what a test wants: messages of the socket, in place of a solver's.
 
 /** @typedef {import("./live.js").Live} Live */
 
@@ -12,7 +12,7 @@ const SCENE = {
 };
 const HELLO = { type: "hello", version: 1, you: 1, program: "stiction", scenes: ["box"], source: { kind: "core" } };
 
-/** A frame of the box at rest on the floor. @returns {FrameMessage} */
+/** Returns a frame of the box at rest on the floor. @returns {FrameMessage} */
 export function restingFrame() {
   return {
     type: "frame", tick: 0, skipped: 0, holding: [0, 0.05], ghost: [0, 0.03, 0], echo: null, reference: null,
@@ -35,7 +35,7 @@ const stateText = (scene, parameters) => JSON.stringify({
   hand: { by: null, client: null }, clients: 1,
 });
 
-/** Sends frames to a page; the next one is a tick later than the one before. */
+/** Sends frames to a page, each one a tick later than the previous one. */
 export class Said {
   /** @param {(text: string) => void} send @param {Live} live */
   constructor(send, live) {
@@ -44,12 +44,15 @@ export class Said {
     this.tick = 0;
   }
 
-  /** What holds for a while. @param {Partial<Scene>} [scene] @param {Partial<SceneParameters>} [parameters] */
+  /**
+   * Sends a state, which is valid until the next one.
+   * @param {Partial<Scene>} [scene] @param {Partial<SceneParameters>} [parameters]
+   */
   state(scene = {}, parameters = {}) {
     this.send(stateText(scene, parameters));
   }
 
-  /** A frame; waits until it is drawn and told in words. @param {FrameMessage} message */
+  /** Sends a frame; waits until it is drawn and shown as text. @param {FrameMessage} message */
   async frame(message) {
     const tick = ++this.tick;
     const frame = { ...message.frame, t: tick / 1000 };
@@ -57,7 +60,7 @@ export class Said {
     const slips = message.slips.map((slip) => ({ ...slip, n: tick, t: frame.t }));
     this.send(JSON.stringify({ ...message, tick, frame, strip, slips }));
     await this.live.until((wanted) => window.stiction.frame?.tick === wanted, tick);
-    // Words come ten times a second, charts more often: all is shown in a drawing that comes later than that.
+    // Texts are updated ten times per second, charts more often: a drawing after that time shows everything.
     await this.live.page.evaluate(() => new Promise((done) => {
       const begin = performance.now();
       const wait = () => (performance.now() - begin > 150 ? done(null) : requestAnimationFrame(wait));
@@ -67,7 +70,7 @@ export class Said {
 }
 
 /**
- * A page whose socket is here: nothing of a solver comes to it.
+ * Opens a page whose socket ends here: it receives nothing from a solver.
  * @param {import("./live.js").Bench} bench @param {import("playwright-core").BrowserContextOptions} [options]
  */
 export async function openSaid(bench, options) {

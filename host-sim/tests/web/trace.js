@@ -1,6 +1,6 @@
-// What a trace says, for tests.
+// Contents of a trace, for tests.
 
-/** The records of a trace. @param {string} text @returns {TraceFrame[]} */
+/** Returns the records of a trace. @param {string} text @returns {TraceFrame[]} */
 export const recordsOf = (text) =>
   text
     .trim()
@@ -8,7 +8,7 @@ export const recordsOf = (text) =>
     .map((line) => JSON.parse(line))
     .filter((record) => "t" in record);
 
-/** How often each state follows another one. @param {TraceFrame[]} records */
+/** Returns how often each state follows another one. @param {TraceFrame[]} records */
 export function transitionsOf(records) {
   /** @type {{[pair: string]: number}} */
   const counts = {};

@@ -1,4 +1,4 @@
-// The chart library in web/uplot is that which its package has, byte for byte.
+// The chart library in web/uplot equals that of its package, byte for byte.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";

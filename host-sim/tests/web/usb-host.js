@@ -1,24 +1,27 @@
-// The computer at the other end of a Pico's USB: an RP2040 of rp2040js that runs the file of `stiction image`, and what a computer does
-// from the moment on in which the board is plugged in: bus reset, address, descriptors, configuration, serial line. It stands in for
-// the class USBCDC of rp2040js, which asks for no texts, addresses the line's requests to the device instead of its interface, and
-// answers where a computer that has nothing to send stays silent.
+// The computer at the other end of a Pico's USB: an RP2040 of rp2040js runs the file of `stiction image`, and the computer acts
+// as after plugging in the board: bus reset, address, descriptors, configuration, serial line. It replaces the class USBCDC of
+// rp2040js, which requests no texts, addresses the line's requests to the device instead of its interface, and answers when a
+// computer with nothing to send would stay silent.
 
 import assert from "node:assert/strict";
 import { ConsoleLogger, createSetupPacket, LogLevel, Simulator } from "rp2040js";
 
-/** Cycles of a ms, and nanoseconds of a cycle. */
+/** Cycles per ms, and nanoseconds per cycle. */
 export const MS = 125_000;
 const CYCLE = 8;
-/** No answer takes longer (ms). */
+/** Longest time to an answer (ms). */
 const PATIENCE = 1000;
-/** Bytes of a packet, at most. */
+/** Largest packet (bytes). */
 const PACKET = 64;
-/** A packet takes so long on the bus, at 12 Mbit/s with what is around it (ns). */
+/** Time of a packet on the bus, at 12 Mbit/s including overhead (ns). */
 const ON_THE_BUS = 50_000;
-/** The computer may take what an endpoint has; where endpoints say so: for endpoint 0 to the computer, and bytes to the next one. */
+/**
+ * Bit by which an endpoint offers its data to the computer; address of the buffer control of endpoint 0 to the computer, and
+ * bytes to the next one.
+ */
 const AVAILABLE = 1 << 10;
 const [FIRST_CONTROL, CONTROLS] = [0x80, 8];
-/** The interrupt of USB, and that of the calendar, by which the program asks for a turn: nothing else does. */
+/** The interrupt of USB, and that of the calendar, by which the program requests a turn: there are no others. */
 const [USB_IRQ, TURN_IRQ] = [5, 25];
 /** Bits of a request: to the computer; of the class, to an interface. */
 const IN = 0x80;
@@ -38,7 +41,7 @@ const STRING = 3;
 const LANGUAGE = 0x409;
 
 /**
- * What a UF2 file writes, block by block.
+ * Writes the contents of a UF2 file, block by block.
  * @param {Uint8Array} file @param {Uint8Array} flash its first byte lies at 0x10000000
  */
 function write(file, flash) {
@@ -53,7 +56,7 @@ function write(file, flash) {
 
 /** @typedef {{data: number[], out: Uint8Array, length: number, isIn: boolean, status: boolean, done: boolean}} Transfer */
 
-/** A Pico on the USB of a computer. Time goes on only in `run`. */
+/** A Pico on the USB of a computer. Time advances only in `run`. */
 export class UsbHost {
   /** @param {Uint8Array} file what is copied to its drive */
   constructor(file) {
@@ -66,13 +69,13 @@ export class UsbHost {
     /** Cycles in which it did not sleep. */
     this.busy = 0;
     this.isReset = false;
-    /** What came over the serial line. @type {(bytes: Uint8Array) => void} */
+    /** Receives the bytes of the serial line. @type {(bytes: Uint8Array) => void} */
     this.take = () => {};
     /** Endpoints of the serial line. */
     this.line = { in: -1, out: -1, control: -1 };
-    /** Bytes for which each endpoint has room now. @type {Map<number, number>} */
+    /** Number of bytes that each endpoint can take at present. @type {Map<number, number>} */
     this.room = new Map();
-    /** On their way to the board over the serial line. @type {number[]} */
+    /** Bytes not yet transferred to the board over the serial line. @type {number[]} */
     this.waiting = [];
     /** @type {Transfer | null} */
     this.transfer = null;
@@ -95,7 +98,7 @@ export class UsbHost {
       this.room.set(endpoint, size);
       this.pump(endpoint);
     };
-    // rp2040js takes a packet in no time, and a board that writes byte by byte would send each in one of its own.
+    // rp2040js takes a packet in no time, and a board that writes byte by byte would send each byte in its own packet.
     const taken = usb.DPRAMUpdated.bind(usb);
     const buses = Array.from({ length: 16 }, (_, endpoint) => this.clock.createAlarm(() => {
       const offset = FIRST_CONTROL + CONTROLS * endpoint;
@@ -106,18 +109,20 @@ export class UsbHost {
       if (!(value & AVAILABLE) || !buses[endpoint]) taken(offset, value);
       else buses[endpoint].schedule(ON_THE_BUS);
     };
-    // An interrupt that the program itself asks for stays asked for in rp2040js after it has begun: from there on only its line counts.
+    // In rp2040js, an interrupt requested by the program itself stays pending after it has begun: from there on only its line
+    // counts.
     const enter = core.exceptionEntry.bind(core);
     core.exceptionEntry = (number) => {
       enter(number);
-      // It leaves the lowest bit of the vector in PC, which makes what follows by PC odd: a table of jumps is read one byte late.
+      // It leaves the lowest bit of the vector in PC, which makes PC-relative addresses odd: a jump table is read one byte
+      // late.
       core.PC &= ~1;
       if (number === 16 + USB_IRQ) this.chip.setInterrupt(USB_IRQ, usb.intStatus !== 0);
       if (number === 16 + TURN_IRQ) this.chip.setInterrupt(TURN_IRQ, false);
     };
   }
 
-  /** As the boot program of the chip leaves it: the second boot stage comes next, which goes on to the image where LR is 0. */
+  /** Starts as the boot program of the chip does: the second boot stage comes next, which continues to the image if LR is 0. */
   boot() {
     const { core } = this.chip;
     core.SP = 0x20041f00;
@@ -143,7 +148,7 @@ export class UsbHost {
     }
   }
 
-  /** Lets time go on until something is so. @param {() => unknown} isSo @param {string} what */
+  /** Advances time until a condition is true. @param {() => unknown} isSo @param {string} what */
   until(isSo, what) {
     for (let tenths = 0; tenths < 10 * PATIENCE; tenths++) {
       if (isSo()) return;
@@ -152,7 +157,7 @@ export class UsbHost {
     assert.fail(`no ${what} in ${PATIENCE} ms`);
   }
 
-  /** Sends what waits, as far as the board has room. @param {number} endpoint */
+  /** Sends waiting data, as far as the board has room. @param {number} endpoint */
   pump(endpoint) {
     const room = this.room.get(endpoint);
     const bytes = room === undefined ? null : this.next(endpoint, room);
@@ -161,7 +166,7 @@ export class UsbHost {
     this.chip.usbCtrl.endpointReadDone(endpoint, bytes);
   }
 
-  /** The next packet to an endpoint, or none. @param {number} endpoint @param {number} room */
+  /** Returns the next packet to an endpoint, or none. @param {number} endpoint @param {number} room */
   next(endpoint, room) {
     if (endpoint === this.line.out && this.waiting.length > 0) return Uint8Array.from(this.waiting.splice(0, room));
     const { transfer } = this;
@@ -176,7 +181,7 @@ export class UsbHost {
     return out.length > 0 ? out : null;
   }
 
-  /** The board answers on endpoint 0. @param {Uint8Array} bytes */
+  /** Takes the board's answer on endpoint 0. @param {Uint8Array} bytes */
   answered(bytes) {
     const { transfer } = this;
     assert.ok(transfer && !transfer.done, "an answer to nothing");
@@ -191,7 +196,7 @@ export class UsbHost {
   }
 
   /**
-   * A request with its answer.
+   * Makes a request and returns its answer.
    * @param {number} kind @param {number} request @param {number} value @param {number} index
    * @param {number} length of the answer, at most @param {Uint8Array} out what is sent with it
    */
@@ -219,7 +224,7 @@ export class UsbHost {
     return this.control(IN, GET_DESCRIPTOR, (kind << 8) | index, language, length);
   }
 
-  /** A text of the board, "" for none. @param {number} index */
+  /** Returns a text of the board, "" for none. @param {number} index */
   text(index) {
     if (index === 0) return "";
     const bytes = this.descriptor(STRING, index, 255, LANGUAGE);
@@ -227,7 +232,7 @@ export class UsbHost {
     return new TextDecoder("utf-16le").decode(bytes.subarray(2));
   }
 
-  /** The board is plugged in again, and has gone on meanwhile: all that waited is lost. */
+  /** Plugs the board in again, which has kept running meanwhile: all waiting data are lost. */
   plugAgain() {
     this.isReset = false;
     this.room.clear();
@@ -236,9 +241,12 @@ export class UsbHost {
     return this.enumerate();
   }
 
-  /** The bus is silent for longer than 3 ms, as where the plug is pulled from a board with a supply of its own, or the computer sleeps. */
+  /**
+   * Keeps the bus silent for longer than 3 ms, as when the plug is pulled from a board with its own supply, or the computer
+   * sleeps.
+   */
   fallSilent() {
-    /** In the register SIE_STATUS; rp2040js knows it, but not how a program clears it. */
+    /** Bit of the register SIE_STATUS; rp2040js defines it, but not how a program clears it. */
     const SUSPENDED = 1 << 4;
     const usb = /** @type {any} */ (this.chip.usbCtrl);
     usb.sieStatus |= SUSPENDED;
@@ -248,7 +256,7 @@ export class UsbHost {
     usb.sieStatusUpdated();
   }
 
-  /** From plugging in to the configuration: what the board says of itself. */
+  /** Runs from plugging in to the configuration; returns what the board reports about itself. */
   enumerate() {
     this.until(() => this.isReset, "reset of the bus");
     this.run(10 * MS);
@@ -273,7 +281,7 @@ export class UsbHost {
     return said;
   }
 
-  /** The serial line among the descriptors of a configuration. @param {Uint8Array} all */
+  /** Finds the serial line among the descriptors of a configuration. @param {Uint8Array} all */
   findLine(all) {
     /** Classes of interfaces (USB-IF), and kinds of descriptors. */
     const [COMMUNICATION, DATA, OF_INTERFACE, OF_ENDPOINT, BULK] = [2, 10, 4, 5, 2];
@@ -291,17 +299,17 @@ export class UsbHost {
     assert.ok(Object.values(this.line).every((number) => number >= 0));
   }
 
-  /** A program opens the serial line, or closes it. @param {boolean} isOpen */
+  /** Opens or closes the serial line, as a program does. @param {boolean} isOpen */
   open(isOpen) {
     const [kind, index] = [CLASS | INTERFACE, this.line.control];
-    // 115200 baud, 8N1: it does not matter.
+    // 115200 baud, 8N1: the values do not matter.
     const coding = Uint8Array.from([0, 0xc2, 1, 0, 0, 0, 8]);
     if (isOpen) this.control(kind, SET_LINE_CODING, 0, index, 0, coding);
     // DTR and RTS.
     this.control(kind, SET_CONTROL_LINE_STATE, isOpen ? 3 : 0, index);
   }
 
-  /** Sends bytes as the board takes them. @param {Uint8Array} bytes */
+  /** Sends bytes when the board takes them. @param {Uint8Array} bytes */
   send(bytes) {
     this.waiting.push(...bytes);
     this.pump(this.line.out);

@@ -1,8 +1,9 @@
-//! A body that goes on under other parameters, in another number type or evolution: it stays where it is, contacts stick at
-//! first, and it settles anew under the hand that holds it at the same point. From a [`Present`] to a solver and its state.
+//! A body that continues under other parameters, in another number type or evolution: it stays where it is, contacts stick at
+//! first, and it settles again under the hand, which holds it at the same point. Computes a solver and its state from a
+//! [`Present`].
 //!
-//! A device does the same for itself (`device/change.rs` of the firmware), all in its own f32. Here a body goes from one number
-//! type to another one: what is computed in between is f64.
+//! A device does the same for itself (`device/change.rs` of the firmware), entirely in its own f32. Here a body can move from
+//! one number type to another; intermediate results are f64.
 
 use stiction_core::{
     Angle, Description, Event, Evolution, Hand, Output, Real, SiFloat, Solver, State, Status,
@@ -10,7 +11,7 @@ use stiction_core::{
 };
 use stiction_scene::{HostModel, HostSolver, Indices, WrittenScene};
 
-/// How far the place of a hold is off by rounding, in parts of the body size.
+/// Rounding error of the holding point, relative to the size of the body.
 const ROUNDING: f64 = 1e-4;
 
 const OUT_OF_REACH: &str = "the hand would lose its hold, allowed: what keeps it within reach";
@@ -18,16 +19,16 @@ const OUT_OF_REACH: &str = "the hand would lose its hold, allowed: what keeps it
 /// How the hand came to hold the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hold {
-    /// Not yet.
+    /// It has not held it yet.
     Never,
     /// At the scene's holding point.
     Given,
-    /// Where it was at that moment.
+    /// Where the hand was when it grasped.
     Taken,
 }
 
 impl Hold {
-    /// After a step with these events, that left the body `held`.
+    /// Returns the hold after a step with these events that left the body `held`.
     pub fn after(self, events: &[Event], held: bool) -> Self {
         match self {
             _ if events.contains(&Event::Grasp) => Self::Taken,
@@ -37,32 +38,32 @@ impl Hold {
     }
 }
 
-/// Where a body and its hand are, SI units.
+/// Pose of a body and its hand, SI units.
 #[derive(Clone, Copy, Debug)]
 pub struct Present {
     /// Position of the body's origin (m).
     pub position: [f64; 2],
-    /// Its orientation.
+    /// Orientation of the body.
     pub angle: Angle<f64>,
-    /// The hand holds it.
+    /// Whether the hand holds it.
     pub held: bool,
-    /// How it came to.
+    /// How the hand came to hold it.
     pub hold: Hold,
-    /// The hand, turned back by the body's whole turns.
+    /// The hand, rotated back by the body's whole turns.
     pub hand: Hand<f64>,
-    /// Of the hand on the body.
+    /// Wrench of the hand on the body.
     pub wrench: Wrench<f64>,
     /// k_h (N/m), k_theta (N·m/rad) of that wrench.
     pub stiffness: [f64; 2],
 }
 
 impl Present {
-    /// The hand where it would pull at nothing, as it was at the moment of the grasp.
+    /// Returns the hand at the pose where it exerts no force, as at the moment of the grasp.
     pub fn idle(&self) -> Hand<f64> {
         let Wrench { force, moment } = self.wrench;
         let ([x, y], [fx, fy]) = (self.hand.position, force);
         let [k_h, k_theta] = self.stiffness;
-        // Without a spring that turns, the angle at which it would rest is the present one.
+        // Without a rotational spring, the angle without a moment is the present one.
         let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
         Hand {
             position: [x - fx / k_h, y - fy / k_h],
@@ -72,13 +73,13 @@ impl Present {
     }
 }
 
-/// The reach with which a point is taken again that was within `reach` (m): its rounding must not put it outside.
+/// Returns the reach for grasping a point again that was within `reach` (m): rounding must not put it outside.
 pub fn within_reach(scene: &WrittenScene, reach: f64) -> f64 {
     let coordinates = scene.vertices.iter().flatten();
     reach + ROUNDING * coordinates.fold(0.0, |size: f64, x| size.max(x.abs()))
 }
 
-/// A solver with the state that goes on, and the answer of the settling; its turns are those since `Present::angle.turns`.
+/// A solver with the state that continues, and the answer of settling. Its turns count from `Present::angle.turns`.
 pub(super) struct Carried<R: Real, M: HostModel> {
     pub(super) solver: HostSolver<R, M>,
     pub(super) indices: Option<Indices>,
@@ -86,7 +87,7 @@ pub(super) struct Carried<R: Real, M: HostModel> {
     pub(super) output: Output<R::Si>,
 }
 
-/// The body of `present` in a scene.
+/// Returns the body of `present` in a scene.
 ///
 /// # Errors
 /// Why it cannot be there, and what is allowed.
@@ -111,7 +112,7 @@ pub(super) fn carried<R: Real<Si: SiFloat>, M: HostModel>(
     })
 }
 
-/// A written scene, and its description with changes.
+/// A scene as written, and its description with changes.
 type Described<'a, 'b, F> = (&'a WrittenScene, &'a Description<'b, F>);
 
 fn solver<R: Real<Si: SiFloat>, M: HostModel>(
@@ -123,8 +124,8 @@ fn solver<R: Real<Si: SiFloat>, M: HostModel>(
     Ok((Solver::new(scene, evolution), indices))
 }
 
-/// A holding point is for the first hold only. The state goes on in the solver that made it: the length unit of a point depends
-/// on its holding point.
+/// Settles the body. The holding point applies only to the first hold. The state continues in the solver that made it: the length
+/// unit of a point depends on its holding point.
 fn settled<R: Real<Si: SiFloat>, M: HostModel>(
     (written, description): Described<'_, '_, R::Si>,
     evolution: Evolution,
@@ -154,7 +155,7 @@ fn settled<R: Real<Si: SiFloat>, M: HostModel>(
     })
 }
 
-/// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
+/// Continues a hold that began during the run: a hand that exerts no force grasps the body again and jumps to its present pose.
 fn taken_on<R: Real<Si: SiFloat>, M: HostModel>(
     (written, mut there): (&WrittenScene, Description<'_, R::Si>),
     present: &Present,
@@ -171,8 +172,8 @@ fn taken_on<R: Real<Si: SiFloat>, M: HostModel>(
 
 #[cfg(test)]
 mod tests {
-    //! A point has no size of its own: the length unit of its scene depends on where it is held. To be carried to the same
-    //! scene must not change what lengths and forces are counted in.
+    //! A point has no size of its own: the length unit of its scene depends on where it is held. Transferring it to the same
+    //! scene must not change the units of length and force.
 
     use std::sync::Arc;
 
@@ -213,7 +214,7 @@ offset = 0.0
         }
     }
 
-    /// Pressed onto the floor, pulled along it and turned.
+    /// Pressed onto the floor, pulled along it and rotated.
     fn pulled(setting: &Setting, hold: Hold) -> Box<dyn Body> {
         let mut hand = Hand::new(0.0, LEVER, 0.0);
         let mut body = setting.start(&hand).expect("a sound start");
@@ -232,7 +233,7 @@ offset = 0.0
         body
     }
 
-    /// Positions in levers, forces in those of before.
+    /// Positions relative to the lever, forces relative to those before.
     fn distance(before: &Frame, after: &Frame) -> f64 {
         let [fx, fy, _] = before.wrench;
         let force = fx.hypot(fy);

@@ -1,5 +1,5 @@
-//! Contacts of a run. They take longer than its steps and are not always wanted: they are made by the same run again, when they are
-//! asked for.
+//! Contacts of a run. Computing them takes longer than the steps and they are not always needed: the run is repeated to compute
+//! them on demand.
 
 use stiction_core::{Hand, narrow_hand};
 use stiction_scene::{HostModel, HostSolver, Sample};
@@ -7,13 +7,13 @@ use stiction_scene::{HostModel, HostSolver, Sample};
 use super::{Running, Shared};
 use crate::record::{ContactRecord, Frame, rename, set_contacts};
 
-/// The contacts of a run, not yet made.
+/// The contacts of a run, not yet computed.
 pub trait Contacts: Send + Sync {
-    /// Gives those of every frame, in their order.
+    /// Passes the contacts of every frame to `take`, in order.
     fn each(&self, take: &mut dyn FnMut(&[ContactRecord]));
 }
 
-/// A run at its start, and its hands.
+/// A run at its start, and its hand samples.
 struct Again<R: Shared, M: HostModel> {
     start: Running<R, M>,
     hands: Vec<Hand<R::Si>>,
@@ -39,7 +39,7 @@ impl<R: Shared, M: HostModel> Running<R, M>
 where
     HostSolver<R, M>: Send + Sync,
 {
-    /// Steps through `samples`, and gives every frame without its contacts to `take`.
+    /// Steps through `samples` and passes every frame, without its contacts, to `take`.
     pub(crate) fn without_contacts(
         &mut self,
         samples: &mut dyn Iterator<Item = Sample>,
