@@ -134,7 +134,7 @@ impl Setup {
         })
     }
 
-    /// The obstacles, if they are within the range of the board's numbers.
+    /// Sends the scene with its obstacles, if the board has room for them.
     fn send_scene_among(
         &self,
         session: &mut Session,
