@@ -45,9 +45,9 @@ pub(crate) struct Fronts {
     pub(crate) colors: Vec<(RGBColor, &'static str)>,
     /// What dots and what rings are.
     pub(crate) marks: [&'static str; 2],
-    /// What the error axis shows.
+    /// The label of the error axis.
     pub(crate) error: String,
-    /// The least error that is told apart.
+    /// The smallest error that is distinguished.
     pub(crate) floor: f64,
     pub(crate) panels: Vec<Panel>,
 }

@@ -97,7 +97,7 @@ pub(super) struct Rasterizer {
 }
 
 impl Rasterizer {
-    /// With DejaVu Sans, which the program carries.
+    /// With DejaVu Sans, which is built into the program.
     pub(super) fn new() -> Self {
         let mut options = usvg::Options::default();
         let fonts = options.fontdb_mut();
