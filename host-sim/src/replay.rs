@@ -258,7 +258,7 @@ fn stepper(head: &Head, run: &Run, scene: SceneFile) -> Result<Box<dyn Stepper>,
     }
 }
 
-/// The limitations of a board's solver.
+/// Returns whether the solver lacks parts, as that of a board may.
 fn lacks_parts(head: &Head) -> bool {
     !(head.friction && head.weight)
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! page, programs ═ doors ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
 //! trackers ═ outward ───────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
-//!                                                ├─ stiction-live: the solver, the reference beside it, the hand
+//!                                                ├─ stiction-live: the solver, the parallel reference, the hand
 //!                                                ├─ remote, answers, mirror: a board instead of the solver
 //!                                                └─ recording, recorder, shelf, resume
 //! ```

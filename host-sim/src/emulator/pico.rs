@@ -14,9 +14,9 @@ const LONGEST: u64 = 450_000_000_000;
 
 /// `bkpt`: a request to the debugger, by the number in its lower byte.
 const BREAKPOINT: u8 = 0xBE;
-/// The clock is set to 0.
+/// Sets the clock to 0.
 const BEGIN: u8 = 1;
-/// The clock is read.
+/// Reads the clock.
 const END: u8 = 2;
 const SEMIHOSTING: u8 = 0xAB;
 
