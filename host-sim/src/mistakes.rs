@@ -80,7 +80,7 @@ fn of_word(error: &Error) -> Vec<String> {
     }
 }
 
-/// A scene where a board is expected.
+/// A scene in the place of a board.
 fn of_value(error: &Error) -> Vec<String> {
     let option = context(error, ContextKind::InvalidArg);
     let value = context(error, ContextKind::InvalidValue);

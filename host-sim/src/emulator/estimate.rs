@@ -28,7 +28,7 @@ pub(super) struct Taken {
     pub(super) cycles: u64,
 }
 
-/// Reads which instructions QEMU says that it executes (`-d exec`), the flash of the image given with the address at which it begins.
+/// Reads the instructions that QEMU reports as executed (`-d exec`); the flash of the image is given with its start address.
 ///
 /// # Errors
 /// Fails if the log cannot be read, or contains no step.
