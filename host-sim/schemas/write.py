@@ -3,8 +3,8 @@
 
     python3 host-sim/schemas/write.py
 
-What a key and a column mean, and which names there are, is read from the tables of keys and columns in host-sim/README.md, which tests
-compare with the program. Here is only what a table of words does not say: types, lengths of arrays, least values.
+The names and meanings of keys and columns are read from the tables in host-sim/README.md, which tests compare with the program.
+This file has only what these tables lack: types, lengths of arrays, minimum values.
 """
 
 import csv
@@ -16,7 +16,7 @@ import re
 HERE = pathlib.Path(__file__).resolve().parent
 README = HERE.parent / "README.md"
 
-# Raised where a file that fitted the schema before does no longer.
+# Raised when a previously valid file no longer is.
 VERSION = 1
 DRAFT = "http://json-schema.org/draft-07/schema#"
 
@@ -28,7 +28,7 @@ TEXT = {"type": "string"}
 
 
 def numbers(count, each=NUMBER):
-    """An array of so many numbers."""
+    """An array of this many numbers."""
     return {"type": "array", "items": each, "minItems": count, "maxItems": count}
 
 
@@ -59,14 +59,14 @@ def corners(most, least=1):
 
 
 def keyframes():
-    """t, x, y, phi and, where it is there, held."""
+    """t, x, y, phi and, if present, held."""
     items = [NUMBER, NUMBER, NUMBER, NUMBER, {"enum": [0, 1]}]
     frame = {"type": "array", "items": items, "additionalItems": False, "minItems": 4}
     return {"type": "array", "items": frame, "minItems": 1}
 
 
 def shapes(room):
-    """The type of each key, and what its value may be as far as it does not depend on another one. `room`: the most vertices."""
+    """The type of each key, and its allowed values as far as they do not depend on another key. `room`: the most vertices."""
     friction = {"static": AT_LEAST_0, "dynamic": AT_LEAST_0, "memory": AT_LEAST_0}
     return {
         "body": {
@@ -97,7 +97,7 @@ def shapes(room):
 
 
 def needs_friction(name):
-    """Where `[friction]` does not give a coefficient, each surface and obstacle does."""
+    """If `[friction]` does not give a coefficient, each surface and obstacle does."""
     each = {"items": {"required": [name]}}
     given = {"required": ["friction"], "properties": {"friction": {"required": [name]}}}
     return {"if": {"not": given}, "then": {"properties": {"surface": each, "obstacle": each}}}
@@ -165,7 +165,7 @@ CONTACT = {
     "sliding": {"enum": [-1, 0, 1]},
     "direction": numbers(2),
 }
-# What each kind of contact has: a vertex on a surface, a vertex on a side of an obstacle, a corner of one on a side of the body.
+# The keys of each kind of contact: a vertex on a surface, a vertex on a side of an obstacle, a corner of one on a side of the body.
 KINDS = [["vertex", "surface"], ["vertex", "obstacle", "side"], ["corner", "obstacle", "body_side"]]
 INSERTION = {
     "depth": POSITIVE,
@@ -181,7 +181,7 @@ SOMETIMES = {"insertion": None, "behind": {"type": "number", "minimum": 0, "maxi
 
 
 def meanings(text):
-    """What each key of a record means, by its path: `contacts[0].vertex`."""
+    """The meaning of each key of a record, by its path: `contacts[0].vertex`."""
     told = {}
     for _, keys, meaning in table(text, "columns"):
         first = None
@@ -193,7 +193,7 @@ def meanings(text):
 
 
 def described(shapes, told, prefix=""):
-    """Shapes with their meanings; a list of names that is left open is that of the meaning."""
+    """Shapes with their meanings; an empty list of names is taken from the meaning."""
     properties = {}
     for key, shape in shapes.items():
         if shape is None:
@@ -208,7 +208,7 @@ def described(shapes, told, prefix=""):
 
 
 def trace(text):
-    """The schema of a record of a trace, a line of a file in JSON Lines. Keys that are not here may be added to records."""
+    """The schema of a record of a trace, a line of a file in JSON Lines. Other keys may be added to records."""
     told = meanings(text)
     contact = {
         "type": "object",
@@ -243,7 +243,7 @@ def others(kind):
 
 
 def units(meaning, count):
-    """The units of so many columns: those in brackets. Where three columns share two, the third is a moment."""
+    """The units of the columns: those in brackets. Where three columns share two, the third is a moment."""
     given = [unit for bracket in re.findall(r"\[([^]]+)\]", meaning) for unit in bracket.split(", ")]
     if len(given) == 2 and count == 3:
         given.insert(0, given[0])
@@ -271,7 +271,7 @@ def columns(text):
 
 
 def files():
-    """What is written: the text of each file by its name."""
+    """The text of each written file, by its name."""
     text = README.read_text(encoding="utf-8")
     as_json = lambda schema: json.dumps(schema, indent=2, ensure_ascii=False) + "\n"  # noqa: E731
     return {

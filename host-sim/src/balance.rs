@@ -1,5 +1,5 @@
 //! The balance of forces and moments on the body, recomputed from recorded frames: the hand's spring, the reactions of the
-//! contacts and the weight (N, N·m, world frame), and what is left of their sums.
+//! contacts and the weight (N, N·m, world frame), and the remainders of their sums.
 
 // Those of libm have the same bits on every machine.
 use libm::{hypot, sincos};
@@ -8,14 +8,14 @@ use stiction_scene::SurfaceInfo;
 
 use crate::record::{Frame, Run};
 
-/// By how much forces (N) and moments (N·m) miss balance.
+/// The imbalance of forces (N) and moments (N·m).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Imbalance {
     pub(crate) force: f64,
     pub(crate) moment: f64,
 }
 
-/// The worst imbalance of a run beside its largest force.
+/// The worst imbalance of a run, and its largest force.
 #[derive(Clone, Debug)]
 pub(crate) struct Residual {
     balance: Balance,
@@ -24,7 +24,7 @@ pub(crate) struct Residual {
 }
 
 impl Residual {
-    /// Of a run whose frames are still to come.
+    /// For a run before its first frame.
     pub(crate) fn new(run: &Run) -> Self {
         Self {
             balance: Balance::new(run),
@@ -46,8 +46,8 @@ impl Residual {
         self.largest_force
     }
 
-    /// Forces of the largest force, moments of that force times the body size. A body that is hardly loaded is measured by
-    /// the force at which its spring yields by a thousandth of its size.
+    /// Force imbalance relative to the largest force, moment imbalance relative to that force times the body size. For a lightly
+    /// loaded body, the reference is the force at which its spring yields by a thousandth of its size.
     pub(crate) fn relative(&self) -> Imbalance {
         let size = self.balance.size;
         let least = 1e-3 * self.balance.stiffness_translation * size;
@@ -65,7 +65,7 @@ struct Balance {
     stiffness_translation: f64,
     weight: f64,
     centroid: [f64; 2],
-    /// Largest distance of two vertices (m), 1 for a point.
+    /// Largest distance between two vertices (m), 1 for a point.
     size: f64,
     surfaces: Vec<SurfaceInfo>,
 }
@@ -81,7 +81,7 @@ impl Balance {
         }
     }
 
-    /// The largest force (N) of a frame, and what is left of the sums: nothing where no hand holds the body.
+    /// The largest force (N) of a frame, and the remainders of the sums: nothing if no hand holds the body.
     fn of(&self, frame: &Frame) -> (f64, Imbalance) {
         let [fx, fy, mut moment] = frame.wrench;
         let grip = frame.holding_point(self.stiffness_translation);

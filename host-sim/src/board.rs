@@ -1,5 +1,5 @@
-//! `stiction board` and `stiction info`: a board on a serial port, behind a socket or in an emulator, fed with the hand's
-//! motion in real time. The wire between is that of `core/FRAME.md`.
+//! `stiction board` and `stiction info`: send a hand's motion in real time to a board on a serial port, behind a socket or in an
+//! emulator. The wire format is that of `core/FRAME.md`.
 //!
 //! ```text
 //! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace, recording
@@ -119,10 +119,10 @@ pub struct InfoArgs {
     connect: ConnectArgs,
 }
 
-/// Streams to a board. False where `--verify` found a difference.
+/// Streams to a board. Returns false if `--verify` found a difference.
 ///
 /// # Errors
-/// Input that cannot be used, a board that is not there, refuses something or goes away.
+/// Fails if the input cannot be used, or if the board is missing, refuses something or is disconnected.
 pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     let scene = Arc::new(usable_scene(args)?);
     let rate = args.rate.map(|rate| ("--rate", rate));
@@ -134,7 +134,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         Some((path, rate)) => Feed::path(path.frames(*rate)),
         None => Feed::live(),
     };
-    // What a board sends is f32, whatever its solver counts in.
+    // A board sends f32, whatever the number type of its solver.
     let run = Run::of(&scene, Number::F32, args.evolution);
     let console = Console {
         screen: Screen::new(args.quiet),
@@ -154,7 +154,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     result.map(|()| is_good)
 }
 
-/// The scene; no output would replace it, nor its path.
+/// Returns the scene; checks that no output would replace it or its path.
 fn usable_scene(args: &BoardArgs) -> Result<SceneFile, BoardError> {
     let scene = open_scene(&args.scene, Number::F32)?;
     if !args.keep {
@@ -166,7 +166,7 @@ fn usable_scene(args: &BoardArgs) -> Result<SceneFile, BoardError> {
     Ok(scene)
 }
 
-/// What the board is told at the beginning.
+/// The settings that the board receives at the beginning.
 fn setup(args: &BoardArgs, scene: &Arc<SceneFile>) -> Setup {
     Setup {
         scene: Arc::clone(scene),
@@ -177,7 +177,7 @@ fn setup(args: &BoardArgs, scene: &Arc<SceneFile>) -> Setup {
     }
 }
 
-/// A stream whose answers are compared with those of this computer, and recorded where that is wanted.
+/// A stream whose answers are compared with those of this computer, and recorded if requested.
 fn compared<'a>(
     mut stream: Stream<'a, Console>,
     args: &BoardArgs,
@@ -191,7 +191,7 @@ fn compared<'a>(
     Ok(stream)
 }
 
-/// Puts the files in their places and tells how it went. False where a comparison found a difference.
+/// Moves the files to their final places and prints the result. Returns false if a comparison found a difference.
 fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError> {
     let (scene, name) = (&stream.setup.scene.title, &stream.about.name);
     let title = format!("{scene} on {name} ({})", stream.address);
@@ -214,7 +214,7 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
     Ok(!args.verify || verdict.is_good())
 }
 
-/// What a recording says about a board.
+/// The description of a board in a recording.
 fn recording_head(about: &About, scene: &SceneFile) -> Head {
     let dials = (about.number.into(), about.mode.evolution);
     Head::of(scene, dials, &maker(about))
@@ -231,17 +231,17 @@ fn maker(about: &About) -> Maker {
     }
 }
 
-/// Prints what a board says about itself.
+/// Prints a board's description of itself.
 ///
 /// # Errors
-/// A board that is not there or does not answer.
+/// Fails if the board is missing or does not answer.
 pub fn info(args: &InfoArgs) -> Result<(), BoardError> {
     stop::listen();
     let (mut address, mut mail) = (args.connect.address(Image::Plain)?, Mail::new());
     let timeout = args.connect.timeout();
     let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, Instant::now())?;
     report::print(&info::about(&about));
-    // Only the mode can ask for it, and the mode is the business of who uses the board.
+    // Only the mode can request it, and the user of the board chooses the mode.
     if about.mode.health_every == 0 {
         report::print("how it fares: not sent in this mode\n");
         return Ok(());

@@ -1,4 +1,4 @@
-//! `stiction check`: whether a trace obeys every law, from nothing but the scene, the trace and the hand's path; the judge knows
+//! `stiction check`: tests whether a trace obeys every law, using only the scene, the trace and the hand's path; the judge knows
 //! nothing of the solver.
 
 mod hand;
@@ -47,12 +47,12 @@ pub struct CheckArgs {
     quiet: bool,
 }
 
-/// What a report says besides the laws.
+/// The contents of a report in addition to the laws.
 #[derive(Clone, Debug, Default)]
 pub struct Notes {
     /// Frames without all contacts.
     pub incomplete: u64,
-    /// Frames by what limited them, but for `ok`.
+    /// Number of frames for each status except `ok`.
     pub statuses: BTreeMap<Status, u64>,
     /// About the hand's path.
     pub hand: Option<String>,
@@ -68,10 +68,10 @@ impl Notes {
     }
 }
 
-/// Judges a trace and prints a report; false where a frame breaks a law.
+/// Judges a trace and prints a report; returns false if a frame breaks a law.
 ///
 /// # Errors
-/// Scene, trace or the hand's path cannot be used, or the trace is empty.
+/// Fails if scene, trace or the hand's path cannot be used, or the trace is empty.
 pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
     let scene = open_scene(&args.scene)?;
     let frames = Trace::open(&args.trace, &scene)?;
@@ -107,7 +107,7 @@ pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
     Ok(survey.is_lawful())
 }
 
-/// A judge of what the solver gives in a number type and an evolution.
+/// A judge of the solver's results in a number type and an evolution.
 pub fn judge(scene: Scene, number: Number, evolution: Evolution) -> Judge {
     let bounds = if number.is_single() {
         Bounds::SINGLE
@@ -132,7 +132,7 @@ fn open_scene(name: &Path) -> Result<Scene, InputError> {
     }
 }
 
-/// The report: every law, what limited frames, then the worst frames.
+/// The report: every law, the limits of frames, then the worst frames.
 pub fn verdict(survey: &Survey, notes: &Notes) -> String {
     let mut text = format!(
         "{} frames, {} unlawful\n\n  {:<45}{:>10}{:>10}{:>14}{:>10}\n",

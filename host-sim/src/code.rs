@@ -43,7 +43,7 @@ fn parse_name(text: &str) -> Result<String, String> {
 /// Prints the code.
 ///
 /// # Errors
-/// The scene cannot be used.
+/// Fails if the scene cannot be used.
 pub fn code(args: &CodeArgs) -> Result<(), InputError> {
     let scene = open_scene(&args.scene, args.number.into())?;
     match args.number {

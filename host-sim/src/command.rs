@@ -1,5 +1,5 @@
-//! The command line: the commands with their arguments and examples. From the words that were typed to a command, or to what is wrong
-//! with them and what to type instead.
+//! The command line: the commands with their arguments and examples. From the words that were typed to a command, or to an error
+//! message with a suggestion.
 
 use std::ffi::OsString;
 
@@ -78,7 +78,7 @@ pub fn described() -> clap::Command {
 /// The command that was typed; the first word is the name of the program.
 ///
 /// # Errors
-/// Help that was asked for, or what is wrong.
+/// Requested help, or an error.
 pub fn parsed<W: Into<OsString> + Clone>(
     words: impl IntoIterator<Item = W>,
 ) -> Result<Command, clap::Error> {

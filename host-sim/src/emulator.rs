@@ -1,8 +1,8 @@
 //! The solver on emulated boards: from a scene and the hand's samples to the instructions of every frame and to the stack
-//! ([`Counter`]), from a number of frames to the hash of all bits (`bits`), from a scene to the flash that its solver takes.
+//! ([`Counter`]), from a number of frames to the hash of all bits (`bits`), from a scene to the flash of its solver.
 //!
-//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which counts instructions, or, that of the
-//! Pico, in this process, which counts cycles. Both pass files through by semihosting.
+//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which counts instructions. The image of the
+//! Pico runs in this process, which counts cycles. Both transfer files by semihosting.
 
 mod bits;
 mod chip;
@@ -54,7 +54,7 @@ pub enum Board {
     RiscV,
     /// Arm MPS2+ with the FPGA image AN505: Cortex-M33 with a floating point unit.
     An505,
-    /// RP2040 (Raspberry Pi Pico): Cortex-M0+, 2 MB flash, 264 KB RAM. What is counted are cycles, not instructions.
+    /// RP2040 (Raspberry Pi Pico): Cortex-M0+, 2 MB flash, 264 KB RAM. The count is of cycles, not of instructions.
     Rp2040,
 }
 
@@ -88,10 +88,10 @@ impl Board {
         }
     }
 
-    /// What builds its images and runs them is there, of all of these boards.
+    /// Checks that the tools that build and run the images of all these boards are available.
     ///
     /// # Errors
-    /// Something is missing; everything that is gets named.
+    /// Fails if a tool is missing; the error names all that are.
     pub fn require_all(boards: &[Self]) -> Result<(), EmulatorError> {
         let mut needs = vec![Need::Build];
         for board in boards {
@@ -104,7 +104,7 @@ impl Board {
         require(needs)
     }
 
-    /// Where the flash begins of a board whose cycles can be estimated.
+    /// The start of the flash of a board whose cycles can be estimated.
     const fn estimated(self) -> Option<u32> {
         match self {
             Self::Stm32F405 => Some(0x0800_0000),
@@ -113,7 +113,8 @@ impl Board {
         }
     }
 
-    /// Runs an image with a command line, its files in a folder; `counting` instructions, where the program does. What it prints.
+    /// Runs an image with a command line, its files in a folder; `counting` instructions, if the emulator can. Returns its
+    /// output.
     fn run(
         self,
         image: &Image,
@@ -126,7 +127,7 @@ impl Board {
         }
     }
 
-    /// QEMU for this board; none that is emulated in this process.
+    /// QEMU for this board; none if it is emulated in this process.
     fn qemu(self) -> Option<Qemu> {
         let (program, machine, shift): (_, &[_], _) = match self {
             Self::Stm32F405 => (QEMU_ARM, &["netduinoplus2"], 5),
@@ -208,7 +209,7 @@ pub fn job(
     scene.described(|description| {
         WrittenScene::described_obstacles(&scene.obstacles, |obstacles| {
             let asked = (samples, budget);
-            // A sink that keeps everything does not fail.
+            // A sink that stores everything does not fail.
             let _ = job::write_scene((description, obstacles), evolution, asked, |part| {
                 bytes.extend_from_slice(part);
                 Ok::<_, Infallible>(())
@@ -229,7 +230,7 @@ impl Counter {
     /// Builds it.
     ///
     /// # Errors
-    /// Cargo or the target is missing, or the image cannot be built.
+    /// Fails if cargo or the target is missing, or the image cannot be built.
     pub fn new(board: Board, number: NumberType, profile: Profile) -> Result<Self, EmulatorError> {
         let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
         Ok(Self { board, image })
@@ -238,7 +239,7 @@ impl Counter {
     /// Builds one with f32 for scenes among obstacles, of at most 4 vertices, one half-plane and 17 obstacles of 4 corners.
     ///
     /// # Errors
-    /// Cargo or the target is missing, or the image cannot be built.
+    /// Fails if cargo or the target is missing, or the image cannot be built.
     pub fn among(board: Board, profile: Profile) -> Result<Self, EmulatorError> {
         let image = Image::of_board(board, "count_among", profile)?;
         Ok(Self { board, image })
@@ -248,16 +249,16 @@ impl Counter {
     /// [`rust_source`](stiction_scene::rust_source): for jobs whose scenes run in them.
     ///
     /// # Errors
-    /// Cargo or the target is missing, or the image cannot be built.
+    /// Fails if cargo or the target is missing, or the image cannot be built.
     pub fn of_model(board: Board, profile: Profile, scene: &str) -> Result<Self, EmulatorError> {
         let image = Image::of_scene(board, "count_scene", profile, scene)?;
         Ok(Self { board, image })
     }
 
-    /// Does a job: the instructions of every frame. Without a model of its own it has room for 8 vertices and 4 surfaces.
+    /// Runs a job: the instructions of every frame. Without a model of its own, it has room for 8 vertices and 4 surfaces.
     ///
     /// # Errors
-    /// The emulator is missing, or the job ends with an error.
+    /// Fails if the emulator is missing, or the job ends with an error.
     pub fn count(&self, job: &[u8]) -> Result<Counted, EmulatorError> {
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("job"), job)?;
@@ -272,11 +273,11 @@ impl Counter {
         })
     }
 
-    /// Does a job on a board whose instructions are those of a Cortex-M4F, in QEMU: the cycles that an instruction of a step takes on
-    /// average, estimated from above from the cycles that Arm states.
+    /// Runs a job on a board with the instructions of a Cortex-M4F, in QEMU: the average number of cycles per instruction of a
+    /// step, an upper estimate from the cycles that Arm specifies.
     ///
     /// # Errors
-    /// As [`Counter::count`]; or the board is another one.
+    /// The errors of [`Counter::count`]; also fails for any other board.
     pub fn estimate(&self, job: &[u8]) -> Result<f64, EmulatorError> {
         let (Some(qemu), Some(flash)) = (self.board.qemu(), self.board.estimated()) else {
             let what = format!("no cycles are known of a {}", self.board.name());
@@ -287,7 +288,7 @@ impl Counter {
         fs::write(folder.path().join("job"), job)?;
         let line = ["count", "job", "results"];
         let mut command = qemu.command(&self.image, (folder.path(), &line), true);
-        // Every instruction by itself, and a line of standard error for each.
+        // Each instruction is executed separately, with a line of standard error for each.
         command.args(["-accel", "tcg,one-insn-per-tb=on", "-d", "exec,nochain"]);
         command.stdin(Stdio::null()).stdout(Stdio::null());
         let mut child = command.stderr(Stdio::piped()).spawn()?;

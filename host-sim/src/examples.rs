@@ -1,5 +1,5 @@
-//! The examples at the end of each command's help. Each works as it is typed, in this order, in any folder, but for those of `sweep`:
-//! they are for a checkout.
+//! The examples at the end of each command's help. Each works as it is typed, in this order, in any folder, except those of
+//! `sweep`, which need a checkout.
 
 use clap::Command;
 
@@ -112,7 +112,7 @@ const ALL: &[(&str, &[&str])] = &[
     ("man", &["stiction man man1"]),
 ];
 
-/// Every command with its examples at the end of its help.
+/// Returns every command with its examples at the end of its help.
 pub(crate) fn add(program: Command) -> Command {
     let program = program.after_help(text(&FIRST));
     ALL.iter().fold(program, |program, (name, examples)| {

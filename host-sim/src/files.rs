@@ -1,5 +1,5 @@
-//! The files that commands write: never in the place of what is read, and no two in the same one. Those that a run writes
-//! frame by frame, a trace and a recording where they are wanted, appear in their places when all is written, or not at all.
+//! The output files of commands: they never replace an input, and no two have the same place. Those that a run writes frame by
+//! frame, a trace and a recording if requested, appear in their places when everything is written, or not at all.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -13,15 +13,15 @@ use crate::trace::{Format, TraceWriter};
 /// A file cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// The system does not take it.
+    /// The system refuses to write it.
     #[error("{}: cannot be written: {error}", file.display())]
     System {
         /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
-    /// It would replace what is read.
+    /// It would replace an input.
     #[error("{}: is read and would be written by {by}, allowed: another name", file.display())]
     Read {
         /// The file.
@@ -29,7 +29,7 @@ pub enum WriteError {
         /// The option that names it.
         by: &'static str,
     },
-    /// It is there, and may be somebody's work.
+    /// It exists already, and may be somebody's work.
     #[error("{}: is there already and stays as it is, allowed: another name", .0.display())]
     Kept(PathBuf),
     /// It would replace another output.
@@ -52,7 +52,7 @@ impl WriteError {
     }
 }
 
-/// Where a name leads to: of what is not there yet, from the nearest folder that is.
+/// Resolves a name; if the file does not exist yet, from the nearest folder that does.
 fn place(file: &Path) -> PathBuf {
     let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let whole = absolute.ancestors().find_map(|folder| {
@@ -69,13 +69,13 @@ fn place(file: &Path) -> PathBuf {
     whole.unwrap_or(absolute)
 }
 
-/// An option and a file that it makes the program write.
+/// An option and the file that it makes the program write.
 pub(crate) type Written = (&'static str, PathBuf);
 
-/// Looks at the names of all that a command reads (where the file is there) and writes, before anything is written.
+/// Checks the names of all files that a command reads (if the file exists) and writes, before anything is written.
 ///
 /// # Errors
-/// An output would replace an input or another output.
+/// Fails if an output would replace an input or another output.
 pub(crate) fn check<'a>(
     read: impl IntoIterator<Item = &'a Path>,
     written: impl IntoIterator<Item = Written>,
@@ -115,7 +115,7 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins a trace of a run, where one is wanted.
+    /// Begins a trace of a run, if requested.
     pub(crate) fn trace(file: Option<&(PathBuf, Format)>, run: &Run) -> Result<Self, WriteError> {
         let trace = file.map(|(file, format)| {
             let writer = TraceWriter::create(file, *format, run).map_err(WriteError::of(file))?;
@@ -127,7 +127,7 @@ impl Files {
         })
     }
 
-    /// Begins a recording of the run, too, where one is wanted.
+    /// Also begins a recording of the run, if requested.
     pub(crate) fn with_recording(
         self,
         file: Option<&PathBuf>,
@@ -144,7 +144,7 @@ impl Files {
         })
     }
 
-    /// Adds a sample and the answer to it, which may not have come.
+    /// Adds a sample and its answer, which may be missing.
     pub(crate) fn write(
         &mut self,
         sample: &Sample,
@@ -159,7 +159,7 @@ impl Files {
         Ok(())
     }
 
-    /// From here on the body is under another setting, that of `run`.
+    /// From here on, the body is under another setting, that of `run`.
     pub(crate) fn change(&mut self, change: &Change, run: &Run) -> Result<(), WriteError> {
         if let Some((_, writer)) = &mut self.trace {
             writer.change(run);
@@ -170,7 +170,7 @@ impl Files {
         }
     }
 
-    /// Puts both in their places.
+    /// Moves both to their places.
     pub(crate) fn finish(self) -> Result<(), WriteError> {
         if let Some((file, writer)) = self.trace {
             writer.finish().map_err(WriteError::of(&file))?;

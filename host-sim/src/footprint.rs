@@ -1,5 +1,5 @@
-//! `stiction footprint`: which model of the solver a scene needs and why, and what that model takes on emulated chips
-//! beside the full one. From a scene to a table:
+//! `stiction footprint`: the model of the solver that a scene needs, and why, and its resources on emulated chips compared with
+//! the full model. From a scene to a table:
 //!
 //! ```text
 //! scene ─ model ─ measure (flash, state, stack, instructions or cycles) ─ table
@@ -44,7 +44,7 @@ pub struct FootprintArgs {
     readme: Option<PathBuf>,
 }
 
-/// Why there is no table.
+/// The reason why there is no table.
 #[derive(Debug, thiserror::Error)]
 pub enum FootprintError {
     /// The scene or the hand's path cannot be used.
@@ -58,7 +58,7 @@ pub enum FootprintError {
     Write {
         /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
 }
@@ -84,7 +84,7 @@ struct Case {
 impl Case {
     fn open(name: &Path) -> Result<Self, InputError> {
         let scene = open_scene(name, Number::F32)?;
-        // Before anything is built: the numbers make a scene for both chips.
+        // Before any build: the numbers form a valid scene for both chips.
         scene.scene::<f32>()?;
         scene.scene::<Fixed>()?;
         let (path, rate) = open_path(&scene, None, None)?;
@@ -96,7 +96,7 @@ impl Case {
 /// Measures a scene, or a few bundled ones, and prints the table.
 ///
 /// # Errors
-/// [`FootprintError`]; before anything is built where that can be known.
+/// [`FootprintError`]; before any build if possible.
 pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
     let names = match &args.scene {
         Some(name) => vec![name.as_path()],
@@ -149,7 +149,7 @@ fn heading(case: &Case) -> String {
     text + &format!("  the full model is {}\n\n", model.full())
 }
 
-/// The rows of a scene, behind a progress bar.
+/// The rows of a scene, with a progress bar.
 fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, FootprintError> {
     let models = Chip::ALL.len() * evolutions.len() * 2;
     let bar = &measuring(&case.scene.title, models as u64);

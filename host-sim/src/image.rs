@@ -1,8 +1,8 @@
-//! `stiction image`: from the name of a board, and a scene where one is named, to a file that is flashed: UF2, for the drive of a
-//! board that has one, or ELF, for a debug probe.
+//! `stiction image`: from the name of a board, and a scene if one is named, to a file for flashing: UF2, for the drive of a board
+//! that has one, or ELF, for a debug probe.
 //!
-//! The image is that without a log: who copies a file to a drive has no probe that would show it, and the image is smaller and has
-//! fewer places that can panic. With the log it is flashed by `cargo run` in the folder of the board.
+//! The image has no log: a user who copies a file to a drive has no probe to show it, and the image is smaller and has fewer
+//! places that can panic. With the log, `cargo run` in the folder of the board flashes it.
 
 use std::ffi::OsString;
 use std::fs;
@@ -45,7 +45,7 @@ pub struct ImageArgs {
     out: Option<(PathBuf, Format)>,
 }
 
-/// Why there is no image.
+/// The reason why there is no image.
 #[derive(Debug, thiserror::Error)]
 pub enum ImageError {
     /// The scene cannot be used.
@@ -57,20 +57,20 @@ pub enum ImageError {
     /// The file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// The board is not flashed so.
+    /// The board cannot be flashed in this format.
     #[error("{0} has no drive that takes UF2, allowed: --out FILE.elf")]
     NoDrive(&'static str),
-    /// The board has no room for them.
+    /// The board has no room for obstacles.
     #[error(
         "{0} has no room for obstacles over the wire, allowed: a scene with obstacles to compile in"
     )]
     NoObstacles(&'static str),
-    /// The board has no pins for it.
+    /// The board has no pins for the device.
     #[error("{board} has no pins for a {device}, allowed: {allowed}")]
     NoDevice {
         /// The board.
         board: &'static str,
-        /// What was asked for.
+        /// The requested device.
         device: &'static str,
         /// Its devices.
         allowed: String,
@@ -96,7 +96,7 @@ impl Device {
     }
 }
 
-/// How an image is written.
+/// The format of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Uf2,
@@ -108,7 +108,7 @@ fn board_parser() -> impl TypedValueParser<Value = Board> {
         .try_map(|name| named(Board::ALL, |board| board.name, &name))
 }
 
-/// A file that is to be written; its name need not be text.
+/// An output file; its name need not be text.
 fn file_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
     OsStringValueParser::new().try_map(|name: OsString| {
         let file = PathBuf::from(name);
@@ -124,7 +124,7 @@ fn file_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
 /// Builds the image of a board and writes it.
 ///
 /// # Errors
-/// A scene that cannot be used, an image that cannot be built, a file that cannot be written.
+/// Fails if the scene cannot be used, the image cannot be built, or the file cannot be written.
 pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     let board = args.board;
     let (out, format) = out(args);
@@ -174,7 +174,7 @@ fn features(args: &ImageArgs) -> Result<String, ImageError> {
     Ok(all.join(","))
 }
 
-/// The file and how it is written.
+/// The file and its format.
 fn out(args: &ImageArgs) -> (PathBuf, Format) {
     let board = args.board;
     args.out.clone().unwrap_or_else(|| {
@@ -186,7 +186,7 @@ fn out(args: &ImageArgs) -> (PathBuf, Format) {
     })
 }
 
-/// A scene that a board can have.
+/// A scene that the board supports.
 fn usable_scene(name: &Path) -> Result<SceneFile, InputError> {
     let scene = open_scene(name, Number::F32)?;
     suits_boards(&scene)?;
@@ -205,7 +205,7 @@ fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf
     }
 }
 
-/// The file, what it takes of the board, and how it gets there.
+/// Describes the file, its resources on the board, and how to flash it.
 fn told(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
     let size = thousands(bytes.len() as u64);
     let (flash, variables) = (thousands(contents.flash), thousands(contents.variables));

@@ -1,4 +1,4 @@
-//! What a command works on: a scene by its name, and the hand's path in it.
+//! The input of a command: a scene by its name, and the hand's path in it.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     }
 }
 
-/// A board can have a scene: what is wrong with it is said with the key and the line, which the board does not know.
+/// Checks that a board supports a scene: errors are reported with the key and the line, which the board does not know.
 pub(crate) fn suits_boards(scene: &SceneFile) -> Result<(), InputError> {
     match scene.obstacles.is_empty() {
         true => scene.scene::<f32>().map(drop),
@@ -29,8 +29,7 @@ pub(crate) fn suits_boards(scene: &SceneFile) -> Result<(), InputError> {
     }
 }
 
-/// The files of an input, which no output may replace: those that are read, and the scene's path where another one stands in
-/// for it.
+/// The input files, which no output may replace: those that are read, and the scene's path if another one replaces it.
 pub(crate) fn files<'a>(
     name: &'a Path,
     scene: &'a SceneFile,

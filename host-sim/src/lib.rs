@@ -9,27 +9,27 @@
 //!
 //! Both are read by `stiction-scene`.
 //!
-//! [`run`] does all of this.
+//! [`run`] executes all of this.
 //!
 //! [`replay`] runs a recording again and compares every answer bit for bit.
 //!
 //! [`check`] judges a trace by the laws alone.
 //!
-//! [`list`] shows the bundled scenes, and [`new`] writes one to start from.
+//! [`list`] shows the bundled scenes, and [`new`] writes a scene file to start from.
 //!
 //! [`code`] prints a scene as C, for the C library.
 //!
-//! [`trade`] runs many scenes in every setting of the solver, and tells what each setting costs and how exact it is.
+//! [`trade`] runs many scenes in every setting of the solver, and reports the cost and accuracy of each setting.
 //!
-//! [`sweep`] runs scenes with many values of their parameters, to one table.
+//! [`sweep`] runs scenes with many values of their parameters, and writes one table.
 //!
-//! [`board`] feeds a board with the hand's motion in real time, instead of the solver on this computer, or beside it.
+//! [`board`] sends the hand's motion to a board in real time, in place of the solver on this computer or in parallel with it.
 //!
-//! [`view`] shows a scene in real time, with the hand of whoever holds the mouse.
+//! [`view`] shows a scene in real time, with the mouse as the hand.
 //!
-//! [`image`] builds the image of a board, and writes it as a file that is flashed.
+//! [`image`] builds the image of a board, and writes it to a file for flashing.
 //!
-//! [`footprint`] builds the solver that a scene needs for two chips, and tells how large it is there and what a frame costs.
+//! [`footprint`] builds the solver that a scene needs for two chips, and reports its size there and the cost of a frame.
 
 mod balance;
 pub mod board;

@@ -21,7 +21,7 @@ pub struct ScenesArgs {
     out: Option<PathBuf>,
 }
 
-/// Why there are no files.
+/// The reason why there are no files.
 #[derive(Debug, thiserror::Error)]
 pub enum ScenesError {
     /// The folder cannot be written, or has another file with the name of a scene.
@@ -47,7 +47,7 @@ pub fn scenes(args: &ScenesArgs) -> Result<(), ScenesError> {
     }
 }
 
-/// Names and stories in two columns, wrapped to a width (characters); in a pipe a scene is a line.
+/// Names and stories in two columns, wrapped to a width (characters); in a pipe, each scene is one line.
 fn list(width: Option<usize>) -> String {
     let names = scenes::ALL.iter().map(|(name, _)| name.len());
     let column = names.max().unwrap_or(0) + 2;
@@ -66,7 +66,7 @@ fn list(width: Option<usize>) -> String {
     text + "\nto hold one with the mouse: stiction view NAME; to run it: stiction run NAME; to change it: stiction new FILE --like NAME\n"
 }
 
-/// Writes every scene into a folder, or nothing where a file there is another one.
+/// Writes every scene to a folder, or nothing if a file there differs.
 fn written(folder: &Path) -> Result<(), ScenesError> {
     let files: Vec<(PathBuf, &str)> = (scenes::ALL.iter())
         .map(|(name, text)| (folder.join(name).with_extension("toml"), *text))
@@ -99,7 +99,7 @@ fn written(folder: &Path) -> Result<(), ScenesError> {
 mod tests {
     use super::*;
 
-    /// Of a narrow terminal.
+    /// The width of a narrow terminal.
     const NARROW: usize = 60;
 
     #[test]
@@ -113,7 +113,7 @@ mod tests {
         let wide = list(None);
         let (scenes, _) = wide.split_once("\n\n").expect("a hint below the list");
         assert_eq!(scenes.lines().count(), scenes::ALL.len(), "{wide}");
-        // The stories stand below each other.
+        // The stories are aligned.
         let begins = |line: &str| line.find(|c: char| c.is_ascii_uppercase());
         let first = scenes.lines().next().and_then(begins);
         assert!(scenes.lines().all(|line| begins(line) == first), "{wide}");

@@ -1,4 +1,4 @@
-//! The program `stiction`: without arguments it shows a bundled scene, to be held with the mouse.
+//! The program `stiction`: without arguments it displays a bundled scene that the user can hold with the mouse.
 
 use std::process::ExitCode;
 
@@ -18,16 +18,16 @@ use stiction_host_sim::trade::trade;
 use stiction_host_sim::view::view;
 use stiction_host_sim::{report, stop};
 
-/// Input that cannot be used, or output that cannot be written.
+/// Exit status for input that cannot be used, or output that cannot be written.
 const UNUSABLE: u8 = 2;
 
 fn main() -> ExitCode {
-    // Before anything is printed.
+    // Before any output.
     complete();
     stop::begin();
     let exit = match parsed(std::env::args_os()) {
         Ok(command) => done(command),
-        // Also where help was asked for.
+        // Also for a request for help.
         Err(said) => {
             report::printed(said.print());
             ExitCode::from(said.exit_code() as u8)
@@ -43,7 +43,7 @@ fn main() -> ExitCode {
 }
 
 fn done(command: Command) -> ExitCode {
-    // False where the work was done and its outcome is bad.
+    // False if the command ran but its result is bad.
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
         Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
         Command::Replay(args) => replay(&args).map_err(Into::into),

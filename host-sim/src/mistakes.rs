@@ -1,4 +1,4 @@
-//! What is added to a message of clap: what was probably meant, and what to type then.
+//! Adds suggestions to a message of clap: what was probably meant, and what to type.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use stiction_text::nearest;
 use crate::command::described;
 use crate::scenes;
 
-/// An error with what to type instead, where that can be told.
+/// Adds a suggestion to an error, if there is one.
 pub(crate) fn explained(mut error: Error) -> Error {
     let tips = match error.kind() {
         ErrorKind::InvalidSubcommand => of_command(&error),
@@ -19,7 +19,7 @@ pub(crate) fn explained(mut error: Error) -> Error {
         _ => Vec::new(),
     };
     if !tips.is_empty() {
-        // A tip of clap's own would send the reader elsewhere.
+        // A tip of clap's own would be misleading.
         for other in [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg] {
             error.remove(other);
         }
@@ -42,7 +42,7 @@ fn is_scene(word: &str) -> bool {
     scenes::find(path).is_some() || path.is_file() || word.ends_with(".toml")
 }
 
-/// In the place of a command stands a scene, or something like one.
+/// A scene, or a similar word, in the place of a command.
 fn of_command(error: &Error) -> Vec<String> {
     let word = context(error, ContextKind::InvalidSubcommand);
     if word.ends_with(".toml") && !Path::new(word).is_file() {
@@ -80,7 +80,7 @@ fn of_word(error: &Error) -> Vec<String> {
     }
 }
 
-/// A scene where a board is expected.
+/// A scene in the place of a board.
 fn of_value(error: &Error) -> Vec<String> {
     let option = context(error, ContextKind::InvalidArg);
     let value = context(error, ContextKind::InvalidValue);
@@ -92,7 +92,7 @@ fn of_value(error: &Error) -> Vec<String> {
     }
 }
 
-/// Something is not said.
+/// A required argument is missing.
 fn of_missing(error: &Error) -> Vec<String> {
     let Some(ContextValue::Strings(missing)) = error.get(ContextKind::InvalidArg) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! `stiction new`: a scene file to start from: a bundled scene, or one of the user's, with a comment on every key.
+//! `stiction new`: a scene file to start from, a bundled scene or one of the user's, with a comment on every key.
 
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -25,18 +25,18 @@ pub struct NewArgs {
     like: PathBuf,
 }
 
-/// Why there is no new scene.
+/// The reason why there is no new scene.
 #[derive(Debug, thiserror::Error)]
 pub enum NewError {
     /// The scene to start from cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The file cannot be written, or is there already.
+    /// The file cannot be written, or exists already.
     #[error(transparent)]
     Write(#[from] WriteError),
 }
 
-/// Writes the file and prints what to type next.
+/// Writes the file and prints the next commands to type.
 ///
 /// # Errors
 /// [`NewError`]; then nothing is written.
@@ -67,8 +67,8 @@ fn file(name: &Path) -> PathBuf {
     file.into()
 }
 
-/// A key of a section, what it means, and the value of the line that offers it where a scene does without; none for what a scene cannot
-/// do without, or has another key for.
+/// A key of a section, its meaning, and the value of the line that offers it to a scene without it; none for keys that a scene
+/// requires or for which it has another key.
 struct Key(
     &'static str,
     &'static str,
@@ -191,7 +191,7 @@ const KEYS: &[Key] = &[
     ),
 ];
 
-/// Where comments begin (characters).
+/// The column at which comments begin (characters).
 const COLUMN: usize = 36;
 
 /// A scene with a comment on every key of the first section of each name, and with the keys that it could have.
@@ -217,7 +217,7 @@ fn explained(text: &str, file: &Path) -> String {
     lines.join("\n") + "\n"
 }
 
-/// What stands before the first section, then the sections, without the empty lines around them.
+/// The text before the first section, then the sections, without the empty lines around them.
 fn sections(text: &str) -> Vec<Vec<&str>> {
     let mut sections = vec![Vec::new()];
     for line in text.lines() {
@@ -282,7 +282,7 @@ mod tests {
             let source = Source::new("mine.toml", explained.as_str());
             assert_eq!(source.story(), Source::new(*name, *text).story());
             let limit = Number::F32.limit();
-            // The path is instead of keyframes.
+            // The path replaces keyframes.
             let offered = explained.replace("# path = \"hand.csv\"", "#");
             let mut lines = offered.lines().map(|line| match line.strip_prefix("# ") {
                 Some(rest) if rest.contains(" = ") && rest.contains('#') => rest,

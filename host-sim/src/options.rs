@@ -1,4 +1,4 @@
-//! What several commands take as an option: from its text to its value, or to what is allowed.
+//! Options that several commands share: parses their texts to values, or reports what is allowed.
 
 use std::ffi::OsString;
 use std::net::{SocketAddr, ToSocketAddrs};
@@ -25,7 +25,7 @@ pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A trace that is to be written; its name need not be text.
+/// An output trace; its name need not be text.
 pub(crate) fn trace_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
     OsStringValueParser::new().try_map(trace)
 }
@@ -46,10 +46,10 @@ pub(crate) fn parse_budget(text: &str) -> Result<u32, String> {
     }
 }
 
-/// The address of this computer, which is meant where a port stands alone.
+/// The address of this computer, the default if only a port is given.
 const HERE: &str = "127.0.0.1";
 
-/// HOST:PORT; a port alone is one of this computer. Whether the host exists is asked when it is used.
+/// HOST:PORT; a port alone refers to this computer. Whether the host exists is checked on use.
 pub(crate) fn parse_end(text: &str) -> Result<String, String> {
     let port = |text: &str| text.parse::<u16>().ok();
     if let Some(port) = port(text.strip_prefix(':').unwrap_or(text)) {
@@ -65,7 +65,7 @@ pub(crate) fn parse_end(text: &str) -> Result<String, String> {
     }
 }
 
-/// Where this computer listens.
+/// The address on which this computer listens.
 pub(crate) fn parse_listen(text: &str) -> Result<SocketAddr, String> {
     let end = parse_end(text)?;
     let mut places = end.to_socket_addrs().map_err(|error| error.to_string())?;

@@ -1,6 +1,6 @@
-//! The pictures of a run, each as SVG and PNG: the paths in the plane, the forces over time, the motion over time, and a
-//! strip of snapshots; and the
-//! insertion of a peg. From a recorded run in SI units, world frame, to files that need no font on the machine.
+//! The pictures of a run, each as SVG and PNG: the paths in the plane, the forces over time, the motion over time, a strip of
+//! snapshots, and the insertion of a peg. From a recorded run in SI units, world frame, to files that need no font on the
+//! machine.
 
 mod forces;
 pub(crate) mod fronts;
@@ -31,7 +31,7 @@ use stiction_tools::files;
 
 use crate::record::Run;
 
-/// Why the pictures of a run could not be written.
+/// The reason why the pictures of a run could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     /// The run has no record, so there is nothing to show.
@@ -42,7 +42,7 @@ pub enum PlotError {
     Directory {
         /// The directory.
         path: PathBuf,
-        /// What the system says.
+        /// The system's message.
         source: io::Error,
     },
     /// A picture cannot be written.
@@ -50,7 +50,7 @@ pub enum PlotError {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's message.
         source: io::Error,
     },
     /// A picture cannot be drawn.
@@ -58,7 +58,7 @@ pub enum PlotError {
     Drawing {
         /// The picture.
         name: &'static str,
-        /// What the drawing library says.
+        /// The drawing library's message.
         reason: String,
     },
 }
@@ -89,8 +89,8 @@ pub(crate) fn places(run: &Run, dir: &Path) -> Vec<PathBuf> {
     pictures(run).flat_map(both).collect()
 }
 
-/// Writes `trajectory`, `forces`, `motion`, `strip` and, of a peg and a hole, `insertion`, each as `.svg` and `.png`, into `dir`,
-/// which is created where it is missing. Gives the paths of the files in that order.
+/// Writes `trajectory`, `forces`, `motion`, `strip` and, for a peg and a hole, `insertion`, each as `.svg` and `.png`, to `dir`,
+/// which is created if it is missing. Returns the paths of the files in that order.
 ///
 /// # Errors
 /// [`PlotError`]: no frames, or the directory or a file cannot be written.

@@ -1,5 +1,5 @@
-//! How far a command is, on standard error: on a terminal what moves, with the time so far; elsewhere a line at the begin and at the end
-//! of each part.
+//! The progress of a command, on standard error: an animation on a terminal, with the time elapsed; elsewhere a line at the
+//! beginning and at the end of each part.
 
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -8,7 +8,7 @@ use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 
 use crate::report;
 
-/// The time so far goes on while nothing else happens.
+/// The interval at which the time elapsed is updated while nothing else happens.
 const TICK: Duration = Duration::from_millis(200);
 
 /// A bar of indicatif's `template`.
@@ -18,8 +18,7 @@ pub(crate) fn bar(length: u64, template: &str) -> ProgressBar {
     ProgressBar::new(length).with_style(style)
 }
 
-/// Work of which nobody knows how long it takes, such as a build. It ends with [`Activity::end`], or, without a word, where an error
-/// ends it.
+/// Work of unknown duration, such as a build. It ends with [`Activity::end`], or silently if an error ends it.
 #[derive(Debug)]
 pub(crate) struct Activity {
     what: String,
@@ -42,7 +41,7 @@ impl Activity {
         Self { what, begun, bar }
     }
 
-    /// It is done.
+    /// The work is complete.
     pub(crate) fn end(self) {
         self.bar.finish_and_clear();
         let taken = HumanDuration(self.begun.elapsed());
@@ -56,7 +55,7 @@ impl Drop for Activity {
     }
 }
 
-/// Measurements of which the number is known. They end as an [`Activity`] does.
+/// Measurements of a known number. They end in the same manner as an [`Activity`].
 #[derive(Debug)]
 pub(crate) struct Measuring {
     what: String,
@@ -64,7 +63,7 @@ pub(crate) struct Measuring {
     bar: ProgressBar,
 }
 
-/// Begins so many measurements of something.
+/// Begins `count` measurements.
 pub(crate) fn measuring(what: &str, length: u64) -> Measuring {
     let template = "{prefix}: {bar:30} {percent}%, {elapsed}, {eta} left, {msg}";
     let bar = bar(length, template).with_prefix(what.to_owned());
@@ -80,13 +79,13 @@ pub(crate) fn measuring(what: &str, length: u64) -> Measuring {
 }
 
 impl Measuring {
-    /// So many more are done, the last of them this one.
+    /// Adds completed measurements, of which this is the last.
     pub(crate) fn advance(&self, count: u64, last: &str) {
         self.bar.set_message(last.to_owned());
         self.bar.inc(count);
     }
 
-    /// All are done.
+    /// All are complete.
     pub(crate) fn end(&self) {
         self.bar.finish_and_clear();
         let taken = HumanDuration(self.begun.elapsed());

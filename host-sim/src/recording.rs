@@ -1,5 +1,6 @@
-//! A recording: a scene, how it is run, every sample of the hand and every answer, so that a run can be repeated bit for bit
-//! and told from one that differs. A text file of JSON Lines, numbers printed so that they read back to the same value:
+//! A recording: a scene, the settings of its run, every sample of the hand and every answer, so that a run can be repeated bit
+//! for bit and distinguished from one that differs. A text file of JSON Lines, with numbers printed such that they read back to
+//! the same value:
 //!
 //! ```text
 //! {"recording":2,"build":"...","number":"f32","evolution":"path",
@@ -8,10 +9,11 @@
 //! {"samples":1}
 //! ```
 //!
-//! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
-//! parts the solver has. A `budget` stands behind the evolution, where a frame had one (units of work). The first sample starts the scene. The last line counts the samples; a recording without it was cut.
+//! A number that is not finite is null in a sample. A missing answer is null. `friction` and `weight` indicate which parts the
+//! solver has. A `budget` follows the evolution if a frame had one (units of work). The first sample starts the scene. The last
+//! line counts the samples; a recording without it was cut.
 //!
-//! Between two samples there may be a change: from there on the body goes on where it is, under another setting.
+//! Between two samples there may be a change: from there on, the body continues where it is, under another setting.
 //!
 //! ```text
 //! {"change":{"number":"f64","evolution":"path","scene":"[body]\n..."}}
@@ -38,10 +40,10 @@ pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
 /// The version of the format.
 const VERSION: u32 = 2;
-/// Room for a line that is being written (bytes); a longer one is written in pieces.
+/// Size of the buffer for a line that is being written (bytes); a longer one is written in pieces.
 const PIECE: usize = 64 << 10;
 
-/// What was run, and what made the recording.
+/// The settings of the run, and the maker of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Head {
@@ -51,7 +53,7 @@ pub(crate) struct Head {
     /// As on the command line.
     pub(crate) number: String,
     pub(crate) evolution: String,
-    /// The units of work that a frame may take; absent: as many as it needs.
+    /// The units of work that a frame may use; absent: unlimited.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) budget: Option<u32>,
     /// The solver has friction.
@@ -64,20 +66,20 @@ pub(crate) struct Head {
     pub(crate) scene: String,
 }
 
-/// The program that runs, and the machine.
+/// The running program, and the machine.
 pub(crate) fn this_build() -> String {
     let version = env!("CARGO_PKG_VERSION");
     let (arch, os) = (std::env::consts::ARCH, std::env::consts::OS);
     format!("stiction {version}, {arch}, {os}")
 }
 
-/// What makes a recording: a program or a board, with the solver that it has.
+/// The maker of a recording: a program or a board, with the solver that it has.
 #[derive(Clone, Debug)]
 pub(crate) struct Maker {
     pub(crate) build: String,
     pub(crate) friction: bool,
     pub(crate) weight: bool,
-    /// The units of work that a frame may take, where they are bounded.
+    /// The units of work that a frame may use, if they are limited.
     pub(crate) budget: Option<u32>,
 }
 
@@ -103,7 +105,7 @@ impl Head {
         Self::of(scene, (settings.number, settings.evolution), &maker)
     }
 
-    /// Of what `maker` makes of a scene.
+    /// The head for a scene that is run by `maker`.
     pub(crate) fn of(
         scene: &SceneFile,
         (number, evolution): (Number, Evolution),
@@ -128,7 +130,7 @@ impl Head {
     }
 }
 
-/// A setting under which the body goes on.
+/// A setting under which the body continues.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Change {
@@ -139,10 +141,10 @@ pub(crate) struct Change {
 }
 
 impl Change {
-    /// The setting of these names and this text; `name`: of the scene.
+    /// The setting with these names and this text; `name`: of the scene.
     ///
     /// # Errors
-    /// A name stands for nothing, or the text is no scene.
+    /// Fails if a name is unknown, or the text is no scene.
     pub(crate) fn setting(&self, name: PathBuf) -> Result<Setting, String> {
         let refused =
             |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");

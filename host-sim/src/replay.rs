@@ -1,4 +1,4 @@
-//! `stiction replay`: a recording through the solver again, every answer compared bit for bit with the recorded one.
+//! `stiction replay`: runs a recording through the solver again, and compares every answer bit for bit with the recorded one.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -34,7 +34,7 @@ pub struct ReplayArgs {
     quiet: bool,
 }
 
-/// Why a replay gave nothing.
+/// The reason why a replay has no result.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
     /// The recording cannot be used.
@@ -48,10 +48,10 @@ pub enum ReplayError {
     Write(#[from] WriteError),
 }
 
-/// Replays a recording and says whether every answer is the same. False where one differs, or where the recording was cut.
+/// Replays a recording and reports whether every answer is the same. Returns false if one differs, or if the recording was cut.
 ///
 /// # Errors
-/// A recording that cannot be used, or output that cannot be written.
+/// Fails if the recording cannot be used, or the output cannot be written.
 pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     let input = [args.recording.as_path()];
     files::check(
@@ -124,7 +124,7 @@ struct Again {
     files: Files,
     count: u64,
     compared: u64,
-    /// Line and time (s) of the first answer that is not the recorded one, and what is different.
+    /// Line and time (s) of the first answer that differs from the recorded one, and the difference.
     first: Option<(usize, f64, String)>,
 }
 
@@ -161,7 +161,7 @@ impl Again {
     }
 }
 
-/// The scene of a recording and what is run.
+/// The scene of a recording and its settings.
 fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
     let head = &recording.head;
     let number = parse_number(&head.number)
@@ -177,9 +177,9 @@ fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
 
 /// A solver with its state.
 trait Stepper {
-    /// The answer to the next sample; the first one starts the scene.
+    /// Returns the answer to the next sample; the first one starts the scene.
     fn step(&mut self, sample: &Sample) -> Result<Frame, String>;
-    /// The body goes on under another setting.
+    /// Continues with the body under another setting.
     fn change(&mut self, setting: &Setting) -> Result<(), String>;
 }
 
@@ -195,7 +195,7 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Stepper for Running<R, M> {
     }
 }
 
-/// A solver with all parts and as much work as it needs, whose setting may change.
+/// A solver with all parts and an unlimited budget, whose setting may change.
 struct Whole {
     setting: Setting,
     body: Option<Box<dyn Body>>,
@@ -258,7 +258,7 @@ fn stepper(head: &Head, run: &Run, scene: SceneFile) -> Result<Box<dyn Stepper>,
     }
 }
 
-/// As the solver of a board may.
+/// Returns whether the solver lacks parts, as that of a board may.
 fn lacks_parts(head: &Head) -> bool {
     !(head.friction && head.weight)
 }
@@ -288,7 +288,7 @@ fn stepped<R: Real<Si: SiFloat>, M: HostModel>(
     Ok(Box::new(running))
 }
 
-/// The first field in which an answer is not the recorded one, with both values; the texts are equal where the bits are.
+/// The first field in which an answer differs from the recorded one, with both values; equal bits have equal texts.
 fn difference(recorded: &str, record: &Record<'_>) -> Option<String> {
     let now = serde_json::to_string(record).unwrap_or_default();
     if now == recorded {
@@ -298,7 +298,7 @@ fn difference(recorded: &str, record: &Record<'_>) -> Option<String> {
     let (Ok(was), Ok(is)) = (fields(recorded), fields(&now)) else {
         return Some(format!("recorded {recorded}, now {now}"));
     };
-    // A field that is missing on one side, or another order of fields, is a difference of the whole.
+    // A field that is missing on one side, or another order of fields, is a difference as a whole.
     let differs = is
         .iter()
         .find(|(key, value)| was.get(*key).is_some_and(|old| old != *value));

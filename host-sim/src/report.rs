@@ -1,19 +1,19 @@
-//! Text for standard output and standard error: the one door for all commands.
+//! Text for standard output and standard error: all commands use this module.
 
 use std::fmt::{Display, Write as _};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// The first thing that went wrong with standard output.
+/// The first error of standard output.
 static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Where something was written: a line of a summary.
+/// Reports where a file was written: a line of a summary.
 pub(crate) fn written(what: &str, place: &Path) -> String {
     format!("  {what:<18}{}\n", place.display())
 }
 
-/// Which plots were written, and where.
+/// Reports which plots were written, and where.
 pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
     let mut text = written("plots", folder);
     for file in files {
@@ -23,12 +23,12 @@ pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
     text
 }
 
-/// Prints. Whether it could is asked at the end, with [`failure`].
+/// Prints. Errors are reported at the end, by [`failure`].
 pub(crate) fn print(text: &str) {
     printed(io::stdout().write_all(text.as_bytes()));
 }
 
-/// What came of printing; a reader that has gone is no error.
+/// Processes the result of printing; a reader that has gone is no error.
 pub fn printed(result: io::Result<()>) {
     if let Err(error) = result.and_then(|()| io::stdout().flush())
         && error.kind() != ErrorKind::BrokenPipe
@@ -38,14 +38,14 @@ pub fn printed(result: io::Result<()>) {
     }
 }
 
-/// Why not all that was printed is there, if it is not.
+/// Why the output is incomplete, if it is.
 pub fn failure() -> Option<io::Error> {
     let mut first = FAILURE.lock().unwrap_or_else(PoisonError::into_inner);
     first.take()
 }
 
-/// Text for standard error. What of it comes from a file may be of any length, and may hold characters that a terminal obeys: neither
-/// gets there. Where nothing can be written nobody can be told.
+/// Prints to standard error. Text from a file may have any length, and may contain control characters of a terminal: both are
+/// removed. Errors of standard error cannot be reported.
 pub fn tell(text: impl Display) {
     let text = text.to_string();
     let lines: Vec<String> = text.lines().map(plain).collect();
@@ -55,7 +55,7 @@ pub fn tell(text: impl Display) {
 /// The longest line is a list of all that is allowed, of keys or scenes (characters).
 const LONGEST_LINE: usize = 2000;
 
-/// A line for a terminal: its begin and its end, where what is allowed stands.
+/// Shortens a line for a terminal: keeps its beginning and its end, which has the allowed values.
 fn plain(line: &str) -> String {
     let shown = |c: char| match c.is_control() && c != '\t' {
         true => '\u{fffd}',

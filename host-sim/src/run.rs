@@ -1,4 +1,4 @@
-//! `stiction run`: a scene file and the hand's motion through the solver, to a trace, a summary and plots.
+//! `stiction run`: runs a scene file and the hand's motion through the solver, and writes a trace, a summary and plots.
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -43,7 +43,7 @@ pub struct RunArgs {
     pub(crate) quiet: bool,
 }
 
-/// Why a run gave nothing.
+/// The reason why a run has no result.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The scene or the hand's path cannot be used.
@@ -57,10 +57,10 @@ pub enum RunError {
     Plot(#[from] PlotError),
 }
 
-/// Runs a scene and writes what was asked for.
+/// Runs a scene and writes the requested output.
 ///
 /// # Errors
-/// Input that cannot be used, or output that cannot be written; there is then no trace.
+/// Fails if the input cannot be used, or the output cannot be written; there is then no trace.
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
@@ -111,14 +111,14 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
     text += &plots;
     match args.out {
         _ if args.quiet => {}
-        // Whoever asks for a trace may pass standard output on, and expects nothing there.
+        // A user who requests a trace may redirect standard output, and expects nothing there.
         Some(_) => report::tell(text.trim_end()),
         None => report::print(&text),
     }
     Ok(())
 }
 
-/// A progress bar that shows itself after a second, on a terminal.
+/// A progress bar that appears after a second, on a terminal.
 struct Progress {
     begun: Instant,
     done: u64,
@@ -128,7 +128,7 @@ struct Progress {
 }
 
 impl Progress {
-    /// The bar is looked after once in so many frames.
+    /// The bar is updated once in this number of frames.
     const INTERVAL: u64 = 1024;
 
     fn new(total: usize, quiet: bool) -> Self {

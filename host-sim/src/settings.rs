@@ -1,5 +1,5 @@
-//! How a scene is run, as the options of `stiction run` say it: the hand's path, the number type, the evolution, the rate and
-//! the budget.
+//! The settings of a run, as given by the options of `stiction run`: the hand's path, the number type, the evolution, the rate
+//! and the budget.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -35,7 +35,7 @@ pub(crate) struct Settings {
     pub(crate) budget: Option<u32>,
 }
 
-/// What `stiction run` takes where nothing is said.
+/// The defaults of `stiction run`.
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -49,10 +49,10 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Runs a scene over the hand's motion and gives every frame to `sink`; returns the time that the solver's steps took.
+    /// Runs a scene over the hand's motion and passes every frame to `sink`; returns the run time of the solver's steps.
     ///
     /// # Errors
-    /// The scene is refused, or the first error of `sink`.
+    /// Fails if the scene is refused, or with the first error of `sink`.
     pub(crate) fn simulate<E: From<InputError>>(
         &self,
         scene: &SceneFile,
@@ -64,7 +64,7 @@ impl Settings {
     }
 }
 
-/// A run from the first sample to the last, and what takes its frames.
+/// A run from the first sample to the last, and the sink of its frames.
 struct Whole<I, F>(I, F);
 
 impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for Whole<I, F> {

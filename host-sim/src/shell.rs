@@ -1,4 +1,5 @@
-//! `stiction completions` and `stiction man`: what a shell completes, and manual pages, both from the description of the commands.
+//! `stiction completions` and `stiction man`: completions for a shell, and manual pages, both from the description of the
+//! commands.
 
 use std::ffi::OsStr;
 use std::io;
@@ -16,7 +17,7 @@ use crate::command::described;
 use crate::files::WriteError;
 use crate::{report, scenes};
 
-/// In which the shell passes a line that it completes.
+/// The variable in which the shell passes a line that it completes.
 const VARIABLE: &str = "STICTION_COMPLETE";
 
 /// The arguments of `stiction completions`.
@@ -35,7 +36,7 @@ pub struct ManArgs {
     folder: PathBuf,
 }
 
-/// Answers a shell that completes a line, and ends the program then.
+/// Answers a shell that completes a line, and then ends the program.
 pub fn complete() {
     CompleteEnv::with_factory(described)
         .var(VARIABLE)
@@ -45,7 +46,7 @@ pub fn complete() {
 /// Prints the script that a shell reads at its start.
 ///
 /// # Errors
-/// Standard output does not take it.
+/// Fails if standard output cannot be written.
 pub fn completions(args: &CompletionsArgs) -> io::Result<()> {
     let name = args.shell.to_string();
     let shells = Shells::builtins();
@@ -60,7 +61,7 @@ pub fn completions(args: &CompletionsArgs) -> io::Result<()> {
 /// Writes the manual pages.
 ///
 /// # Errors
-/// The folder cannot be written.
+/// Fails if the folder cannot be written.
 pub fn man(args: &ManArgs) -> Result<(), WriteError> {
     let folder = &args.folder;
     std::fs::create_dir_all(folder)

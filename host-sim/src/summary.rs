@@ -1,5 +1,5 @@
-//! The summary of a run: time in each state and in slides, slips, the largest force, the worst residual of the balance, what limited
-//! the answers, the insertion of a peg, and the time that the solver took.
+//! The summary of a run: time in each state and in slides, slips, the largest force, the worst residual of the balance, the
+//! limits that applied to answers, the insertion of a peg, and the solver's run time.
 
 mod insertion;
 
@@ -13,7 +13,7 @@ use crate::balance::{Imbalance, Residual};
 use crate::record::{Frame, Run};
 use insertion::Insertions;
 
-/// What is gathered over the frames of a run.
+/// Sums and extremes over the frames of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Summary {
     title: String,
@@ -21,18 +21,18 @@ pub(crate) struct Summary {
     pub(crate) frames: u64,
     span: Option<(f64, f64)>,
     pub(crate) seconds: [f64; StateKind::ALL.len()],
-    /// In which something slid (s).
+    /// Time during which something slid (s).
     sliding: f64,
     pub(crate) slips: u64,
     pub(crate) longest_slip: f64,
     pub(crate) limited: BTreeMap<Status, u64>,
-    /// Of a scene that has a peg and a hole.
+    /// For a scene that has a peg and a hole.
     insertions: Option<Insertions>,
     solver_time: Duration,
 }
 
 impl Summary {
-    /// Of a run whose frames are still to come.
+    /// For a run before its first frame.
     pub(crate) fn new(run: &Run) -> Self {
         let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
@@ -50,7 +50,7 @@ impl Summary {
         }
     }
 
-    /// Adds a frame; the time since the frame before counts for its state.
+    /// Adds a frame; the time since the previous frame counts for its state.
     pub(crate) fn add(&mut self, frame: &Frame) {
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.t, frame.t));
@@ -81,7 +81,7 @@ impl Summary {
         last - first
     }
 
-    /// Sets the time that all steps of the solver took together.
+    /// Sets the total time of the solver's steps.
     pub(crate) fn set_solver_time(&mut self, time: Duration) {
         self.solver_time = time;
     }

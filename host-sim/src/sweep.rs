@@ -1,4 +1,4 @@
-//! `stiction sweep`: a scene with many values of its parameters, run over all cores to one table. From a sweep file to CSV:
+//! `stiction sweep`: a scene with many values of its parameters, run on all cores to one table. From a sweep file to CSV:
 //!
 //! ```text
 //! sweep.toml ─ plan (scenes, keys, axes) ─ point(index) ─ parallel ─ row ─ output (shard i of n)
@@ -79,13 +79,13 @@ fn parse_shard(text: &str) -> Result<Shard, String> {
     })
 }
 
-/// Why a sweep has not done its rows.
+/// The reason why a sweep has not completed its rows.
 #[derive(Debug, thiserror::Error)]
 pub enum SweepError {
     /// The sweep file, or a scene of it, cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The table, or the file beside it, would replace what is read.
+    /// The table, or the file next to it, would replace an input.
     #[error(transparent)]
     Write(#[from] WriteError),
     /// The table cannot be written or continued.
@@ -94,15 +94,15 @@ pub enum SweepError {
     /// The threads cannot be started.
     #[error("{0}, allowed: fewer --threads")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    /// A row cannot be put together.
+    /// A row cannot be written as text.
     #[error(transparent)]
     Row(#[from] io::Error),
 }
 
-/// Runs what is missing of a table; false where somebody ended it before it was whole.
+/// Runs the missing rows of a table; returns false if the user ended it before the table was complete.
 ///
 /// # Errors
-/// [`SweepError`]; what was written before stays, and the next run continues it.
+/// [`SweepError`]; rows that were written before remain, and the next run continues from them.
 pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
     let plan = Plan::read(&args.sweep)?;
     let shard = args.shard;
@@ -164,7 +164,7 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
     Ok(is_whole)
 }
 
-/// Where the table is written if nothing is said; parts have their numbers in front of one another in any list.
+/// The default place of the table; names of parts are numbered such that any list sorts them.
 fn place(sweep: &Path, Shard { part, of }: Shard) -> PathBuf {
     let mut name = sweep.file_stem().unwrap_or_default().to_owned();
     if of > 1 {
@@ -175,7 +175,7 @@ fn place(sweep: &Path, Shard { part, of }: Shard) -> PathBuf {
     name.into()
 }
 
-/// How many points there are, and the first ones as a table.
+/// The number of points, and the first ones as a table.
 fn outline(plan: &Plan, rows: &Rows) -> String {
     const SHOWN: u64 = 5;
     let mut text = format!("{} points", plan.count());
@@ -193,7 +193,7 @@ fn outline(plan: &Plan, rows: &Rows) -> String {
     text + if rows.count > SHOWN { "\n...\n" } else { "\n" }
 }
 
-/// What the rows are made from, a line each: a table is continued from the same only.
+/// The inputs of the rows, one per line: a table is continued only from the same inputs.
 fn inputs(plan: &Plan, shard: Shard, header: &[u8]) -> String {
     let digest = |bytes: &[u8]| format!("{:x}", Sha256::digest(bytes));
     let mut text = format!(
@@ -210,7 +210,7 @@ fn inputs(plan: &Plan, shard: Shard, header: &[u8]) -> String {
         let _ = writeln!(text, "scene {:?}: {digest}", scene.name);
     }
     for (i, file) in plan.hand_files().iter().enumerate() {
-        // One that cannot be read is what its rows say.
+        // If it cannot be read, its rows report this.
         let digest = digest_of(file).unwrap_or_else(|_| "none".to_owned());
         let name = file.file_name().unwrap_or_default();
         let _ = writeln!(text, "hand {} {name:?}: {digest}", i + 1);
@@ -218,7 +218,7 @@ fn inputs(plan: &Plan, shard: Shard, header: &[u8]) -> String {
     text
 }
 
-/// The digest of a file that can be long.
+/// The digest of a file, which may be long.
 fn digest_of(file: &Path) -> Result<String, String> {
     let mut file = stiction_text::open(file, HandPath::LONGEST)?;
     let mut digest = Sha256::new();

@@ -1,5 +1,5 @@
-//! The trace: one record per hand frame, as JSON Lines or CSV, every number with the fewest digits that read back to the
-//! same value of the number type. It is written beside its place and moved there when it is whole.
+//! The trace: one record per hand frame, as JSON Lines or CSV, every number with the fewest digits that read back to the same
+//! value of the number type. It is written to a temporary file next to its destination and moved there when it is complete.
 
 mod table;
 
@@ -48,10 +48,10 @@ pub struct TraceWriter {
 }
 
 impl TraceWriter {
-    /// Begins the trace of `run` that is to stand at `place`.
+    /// Begins the trace of `run` with the destination `place`.
     ///
     /// # Errors
-    /// The folder of `place` cannot be written to.
+    /// Fails if the folder of `place` cannot be written to.
     pub fn create(place: &Path, format: Format, run: &Run) -> io::Result<Self> {
         let file = part(place)?;
         let writer = match format {
@@ -75,7 +75,7 @@ impl TraceWriter {
     /// Adds a frame.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let record = Record::new(frame, &self.scenery, self.single);
         match &mut self.writer {
@@ -87,15 +87,15 @@ impl TraceWriter {
         }
     }
 
-    /// From here on the frames are of another run of the same body.
+    /// From here on, the frames belong to another run of the same body.
     pub(crate) fn change(&mut self, run: &Run) {
         (self.scenery, self.single) = (run.scenery(), run.number.is_single());
     }
 
-    /// Puts the whole trace in its place.
+    /// Moves the complete trace to its destination.
     ///
     /// # Errors
-    /// The file cannot be written or moved.
+    /// Fails if the file cannot be written or moved.
     pub fn finish(self) -> io::Result<()> {
         let file = match self.writer {
             Writer::JsonLines(writer) => {

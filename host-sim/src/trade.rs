@@ -1,5 +1,5 @@
-//! `stiction trade`: how exact every setting of the solver is and what it costs, over a suite of scenes. From the suite to a
-//! table, CSV, JSON, pictures and a recommendation:
+//! `stiction trade`: accuracy and cost of every setting of the solver, over a suite of scenes. From the suite to a table, CSV,
+//! JSON, pictures and a recommendation:
 //!
 //! ```text
 //! suite ─ reference ─ measure (accuracy, cost) ─┬ rows ─┬─ table, report
@@ -70,13 +70,13 @@ pub struct TradeArgs {
     readme: Vec<PathBuf>,
 }
 
-/// Why there are no results.
+/// The reason why there are no results.
 #[derive(Debug, thiserror::Error)]
 pub enum TradeError {
     /// The hand's path cannot be used, or a scene is refused.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// An emulated chip cannot be had, or does not do its job.
+    /// An emulated chip is not available, or fails.
     #[error(transparent)]
     Emulator(#[from] EmulatorError),
     /// A result would replace the hand's path, or another result.
@@ -87,7 +87,7 @@ pub enum TradeError {
     Write {
         /// The folder or file.
         place: PathBuf,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
     /// The pictures' folder is not below that of the README.
@@ -107,14 +107,14 @@ pub enum TradeError {
 }
 
 impl TradeError {
-    /// That a place cannot be written, and why.
+    /// The message that a place cannot be written, and why.
     fn write(place: &Path) -> impl FnOnce(io::Error) -> Self {
         let place = place.to_owned();
         |error| Self::Write { place, error }
     }
 }
 
-/// The files of the results, beside the pictures.
+/// The files of the results, except the pictures.
 const TABLE: &str = "trade.csv";
 const DATA: &str = "trade.json";
 
@@ -128,7 +128,7 @@ fn results(out: &Path) -> Vec<PathBuf> {
 /// Measures the suite and writes all results.
 ///
 /// # Errors
-/// [`TradeError`]; before anything is measured where that can be known.
+/// [`TradeError`]; before any measurement if possible.
 pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     let results = results(&args.out).into_iter().map(|file| ("--out", file));
     let readmes = args.readme.iter().map(|file| ("--readme", file.clone()));
@@ -174,7 +174,7 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     Ok(())
 }
 
-/// Counts on emulated chips behind a progress bar.
+/// Counts on emulated chips, with a progress bar.
 fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
     Board::require_all(&Chip::ALL.map(Chip::board))?;
     let bar = measuring("emulated chips", emulated::extent() as u64);
@@ -186,7 +186,7 @@ fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
     Ok(counts)
 }
 
-/// Measures the suite behind a progress bar.
+/// Measures the suite, with a progress bar.
 fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
     let bar = measuring("scenes on this computer", suite.frame_count() as u64);
     let rows = measure(suite, |case| {

@@ -1,14 +1,14 @@
-//! `stiction view`: the solver in real time, with a page, a socket and UDP around it, as `host-sim/VIEW.md` says.
+//! `stiction view`: the solver in real time with a page, a socket and UDP, as described in `host-sim/VIEW.md`.
 //!
 //! ```text
 //! page, programs ═ doors ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
 //! trackers ═ outward ───────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
-//!                                                ├─ stiction-live: the solver, the reference beside it, the hand
+//!                                                ├─ stiction-live: the solver, the parallel reference, the hand
 //!                                                ├─ remote, answers, mirror: a board instead of the solver
 //!                                                └─ recording, recorder, shelf, resume
 //! ```
 //!
-//! The engine has a thread of its own and waits for nobody. While it records, every tick is in the file before anybody sees it.
+//! The engine has a thread of its own and waits for nobody. During a recording, every tick is in the file before anybody sees it.
 
 mod answers;
 mod change;
@@ -68,15 +68,15 @@ use remote::Remote;
 use server::Hub;
 use shelf::Shelf;
 
-/// The scene where none is named.
+/// The default scene.
 const SCENE: &str = "box-flat";
-/// Orders that wait for the solver.
+/// Maximum number of orders that wait for the solver.
 const ORDERS: usize = 1024;
-/// Lines that wait for the terminal: whoever records more often than it shows is not told of each.
+/// Maximum number of lines that wait for the terminal: of recordings that begin faster than it prints, some are not reported.
 const NOTES: usize = 64;
-/// Ctrl-C is looked for so often.
+/// Interval of the checks for Ctrl-C.
 const BREATH: Duration = Duration::from_millis(50);
-/// Connections may end by themselves for so long.
+/// Time that connections have to end by themselves.
 const FAREWELL: Duration = Duration::from_secs(1);
 
 /// The arguments of `stiction view`.
@@ -132,40 +132,40 @@ fn parse_pose_rate(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Why there is nothing to view.
+/// The reason why there is nothing to view.
 #[derive(Debug, thiserror::Error)]
 pub enum ViewError {
     /// The scene or the hand's path cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The solver does not take the scene.
+    /// The solver rejects the scene.
     #[error("{0}")]
     Scene(String),
     /// An address cannot be used.
     #[error("{address}: {error}")]
     Address {
-        /// As it was given.
+        /// The address as given.
         address: String,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
-    /// Poses cannot be sent there.
+    /// Poses cannot be sent to this address.
     #[error("{option} {address}: {error}, allowed: HOST:PORT, the port from 1 to 65535")]
     Renderer {
         /// `--osc` or `--opentrack`.
         option: &'static str,
-        /// As it was given.
+        /// The address as given.
         address: String,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
-    /// The system does not give what a server needs.
+    /// The system refuses a resource that the server needs.
     #[error(transparent)]
     System(#[from] io::Error),
     /// The board cannot be used, or refuses the scene.
     #[error(transparent)]
     Board(#[from] BoardError),
-    /// The solver ended: a board is gone for good, or its thread broke.
+    /// The solver ended: a board will not come back, or its thread failed.
     #[error("{0}")]
     Solver(String),
 }
@@ -173,7 +173,7 @@ pub enum ViewError {
 /// Serves until Ctrl-C.
 ///
 /// # Errors
-/// Input that cannot be used, an address that cannot be listened to.
+/// Fails if the input cannot be used, or an address cannot be listened to.
 pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (notes, told) = std::sync::mpsc::sync_channel(NOTES);
@@ -236,7 +236,7 @@ fn prepared(
     records: (Shelf, SyncSender<String>),
 ) -> Result<(Engine, Arc<Feed>), ViewError> {
     let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
-    // Said with the key and the line.
+    // This error names the key and the line.
     match args.connect.is_wanted() {
         true => without_obstacles(&stage.scene)?,
         false => check(&stage.scene)?,
@@ -284,7 +284,7 @@ fn own_file(scene: &Path) -> Option<&Path> {
     (!is_bundled).then_some(scene)
 }
 
-/// Says where it is, and who has the solver.
+/// Prints the address of the page, and where the solver runs.
 fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     let what = match args.headless {
         true => format!("ws://{place}/ws"),
@@ -296,16 +296,16 @@ fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     report::print(&format!("{what}   Ctrl-C ends it\n{board}"));
 }
 
-/// What is looked after while clients are served.
+/// State of the main thread while clients are served.
 struct Watched<'a> {
-    /// Tells all that it ends.
+    /// Signals the end to all tasks.
     stopper: watch::Sender<bool>,
     solver: &'a JoinHandle<Result<(), String>>,
-    /// What the solver has for the terminal.
+    /// The solver's messages for the terminal.
     told: &'a Receiver<String>,
 }
 
-/// Until Ctrl-C, or until the solver is gone.
+/// Runs until Ctrl-C, or until the solver ends.
 async fn serve(
     args: &ViewArgs,
     listener: TcpListener,

@@ -1,4 +1,4 @@
-//! Where the board is: on a serial port, a unix socket, a tcp port, or in an emulator of its own.
+//! The connection to a board: on a serial port, a unix socket, a tcp port, or in an emulator of its own.
 
 use std::fmt;
 use std::io::ErrorKind;
@@ -31,7 +31,7 @@ pub struct ConnectArgs {
     timeout: Duration,
 }
 
-/// The group of arguments of which a program that cannot do without a board requires one.
+/// The group of arguments of which a program that needs a board requires one.
 pub(crate) const PLACE: &str = "place";
 
 /// One of these.
@@ -61,7 +61,7 @@ fn parse_timeout(text: &str) -> Result<Duration, String> {
 }
 
 impl ConnectArgs {
-    /// There is to be a board.
+    /// Returns whether a board is requested.
     pub(crate) const fn is_wanted(&self) -> bool {
         let place = &self.place;
         place.port.is_some()
@@ -70,7 +70,7 @@ impl ConnectArgs {
             || place.emulate.is_some()
     }
 
-    /// The place; builds and starts the emulator where one is wanted.
+    /// The address of the board; builds and starts the emulator if one is requested.
     pub(super) fn address(&self, image: Image<'_>) -> Result<Address, BoardError> {
         let place = self.place.clone();
         Ok(match (place.port, place.socket, place.tcp) {
@@ -92,11 +92,11 @@ impl ConnectArgs {
     }
 }
 
-/// Where the board is.
+/// The address of the board.
 #[derive(Debug)]
 pub(super) enum Address {
     Port(PathBuf, u32),
-    /// Found on USB, and there again wherever it is plugged in.
+    /// Found on USB, and found again at whatever port it is plugged in.
     Usb(Port, u32),
     Socket(PathBuf),
     Tcp(String),
@@ -104,7 +104,7 @@ pub(super) enum Address {
 }
 
 impl Address {
-    /// A new line to the board.
+    /// Opens a new connection to the board.
     pub(super) fn open(&mut self) -> Result<Link, BoardError> {
         let opened = match self {
             Self::Port(place, baud) => Link::port(place, *baud),

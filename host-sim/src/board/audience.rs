@@ -1,4 +1,4 @@
-//! Who follows a stream: the console with a trace, or a program that shows the board.
+//! The audience of a stream: the console with a trace, or a program that displays the board.
 
 use std::time::Duration;
 
@@ -10,9 +10,9 @@ use super::print::Screen;
 use crate::files::Files;
 use crate::record::Frame;
 
-/// Is told how a stream goes.
+/// Receives the progress of a stream.
 pub(super) trait Audience {
-    /// The answer to a sample, so long after it was sent; none where a part of it is missing.
+    /// The answer to a sample, with the latency since it was sent; none if a part of it is missing.
     fn frame(
         &mut self,
         sample: &Sample,
@@ -20,26 +20,26 @@ pub(super) trait Audience {
         latency: Duration,
     ) -> Result<(), BoardError>;
 
-    /// A sample that none will answer.
+    /// A sample that will not be answered.
     fn lost(&mut self, sample: &Sample) -> Result<(), BoardError>;
 
     /// The counts, often.
     fn counts(&mut self, counts: &Counts);
 
-    /// Something worth a line to the user.
+    /// A message for the user, one line.
     fn note(&mut self, text: &str);
 
-    /// The board is gone.
+    /// The board is disconnected.
     fn gone(&mut self);
 
-    /// It is back, at the start of its scene.
+    /// The board is connected again, at the start of its scene.
     fn back(&mut self);
 
-    /// What became of a wish. An error that does not let the stream go on is given back.
+    /// The result of a wish. Returns an error that must end the stream.
     fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError>;
 }
 
-/// A line on the screen, a trace and a recording where they are wanted.
+/// A line on the screen, with a trace and a recording if requested.
 #[derive(Debug)]
 pub(super) struct Console {
     pub(super) screen: Screen,

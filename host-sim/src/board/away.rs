@@ -1,4 +1,4 @@
-//! A board that went away is looked for, and begins anew.
+//! Searches for a disconnected board, and begins again with it.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,13 +11,13 @@ use super::steps::Steps;
 use super::stream::Stream;
 use crate::stop;
 
-/// A board that went away is looked for so often.
+/// Interval of the search for a disconnected board.
 const RETRY: Duration = Duration::from_secs(1);
-/// Ctrl-C is looked for so often meanwhile.
+/// Interval of the checks for Ctrl-C meanwhile.
 const BREATH: Duration = Duration::from_millis(50);
 
 impl<A: Audience> Stream<'_, A> {
-    /// Looks for a board that went away; what is due meanwhile is lost.
+    /// Searches for a disconnected board; samples due meanwhile are lost.
     pub(super) fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
         self.audience
             .note(&format!("{error}; looking for the board once a second"));
@@ -63,7 +63,7 @@ impl<A: Audience> Stream<'_, A> {
         Ok(session)
     }
 
-    /// Samples that were due while there was no board.
+    /// Skips the samples that were due while there was no board.
     fn skip_missed(&mut self) {
         let now = Instant::now();
         let mut of_lines = Vec::new();
@@ -74,7 +74,7 @@ impl<A: Audience> Stream<'_, A> {
                 News::Enough => self.feed.end(),
                 News::Wish(_) => {
                     let refusal = "the board is not connected, allowed: when it is back";
-                    // Which is no reason to end.
+                    // Not a reason to end.
                     let _ = self
                         .audience
                         .answer(Err(BoardError::Refused(refusal.to_owned())));

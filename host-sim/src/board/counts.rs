@@ -1,4 +1,4 @@
-//! What became of the samples: answered, late, lost; and what the board counts.
+//! Counts of the samples: answered, late, lost; and the counts of the board.
 
 use std::time::Instant;
 
@@ -11,49 +11,49 @@ use super::latency::Latency;
 pub(super) struct Counts {
     /// Samples that were due.
     pub(super) samples: u64,
-    /// Samples that a pose followed.
+    /// Samples that were followed by a pose.
     pub(super) poses: u64,
-    /// Of these, the ones of whose answer a part did not come: they are not in the trace.
+    /// Of these, samples whose answer is missing a part: they are not in the trace.
     pub(super) incomplete: u64,
-    /// Samples that no pose followed: late or lost.
+    /// Samples that were not followed by a pose: late or lost.
     pub(super) unanswered: u64,
-    /// Of these, the ones that were never sent, because a newer one was there.
+    /// Of these, samples that were never sent because a newer one was available.
     pub(super) overtaken: u64,
-    /// Frames of the board that were garbled.
+    /// Garbled frames of the board.
     pub(super) faults: u64,
     pub(super) latency: Latency,
     /// When the first sample was sent.
     pub(super) begun: Option<Instant>,
     /// Late samples of sessions that have ended.
     late_before: u64,
-    /// How the board fared when the session began, and when it last said so.
+    /// The board's health at the beginning of the session, and in its latest report.
     health: Option<(Health, Health)>,
-    /// Unanswered samples at that moment.
+    /// Unanswered samples at the time of that report.
     unanswered_then: u64,
 }
 
 impl Counts {
-    /// So many samples were overtaken by newer ones before they were sent.
+    /// Adds `count` samples that were overtaken by newer ones before they were sent.
     pub(super) fn overtake(&mut self, count: u64) {
         self.samples += count;
         self.unanswered += count;
         self.overtaken += count;
     }
 
-    /// A session begins.
+    /// Begins a session.
     pub(super) fn begin(&mut self, health: Option<Health>) {
         self.late_before = self.late() - self.overtaken;
         self.health = health.map(|health| (health, health));
     }
 
-    /// The board says how it fares.
+    /// Stores the board's report of its health.
     pub(super) fn note(&mut self, health: Health) {
         let (first, _) = self.health.unwrap_or((health, health));
         self.health = Some((first, health));
         self.unanswered_then = self.unanswered;
     }
 
-    /// Samples that a newer one overtook, here or before the board made a step with them.
+    /// Samples that were overtaken by a newer one, here or before the board made a step with them.
     pub(super) fn late(&self) -> u64 {
         let now = self.health.map_or(0, |(first, last)| {
             u64::from(last.late_samples.saturating_sub(first.late_samples))
@@ -61,7 +61,7 @@ impl Counts {
         self.late_before + now + self.overtaken
     }
 
-    /// Samples that did not reach the board, or whose poses did not come back.
+    /// Samples that did not reach the board, or whose poses did not return.
     pub(super) fn lost(&self) -> u64 {
         let unanswered = match self.health {
             Some(_) => self.unanswered_then,
@@ -70,12 +70,12 @@ impl Counts {
         unanswered.saturating_sub(self.late())
     }
 
-    /// The last word of the board.
+    /// The latest report of the board.
     pub(super) fn health(&self) -> Option<&Health> {
         self.health.as_ref().map(|(_, last)| last)
     }
 
-    /// The stream is over: what is unanswered stays so.
+    /// The stream has ended: unanswered samples remain unanswered.
     pub(super) fn end(&mut self) {
         self.unanswered_then = self.unanswered;
     }

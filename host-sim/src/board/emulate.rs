@@ -1,4 +1,4 @@
-//! An emulated board: its image is built, the emulator started, and ended with this value.
+//! An emulated board: builds its image, starts the emulator, and ends it when this value is dropped.
 
 use std::fs;
 use std::thread;
@@ -12,7 +12,7 @@ use super::link::Link;
 use crate::progress::Activity;
 use crate::stop;
 
-/// The emulator opens its socket at once, or not at all.
+/// The emulator opens its socket quickly, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
 
 /// A board that can be emulated.
@@ -46,18 +46,18 @@ impl EmulatedBoard {
         self.board().name
     }
 
-    /// What it is emulated by.
+    /// The emulator of the board.
     pub(super) const fn emulator(self) -> &'static str {
         self.board().emulator()
     }
 }
 
-/// Which image an emulated board runs.
+/// The image that an emulated board runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Image<'a> {
-    /// That of every board.
+    /// The image for every board.
     Plain,
-    /// For this scene file, which has obstacles.
+    /// The image for this scene file, which has obstacles.
     Obstacles(&'a str),
 }
 
@@ -86,7 +86,7 @@ impl Emulator {
             }
         };
         building.end();
-        // Its clock goes with the real one.
+        // Its clock follows the real one.
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.
         let started = Started::start(board.board(), &image, "shift=auto", true)?;
         Ok(Self { board, started })
@@ -96,7 +96,7 @@ impl Emulator {
         self.board
     }
 
-    /// A line to the board.
+    /// Opens a line to the board.
     pub(super) fn open(&mut self) -> Result<Link, EmulatorError> {
         let begun = Instant::now();
         loop {

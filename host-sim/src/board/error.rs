@@ -1,4 +1,4 @@
-//! Why a board could not be worked with.
+//! The errors of working with a board.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use stiction_tools::process::EmulatorError;
 
 use crate::files::WriteError;
 
-/// Why a board could not be worked with.
+/// The reason why working with a board failed.
 #[derive(Debug, thiserror::Error)]
 pub enum BoardError {
     /// The scene or the hand's path cannot be used.
@@ -20,24 +20,24 @@ pub enum BoardError {
     /// The emulated board cannot be built or started.
     #[error(transparent)]
     Emulator(#[from] EmulatorError),
-    /// There is no board, or it went away.
+    /// There is no board, or it was disconnected.
     #[error("{address}: {problem}")]
     Gone {
-        /// Where the board was looked for.
+        /// Where the board was expected.
         address: String,
-        /// What the system says.
+        /// The system's message.
         problem: String,
     },
-    /// Nothing came in time.
+    /// Nothing arrived in time.
     #[error("{address}: no {what} within {seconds} s; {came}")]
     Silent {
         /// Where the board is.
         address: String,
-        /// What was waited for.
+        /// What was expected.
         what: String,
-        /// So long.
+        /// The time that it was waited for.
         seconds: f64,
-        /// What came instead.
+        /// What arrived instead.
         came: String,
     },
     /// Another version of the wire format.
@@ -48,7 +48,7 @@ pub enum BoardError {
     /// The board refuses a command, or the scene is too large for it.
     #[error("{0}")]
     Refused(String),
-    /// The tracker is not there, or went away.
+    /// The tracker is missing, or was disconnected.
     #[error("tracker {}: {problem}", place.display())]
     Tracker {
         /// Its port.
@@ -56,13 +56,13 @@ pub enum BoardError {
         /// What is wrong.
         problem: String,
     },
-    /// The user ended it.
+    /// The user ended the operation.
     #[error("ended before the board was ready")]
     Stopped,
 }
 
 impl BoardError {
-    /// The board may come back.
+    /// Returns whether the board may come back.
     pub(super) const fn may_pass(&self) -> bool {
         matches!(self, Self::Gone { .. } | Self::Silent { .. })
     }

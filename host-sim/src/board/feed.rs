@@ -1,4 +1,4 @@
-//! Where samples come from, in real time: a path, or the tracker as it goes.
+//! The source of samples, in real time: a path, or the live tracker.
 
 use stiction_scene::Sample;
 
@@ -6,23 +6,23 @@ use std::collections::VecDeque;
 use std::iter::Peekable;
 use std::time::{Duration, Instant};
 
-/// Samples that wait for the line: an older hand is of no use.
+/// Maximum number of samples that wait for the line: an older hand is useless.
 const MOST_WAITING: usize = 2;
-/// Samples of a tracker, of which each counts, that wait for the line: half a minute of them.
+/// Maximum number of samples that wait for the line if each counts, as those of a tracker: half a minute of them.
 const MOST_TRACKED: usize = 4096;
 
 /// Samples in real time.
 pub(super) enum Feed<'a> {
-    /// A path, whose first sample is due at once.
+    /// A path, whose first sample is due immediately.
     Path {
         rest: Peekable<Box<dyn Iterator<Item = Sample> + Send + 'a>>,
         /// When it began, and the time of its first sample.
         begun: Option<(Instant, f64)>,
     },
-    /// Samples as they come.
+    /// Samples as they arrive.
     Live {
         waiting: VecDeque<Sample>,
-        /// So many may wait for the line.
+        /// The number of samples that may wait for the line.
         most: usize,
         ended: bool,
     },
@@ -45,7 +45,7 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// As they come; those that the line has no time for are overtaken by newer ones.
+    /// Samples as they arrive; those that the line has no time for are overtaken by newer ones.
     pub(super) const fn newest() -> Self {
         Self::Live {
             waiting: VecDeque::new(),
@@ -54,7 +54,7 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// When the next sample is due; nothing where that is not known.
+    /// Returns when the next sample is due; nothing if this is unknown.
     pub(super) fn next_due(&mut self, now: Instant) -> Option<Instant> {
         match self {
             Self::Path { rest, begun } => {
@@ -66,7 +66,7 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// The next sample, if it is due.
+    /// Returns the next sample, if it is due.
     pub(super) fn take(&mut self, now: Instant) -> Option<Sample> {
         if self.next_due(now)? > now {
             return None;
@@ -77,7 +77,7 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// A sample as it comes. Whether the oldest one that waits is overtaken.
+    /// Adds a sample that has arrived. Returns whether the oldest waiting one is overtaken.
     pub(super) fn push(&mut self, sample: Sample) -> bool {
         let Self::Live { waiting, most, .. } = self else {
             return false;
@@ -90,19 +90,19 @@ impl<'a> Feed<'a> {
         is_overtaken
     }
 
-    /// A newer sample is better than every sample.
+    /// Returns whether only the newest sample matters, not every sample.
     pub(super) const fn is_hasty(&self) -> bool {
         matches!(self, Self::Live { most, .. } if *most == MOST_WAITING)
     }
 
-    /// Drops what was not sent yet.
+    /// Drops the samples that were not sent yet.
     pub(super) fn drop_waiting(&mut self) {
         if let Self::Live { waiting, .. } = self {
             waiting.clear();
         }
     }
 
-    /// There are no more samples.
+    /// Returns whether there are no more samples.
     pub(super) fn is_over(&mut self) -> bool {
         match self {
             Self::Path { rest, .. } => rest.peek().is_none(),
@@ -110,14 +110,14 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// The tracker is gone: what came of it is still to be sent.
+    /// The tracker is disconnected: the samples that it delivered are still to be sent.
     pub(super) fn close(&mut self) {
         if let Self::Live { ended, .. } = self {
             *ended = true;
         }
     }
 
-    /// Ends where it is.
+    /// Ends immediately; drops the remaining samples.
     pub(super) fn end(&mut self) {
         match self {
             Self::Path { rest, .. } => {

@@ -1,4 +1,4 @@
-//! Samples that are on their way: which one a pose answers, and which ones none will answer any more.
+//! Samples on their way to the board: which of them a pose answers, and which will no longer be answered.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -9,7 +9,7 @@ use stiction_scene::Sample;
 
 use super::verify::Expected;
 
-/// Sequence numbers repeat after 256: an older sample can no longer be told from a newer one.
+/// Sequence numbers repeat after 256: from there on, an older sample cannot be distinguished from a newer one.
 const MOST: usize = 128;
 
 /// A sample that was sent.
@@ -17,13 +17,13 @@ const MOST: usize = 128;
 pub(super) struct Sent {
     /// The sequence number of its frame.
     pub(super) number: u8,
-    /// Which sample it is, from 0.
+    /// The index of the sample, from 0.
     pub(super) index: u64,
     pub(super) sample: Sample,
     /// The sample as it was sent.
     pub(super) hand: Hand<f32>,
     pub(super) at: Instant,
-    /// What the host's solver makes of it, where that is wanted.
+    /// The result of the host's solver, if it is compared.
     pub(super) expected: Option<Box<Expected>>,
 }
 
@@ -34,17 +34,17 @@ pub(super) struct Flight {
 }
 
 impl Flight {
-    /// Adds one. Those that are too old to be answered.
+    /// Adds a sample. Returns those that are too old to be answered.
     pub(super) fn add(&mut self, sent: Sent) -> Vec<Sent> {
         self.waiting.push_back(sent);
         let beyond = self.waiting.len().saturating_sub(MOST);
         self.waiting.drain(..beyond).collect()
     }
 
-    /// The sample that a pose answers first, and the ones before it, which it overtakes.
+    /// Returns the sample that a pose answers first, and the earlier ones, which it overtakes.
     pub(super) fn answer(&mut self, pose: &Pose) -> Option<(Sent, Vec<Sent>)> {
         let place = self.waiting.iter().position(|sent| {
-            // A pose that is held for want of samples repeats the number of one of before.
+            // A pose that is repeated because no samples arrive has the number of an earlier one.
             let held = pose.status == Status::HeldLast && sent.hand.is_finite();
             sent.number == pose.sample && !held
         })?;
@@ -53,17 +53,17 @@ impl Flight {
         Some((answered, overtaken))
     }
 
-    /// How many there are.
+    /// The number of samples on their way.
     pub(super) fn len(&self) -> usize {
         self.waiting.len()
     }
 
-    /// When the oldest one will have waited for so long.
+    /// Returns when the oldest one will have waited for this duration.
     pub(super) fn overdue(&self, patience: Duration) -> Option<Instant> {
         self.waiting.front().map(|sent| sent.at + patience)
     }
 
-    /// No pose will answer them.
+    /// Returns the samples; no pose will answer them.
     pub(super) fn give_up(&mut self) -> Vec<Sent> {
         self.waiting.drain(..).collect()
     }

@@ -1,4 +1,4 @@
-//! What a board said, kept beyond the decoder's buffer.
+//! The messages of a board, in a form that outlives the decoder's buffer.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use stiction_core::{Contact, Event, Touch, Wrench};
 /// A frame from the board.
 #[derive(Clone, Debug)]
 pub(super) struct Heard {
-    /// Its last byte came then.
+    /// Arrival time of its last byte.
     pub(super) at: Instant,
     /// The board's clock (µs).
     pub(super) time: u32,
@@ -27,13 +27,13 @@ pub(super) enum Said {
     Answer(Answer),
     About(About),
     Health(Health),
-    /// Before what the board says about itself.
+    /// Precedes the board's description of itself.
     Room(Room),
     /// The answer to a ping.
     Pong,
 }
 
-/// [`stiction_core::frame::Forces`] without what the board gives to the hand, which its limits decide.
+/// [`stiction_core::frame::Forces`] without the wrench that the board applies to the hand, which depends on its limits.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Forces {
     pub(super) wrench: Wrench<f32>,
@@ -92,7 +92,7 @@ pub(super) struct Events {
 }
 
 impl Events {
-    /// These, and later ones, of which no more than `most` are listed.
+    /// These events and later ones, of which at most `most` are listed.
     pub(super) fn merge(&mut self, later: Self, most: usize) {
         self.slips = self.slips.saturating_add(later.slips);
         self.longest_slip = self.longest_slip.max(later.longest_slip);
@@ -112,7 +112,7 @@ pub(super) struct Answer {
     pub(super) allowed: String,
 }
 
-/// [`stiction_core::frame::Info`], and the room that was said before it.
+/// [`stiction_core::frame::Info`], and the room that was reported before it.
 #[derive(Clone, Debug)]
 pub(super) struct About {
     pub(super) name: String,
@@ -120,7 +120,7 @@ pub(super) struct About {
     pub(super) number: NumberType,
     pub(super) vertices: u8,
     pub(super) surfaces: u8,
-    /// None where the board said nothing of it.
+    /// None if the board did not report it.
     pub(super) room: Room,
     pub(super) friction: bool,
     pub(super) weight: bool,

@@ -1,4 +1,4 @@
-//! What a board says about itself, as a table.
+//! A board's description of itself, as a table.
 
 use stiction_core::frame::{FaultKind, Health, Mode};
 use stiction_core::{Axis, Solver};
@@ -6,7 +6,7 @@ use stiction_core::{Axis, Solver};
 use super::heard::About;
 use super::print::table;
 
-/// What it is and how it works.
+/// The board's identity and settings.
 pub(super) fn about(about: &About) -> String {
     let [major, minor, patch] = about.version;
     let parts = match (about.friction, about.weight) {
@@ -66,7 +66,7 @@ fn obstacles(about: &About) -> String {
     }
 }
 
-/// Where it has no room for the piece of work that takes most, it says so. That is the same in every number type.
+/// A note if the budget is too small for the largest piece of work. That piece is the same in every number type.
 fn budget(about: &About) -> String {
     let least = match about.surfaces {
         0 | 1 if about.room.obstacles == 0 => Solver::<f32, 1, 1>::LEAST_BUDGET,
@@ -126,7 +126,7 @@ fn axis(axis: Axis) -> String {
     format!("{sign}{letter}")
 }
 
-/// How it fares.
+/// The board's health.
 pub(super) fn health(health: &Health) -> String {
     let faults: Vec<String> = FaultKind::ALL
         .iter()

@@ -1,4 +1,4 @@
-//! How long it takes from a sample to the pose that follows it: a histogram of fixed size, however long it is filled.
+//! The latency from a sample to the pose that follows it: a histogram of fixed size, independent of the duration.
 
 use std::time::Duration;
 
@@ -32,7 +32,7 @@ impl Latency {
         self.worst = self.worst.max(latency);
     }
 
-    /// The latency (ms) that this part of all is below: the upper end of its bin. Nothing without any.
+    /// The latency (ms) that bounds this fraction of all samples: the upper end of its bin. Nothing without any samples.
     pub(super) fn quantile(&self, part: f64) -> Option<f64> {
         let wanted = (part * self.count as f64).ceil() as u64;
         let mut below = 0;
@@ -43,7 +43,7 @@ impl Latency {
         Some(1e3 * (bin + 1) as f64 / PER_SECOND)
     }
 
-    /// The worst one (ms).
+    /// The largest latency (ms).
     pub(super) fn worst(&self) -> f64 {
         1e3 * self.worst.as_secs_f64()
     }

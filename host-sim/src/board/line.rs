@@ -1,4 +1,4 @@
-//! Frames over a link: commands out, what the board says in, and what was lost or garbled on the way.
+//! Frames over a link: commands out, the board's messages in, and counts of lost and garbled frames.
 
 use std::time::Instant;
 
@@ -15,7 +15,7 @@ const LONGEST_REPORT: usize = frame_bytes(7200);
 /// Room for the longest command: a scene of 255 vertices, surfaces, obstacles and corners of these.
 const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255) + obstacle_bytes(255, 255));
 
-/// A link that carries frames.
+/// A link that transfers frames.
 #[derive(Debug)]
 pub(super) struct Line {
     open: Open,
@@ -25,16 +25,16 @@ pub(super) struct Line {
     order: Sequence,
     /// Frames of the board that did not arrive.
     pub(super) lost: u64,
-    /// Bytes that came.
+    /// Received bytes.
     pub(super) bytes: u64,
-    /// Frames that came.
+    /// Received frames.
     pub(super) frames: u64,
-    /// Frames of the other direction that came: the line sends back what is sent.
+    /// Received frames of the other direction: the line echoes what is sent.
     pub(super) echoes: u64,
 }
 
 impl Line {
-    /// `begun`: zero of the clock that goes into the frames.
+    /// `begun`: zero of the clock that is written to the frames.
     pub(super) fn new(open: Open, begun: Instant) -> Self {
         Self {
             open,
@@ -62,18 +62,18 @@ impl Line {
         self.decoder.faults()
     }
 
-    /// A 0 before the first frame: noise before it is no part of it.
+    /// A 0 before the first frame separates it from preceding noise.
     pub(super) fn wake(&mut self) -> Result<(), String> {
         self.open.write(&[0])
     }
 
-    /// Sends a command; its sequence number.
+    /// Sends a command; returns its sequence number.
     pub(super) fn send(&mut self, message: CommandAmong<'_>) -> Result<u8, String> {
         let number = self.sequence;
         self.sequence = number.wrapping_add(1);
         let frame = Frame {
             sequence: number,
-            // Wraps as the format says.
+            // Wraps as the format specifies.
             time: self.begun.elapsed().as_micros() as u32,
             message,
         };
@@ -84,7 +84,7 @@ impl Line {
         }
     }
 
-    /// What these bytes say.
+    /// Decodes these bytes.
     pub(super) fn hear(&mut self, at: Instant, bytes: &[u8]) -> Vec<Heard> {
         let mut heard = Vec::new();
         self.bytes += bytes.len() as u64;
@@ -110,7 +110,7 @@ impl Line {
         heard
     }
 
-    /// What came, where nothing that was waited for did.
+    /// Describes what arrived if the expected message did not.
     pub(super) fn what_came(&self) -> String {
         if self.frames > 0 {
             return format!("{} frames came, none of them that", self.frames);

@@ -1,5 +1,5 @@
-//! A serial port, a unix socket or a tcp connection as one thing that is written to, while a thread reads it. What was read and
-//! not yet looked at is bounded: a board that says more waits, and the system holds it back or drops what it says.
+//! A serial port, a unix socket or a tcp connection with one interface: it is written directly and read by a thread. Bytes that
+//! were read but not yet processed are bounded: the system holds back or drops what a board sends beyond that.
 
 use std::io::{self, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
@@ -18,19 +18,19 @@ use stiction_scene::Sample;
 use super::error::BoardError;
 use super::wish::Wish;
 
-/// A reader looks so often whether it is still wanted.
+/// Interval at which a reader checks whether it is still needed.
 const BREATH: Duration = Duration::from_millis(50);
-/// A line that takes no bytes, or is not there, for so long is gone.
+/// A line that accepts no bytes, or is missing, for this duration counts as disconnected.
 const STUCK: Duration = Duration::from_secs(1);
 
-/// A reader takes so many bytes at once.
+/// Maximum number of bytes per reading.
 const AT_ONCE: usize = 4096;
-/// So many of its readings wait to be looked at, 256 KiB at most: a second of the fastest line, 2 Mbaud.
+/// Maximum number of unprocessed readings, 256 KiB at most: a second of the fastest line, 2 Mbaud.
 const MOST_WAITING: usize = 64;
-/// Whether there is room for more is looked at so often.
+/// Interval at which a reader checks whether there is room for more.
 const PAUSE: Duration = Duration::from_millis(1);
 
-/// Bytes that were read, and when they came; counted until they are looked at.
+/// Bytes that were read, with their time; counted until they are processed.
 #[derive(Debug)]
 pub(super) struct Reading {
     pub(super) at: Instant,
@@ -44,20 +44,20 @@ impl Drop for Reading {
     }
 }
 
-/// What reaches the main thread.
+/// The messages to the main thread.
 #[derive(Debug)]
 pub(super) enum News {
-    /// What was read from a link, by its number.
+    /// Bytes that were read from a link, by its number.
     Bytes(u32, Reading),
-    /// A link is gone, and why.
+    /// A link was disconnected, and why.
     Gone(u32, String),
     /// A sample of the tracker.
     Sample(Sample),
-    /// The tracker is gone, and why.
+    /// The tracker was disconnected, and why.
     NoTracker(BoardError),
-    /// The board is to work in another way.
+    /// A request to change the board's settings.
     Wish(Wish),
-    /// No more of the board is wanted.
+    /// The board is no longer needed.
     Enough,
 }
 
@@ -76,7 +76,7 @@ impl Link {
         let mut port = SerialPort::open(place, baud)?;
         port.set_read_timeout(BREATH)?;
         port.set_write_timeout(STUCK)?;
-        // What came before is of another session.
+        // Earlier bytes belong to another session.
         port.discard_buffers()?;
         Ok(Self::Port(port))
     }
@@ -106,7 +106,7 @@ impl Link {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// A unix socket where there is one, otherwise a serial port.
+    /// A unix socket if there is one, otherwise a serial port.
     pub(super) fn port_or_socket(place: &Path, baud: u32) -> io::Result<Self> {
         #[cfg(unix)]
         {
@@ -127,7 +127,7 @@ impl Link {
         }
     }
 
-    /// What has come; nothing after a while. An end is an error.
+    /// Returns the bytes that have arrived; nothing after a while. An end is an error.
     pub(super) fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         let result = match self {
             Self::Port(port) => port.read(bytes),
@@ -166,7 +166,7 @@ pub(super) struct Open {
 }
 
 impl Open {
-    /// Begins to read; the news carry `number`.
+    /// Begins to read; the news include `number`.
     pub(super) fn new(link: Link, number: u32, news: Sender<News>) -> io::Result<Self> {
         let wanted = Arc::new(AtomicBool::new(true));
         let (reader, reading) = (link.try_clone()?, Arc::clone(&wanted));
@@ -187,7 +187,7 @@ impl Open {
     }
 }
 
-/// Reads a link while it is wanted and there is room for what it says.
+/// Reads a link as long as it is needed and there is room for its bytes.
 fn read_all(mut link: Link, number: u32, wanted: &AtomicBool, news: &Sender<News>) {
     let mut bytes = [0; AT_ONCE];
     let waiting = Arc::new(AtomicUsize::new(0));
@@ -222,7 +222,7 @@ impl Drop for Open {
     }
 }
 
-/// Why a link is gone.
+/// Why a link was disconnected.
 pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::UnexpectedEof => "it was closed at the other end".to_owned(),
@@ -236,7 +236,7 @@ mod tests {
     use super::*;
     use std::sync::mpsc;
 
-    /// A board that says more than is looked at waits; nothing that it said is lost.
+    /// A board that sends more than is processed waits; nothing that it sent is lost.
     #[test]
     fn what_waits_to_be_looked_at_is_bounded() {
         let (mut board, line) = UnixStream::pair().expect("a line");
@@ -246,7 +246,7 @@ mod tests {
         let flood = vec![7_u8; 4 << 20];
         let length = flood.len();
         let talker = thread::spawn(move || board.write_all(&flood));
-        // Longer than it takes to read all of it.
+        // Longer than reading all of it takes.
         thread::sleep(Duration::from_millis(300));
         assert!(!talker.is_finished(), "it waits");
         let mut count = 0;

@@ -1,5 +1,5 @@
-//! A board that a program follows: samples and wishes go to a thread of its own, frames and how it fares come back. Nobody
-//! waits for the other.
+//! A board that a program follows: a separate thread receives samples and wishes and returns frames and the board's health.
+//! Neither side waits for the other.
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
@@ -26,40 +26,40 @@ use crate::record::Frame;
 use crate::recording::Maker;
 use crate::stop;
 
-/// How the board fares is told so often.
+/// Interval of the health reports.
 const EVERY: Duration = Duration::from_millis(250);
 
-/// What a board says to the program that follows it.
+/// A message from the board to the program that follows it.
 #[derive(Debug)]
 pub(crate) enum Word {
     /// The answer to a sample.
     Frame(Box<Frame>),
-    /// How it fares.
+    /// The board's health.
     Fares(Fares),
-    /// What became of the oldest wish that has no answer yet.
+    /// The result of the oldest wish that has not been answered yet.
     Answer(Result<(), String>),
-    /// It came back after it was gone, and is at the start of its scene.
+    /// The board is connected again, and is at the start of its scene.
     Back,
-    /// It will not come back.
+    /// The board will not come back.
     End(String),
 }
 
-/// Who the board is.
+/// The identity of the board.
 #[derive(Clone, Debug)]
 pub(crate) struct Identity {
     pub(crate) name: String,
     pub(crate) number: Number,
-    /// Where it is.
+    /// The board's address.
     pub(crate) place: String,
     pub(crate) emulated: bool,
-    /// Ticks in a second.
+    /// Ticks per second.
     pub(crate) tick_rate: u16,
-    /// As it makes recordings.
+    /// The board as the maker of recordings.
     pub(crate) maker: Maker,
 }
 
 impl Identity {
-    /// As a client is told.
+    /// The description for clients.
     pub(crate) fn source(&self) -> Source<'_> {
         Source::Board {
             name: &self.name,
@@ -70,11 +70,11 @@ impl Identity {
     }
 }
 
-/// A board that is followed.
+/// A board that a program follows.
 #[derive(Debug)]
 pub(crate) struct LiveBoard {
     news: Sender<News>,
-    /// Bounded by what is asked: a word for every sample on its way, for every wish, and how it fares four times a second.
+    /// Bounded by the requests: a word for every sample on its way and for every wish, and the health four times per second.
     words: Receiver<Word>,
     pub(crate) identity: Identity,
     thread: Option<JoinHandle<()>>,
@@ -84,7 +84,7 @@ impl LiveBoard {
     /// Connects and sends the scene.
     ///
     /// # Errors
-    /// A board that is not there, does not answer, or refuses the scene.
+    /// Fails if the board is missing, does not answer, or refuses the scene.
     pub(crate) fn connect(
         args: &ConnectArgs,
         scene: &Arc<SceneFile>,
@@ -111,19 +111,19 @@ impl LiveBoard {
         })
     }
 
-    /// A sample of the hand. A board that is gone is told of by [`Word::End`].
+    /// Sends a sample of the hand. The end of a board is reported by [`Word::End`].
     pub(crate) fn send(&self, sample: Sample) {
         let _ = self.news.send(News::Sample(sample));
     }
 
-    /// Another scene or evolution; `anew`: with the body at its start, otherwise where it is. [`Word::Answer`] tells what
-    /// became of it.
+    /// Sends another scene or evolution; `anew`: with the body at its start, otherwise where it is. [`Word::Answer`] reports the
+    /// result.
     pub(crate) fn wish(&self, scene: &Arc<SceneFile>, evolution: Evolution, anew: bool) {
         let setup = setup(scene, evolution);
         let _ = self.news.send(News::Wish(Wish { setup, anew }));
     }
 
-    /// What it said, if it said something.
+    /// Returns the next message of the board, if there is one.
     pub(crate) fn hear(&self) -> Option<Word> {
         match self.words.try_recv() {
             Ok(word) => Some(word),
@@ -140,7 +140,7 @@ impl Drop for LiveBoard {
     fn drop(&mut self) {
         let _ = self.news.send(News::Enough);
         if let Some(thread) = self.thread.take() {
-            // What it broke of was told when it did.
+            // An error was reported when it occurred.
             let _ = thread.join();
         }
     }
@@ -170,12 +170,12 @@ fn identify(about: &About, address: &Address) -> Identity {
     }
 }
 
-/// Passes on what a stream says.
+/// Forwards the messages of a stream.
 #[derive(Debug)]
 struct Follower {
     words: Sender<Word>,
     connected: bool,
-    /// Since when these latencies came.
+    /// Beginning of the interval of these latencies.
     since: Instant,
     latencies: Vec<Duration>,
 }
@@ -191,11 +191,11 @@ impl Follower {
     }
 
     fn say(&self, word: Word) {
-        // Where nobody listens any more, the program ends.
+        // If nobody listens any more, the program is ending.
         let _ = self.words.send(word);
     }
 
-    /// Of the time since the last one.
+    /// Latencies since the last report.
     fn fares(&mut self, counts: &Counts) -> Fares {
         let seconds = self.since.elapsed().as_secs_f64();
         let count = self.latencies.len();

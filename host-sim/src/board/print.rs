@@ -1,4 +1,4 @@
-//! What the user sees: one line while it runs, a table at the end.
+//! Output for the user: one line while the stream runs, a table at the end.
 
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 use super::counts::Counts;
 use crate::report;
 
-/// The line that tells how it goes: rewritten on a terminal, otherwise one below the other.
+/// The progress line: rewritten on a terminal, otherwise one below the other.
 #[derive(Debug)]
 pub(super) struct Screen {
     terminal: bool,
     quiet: bool,
-    /// Something stands in the line.
+    /// Whether the line has text.
     dirty: bool,
     last: Option<(Instant, u64)>,
 }
@@ -26,7 +26,7 @@ impl Screen {
         }
     }
 
-    /// Shows how it goes, now and then.
+    /// Shows the progress, now and then.
     pub(super) fn show(&mut self, counts: &Counts) {
         let now = Instant::now();
         let (then, poses) = *self.last.get_or_insert((now, counts.poses));
@@ -52,7 +52,7 @@ impl Screen {
         }
     }
 
-    /// Something that stays on the screen.
+    /// Prints a line that stays on the screen.
     pub(super) fn note(&mut self, text: &str) {
         self.clear();
         if !self.quiet {
@@ -60,7 +60,7 @@ impl Screen {
         }
     }
 
-    /// The line is gone.
+    /// Removes the progress line.
     pub(super) fn clear(&mut self) {
         if self.dirty {
             report::print("\r\x1b[K");
@@ -69,7 +69,7 @@ impl Screen {
     }
 }
 
-/// `rate`: answers in a second, of late.
+/// `rate`: recent answers per second.
 fn line(counts: &Counts, now: Instant, rate: f64) -> String {
     let seconds = counts
         .begun
@@ -91,7 +91,7 @@ fn latency(counts: &Counts) -> String {
     }
 }
 
-/// Names and values below each other.
+/// Names and values in a column.
 pub(super) fn table(title: &str, rows: &[(&str, String)]) -> String {
     let mut text = format!("{title}\n");
     for (name, value) in rows {
@@ -100,7 +100,7 @@ pub(super) fn table(title: &str, rows: &[(&str, String)]) -> String {
     text
 }
 
-/// The end of a stream.
+/// The table at the end of a stream.
 pub(super) fn summary(title: &str, counts: &Counts, seconds: f64) -> String {
     let rate = counts.poses as f64 / seconds.max(1e-9);
     let mut rows = vec![

@@ -1,5 +1,5 @@
-//! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it. How far the body is behind
-//! the hand a board does not tell: that is the host's, where the two are compared.
+//! Converts a sample and the board's answer to a frame of the trace, as the host's solver would have produced it. A board does
+//! not report the lag of the body behind the hand: if the two are compared, it is the host's.
 
 use stiction_core::{Angle, Hand, Status};
 use stiction_scene::Indices;
@@ -8,15 +8,15 @@ use super::flight::Sent;
 use super::steps::Step;
 use crate::record::{ContactRecord, Frame};
 
-/// Makes frames of answers; remembers the last hand that was of use.
+/// Creates frames from answers; stores the last valid hand.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
     hand: Hand<f32>,
 }
 
 impl Recorder {
-    /// The frame of an answer; nothing where a part of it was lost. `indices`: what the board's obstacles are in the scene file, where
-    /// they are not the same.
+    /// The frame of an answer; nothing if a part of it was lost. `indices`: the indices of the board's obstacles in the scene
+    /// file, if they differ.
     pub(super) fn frame(
         &mut self,
         sent: &Sent,

@@ -1,4 +1,4 @@
-//! What a board refuses, in words.
+//! Describes in words what a board refuses.
 
 use stiction_core::Parameter;
 use stiction_core::frame::{Reason, Subject};
@@ -6,7 +6,7 @@ use stiction_core::frame::{Reason, Subject};
 use super::heard::Answer;
 use crate::record::Names;
 
-/// What was refused, its value, what is allowed, and the nearest allowed value, or the bound that the value must stay below.
+/// What was refused, its value, the allowed values, and the nearest allowed value, or the bound that the value must stay below.
 pub(super) fn explain(command: &str, answer: &Answer, names: &Names) -> String {
     let mut text = format!("the board refuses the {command}");
     let subject = subject(answer.subject, names);

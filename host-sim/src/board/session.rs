@@ -1,4 +1,4 @@
-//! A session with a board: hello, and commands that are sent again until they are answered (FRAME 7).
+//! A session with a board: hello, and commands that are repeated until they are answered (FRAME 7).
 
 use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -15,20 +15,20 @@ use super::refusal::explain;
 use crate::record::Names;
 use crate::stop;
 
-/// A command without an answer is sent again.
+/// A command without an answer is repeated after this time.
 const AGAIN: Duration = Duration::from_millis(100);
-/// Samples that wait while a command does: those of half a minute of the tracker, of 4 s of the fastest hand.
+/// Maximum number of samples that wait while a command does: half a minute of the tracker, 4 s of the fastest hand.
 const MOST_ASIDE: usize = 4096;
-/// Frames that are kept while a command waits for its answer: more than a board says in the 0.1 s to its second try, 5000 steps
-/// a second of three frames each.
+/// Maximum number of frames that are stored while a command waits for its answer: more than a board sends in the 0.1 s until its
+/// second try, at 5000 steps per second of three frames each.
 const MOST_HEARD: usize = 4096;
 
-/// What links and tracker say, from their threads to this one.
+/// The messages from the threads of links and tracker to this one.
 #[derive(Debug)]
 pub(super) struct Mail {
     pub(super) sender: Sender<News>,
     receiver: Receiver<News>,
-    /// What nobody wanted yet.
+    /// Messages that were set aside.
     aside: VecDeque<News>,
     /// Samples for which there was no room.
     pub(super) dropped: u64,
@@ -47,13 +47,13 @@ impl Mail {
         }
     }
 
-    /// The next news, what was set aside first; nothing where none come until then.
+    /// Returns the next message, those set aside first; nothing if none arrives until then.
     pub(super) fn next(&mut self, until: Instant) -> Option<News> {
         self.aside.pop_front().or_else(|| self.receive(until))
     }
 
-    /// Sets news aside, for [`Self::next`]. A sample for which there is no room is dropped; what else there is, is bounded by
-    /// who sends it.
+    /// Sets messages aside, for [`Self::next`]. A sample for which there is no room is dropped; the senders bound the number of
+    /// other messages.
     pub(super) fn keep(&mut self, news: impl IntoIterator<Item = News>) {
         for news in news {
             match news {
@@ -73,23 +73,23 @@ impl Mail {
 #[derive(Debug)]
 pub(super) struct Session {
     pub(super) line: Line,
-    /// How the board fared when it last said so.
+    /// The latest report of the board's health.
     pub(super) health: Option<Health>,
-    /// The room for obstacles that the board said last.
+    /// The latest report of the board's room for obstacles.
     room: Room,
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
-    /// What came while a command waited for its answer.
+    /// What arrived while a command waited for its answer.
     pub(super) before_answer: VecDeque<Heard>,
-    /// What came with the answer, after it.
+    /// What arrived with the answer, after it.
     pub(super) after_answer: VecDeque<Heard>,
     pub(super) address: String,
-    /// The board may be silent for so long.
+    /// The time that the board may be silent.
     pub(super) timeout: Duration,
 }
 
 impl Session {
-    /// Opens the line and says hello. `begun`: zero of the client's clock.
+    /// Opens the line and sends hello. `begun`: zero of the client's clock.
     pub(super) fn begin(
         address: &mut Address,
         mail: &mut Mail,
@@ -121,7 +121,7 @@ impl Session {
         Ok((session, about))
     }
 
-    /// Says hello; what the board says about itself.
+    /// Sends hello; returns the board's description of itself.
     pub(super) fn greet(&mut self, mail: &mut Mail) -> Result<About, BoardError> {
         self.room = Room::default();
         let about = self.ask(mail, Command::Hello.into(), |said, _| match said {
@@ -132,7 +132,7 @@ impl Session {
         Ok(About { room, ..about })
     }
 
-    /// Sends a command that is answered by a reply. The reply, if it is a refusal.
+    /// Sends a command that is answered by a reply. Returns the reply if it is a refusal.
     pub(super) fn order<'a>(
         &mut self,
         mail: &mut Mail,
@@ -163,7 +163,7 @@ impl Session {
         }
     }
 
-    /// Sends a command until `pick` finds the answer to it; it is told under which numbers the command was sent.
+    /// Sends a command until `pick` finds the answer to it; `pick` receives the numbers under which the command was sent.
     fn ask<T>(
         &mut self,
         mail: &mut Mail,
@@ -206,7 +206,7 @@ impl Session {
         Err(self.silent(&format!("answer to {}", command.name())))
     }
 
-    /// Waits for the next health, not longer than `patience`.
+    /// Waits for the next health report, at most `patience`.
     pub(super) fn wait_for_health(
         &mut self,
         mail: &mut Mail,
@@ -214,7 +214,7 @@ impl Session {
     ) -> Result<Option<Health>, BoardError> {
         self.health = None;
         let until = Instant::now() + patience;
-        // A board that says everything but that does not lengthen it.
+        // Other messages of the board do not extend the wait.
         while self.health.is_none()
             && Instant::now() < until
             && !stop::asked()
@@ -227,14 +227,14 @@ impl Session {
         Ok(self.health)
     }
 
-    /// The frames in news of this line; other news are set aside.
+    /// Decodes the frames of this line; other messages are set aside.
     pub(super) fn read(&mut self, mail: &mut Mail, news: News) -> Result<Vec<Heard>, BoardError> {
         match news {
             News::Bytes(link, reading) if link == self.line.link() => {
                 Ok(self.line.hear(reading.at, &reading.bytes))
             }
             News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
-            // Of a line of before.
+            // From a previous line.
             News::Bytes(..) | News::Gone(..) => Ok(Vec::new()),
             News::Sample(_) | News::NoTracker(_) | News::Wish(_) | News::Enough => {
                 mail.keep([news]);
@@ -243,7 +243,7 @@ impl Session {
         }
     }
 
-    /// Keeps what is of later use.
+    /// Stores values that are needed later.
     pub(super) fn note(&mut self, said: &Said) {
         match said {
             Said::Health(health) => self.health = Some(*health),
@@ -268,7 +268,7 @@ impl Session {
         }
     }
 
-    /// What was waited for did not come.
+    /// The error if the expected message did not arrive.
     pub(super) fn silent(&self, what: &str) -> BoardError {
         BoardError::Silent {
             address: self.address.clone(),

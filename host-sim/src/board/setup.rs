@@ -1,4 +1,4 @@
-//! What a session begins with: the scene and the mode.
+//! The settings at the beginning of a session: the scene and the mode.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -17,29 +17,29 @@ use super::refusal::explain;
 use super::session::{Mail, Session};
 use crate::record::Names;
 
-/// The board tells so often how it fares (ms): as often as leaves a line of 115200 baud room for 100 whole steps a second, the
-/// fewest that a board makes.
+/// Interval of the board's health reports (ms): it leaves a line of 115200 baud room for 100 whole steps per second, the fewest
+/// that a board makes.
 const HEALTH_EVERY: u16 = 350;
 
-/// A mode that is too much for the line is made less so often.
+/// Number of attempts to reduce a mode that is too much for the line.
 const ATTEMPTS: usize = 8;
 
-/// The scene and how the board is to work.
+/// The scene and the mode of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
     pub(super) scene: Arc<SceneFile>,
     pub(super) evolution: Evolution,
-    /// Ticks per second (Hz), instead of those that the board has.
+    /// Ticks per second (Hz), instead of the board's own.
     pub(super) tick: Option<u16>,
-    /// The board keeps the scene that it has.
+    /// The board keeps its present scene.
     pub(super) keep: bool,
     /// A step with every sample, instead of with every tick.
     pub(super) per_sample: bool,
 }
 
 impl Setup {
-    /// Sends both, asks the board how it works then, as its budget follows from its tick, and waits for the counts from which this
-    /// session's are taken. A remark for the user, if there is one.
+    /// Sends both, requests the board's description, as its budget depends on its tick, and waits for the counts at which those
+    /// of this session start. Returns a remark for the user, if there is one.
     pub(super) fn apply(
         &self,
         session: &mut Session,
@@ -56,7 +56,7 @@ impl Setup {
         Ok(remark)
     }
 
-    /// The body at the start of this scene, or, where it is not to begin anew, what is another one than in `before`: the
+    /// Places the body at the start of this scene; or, if it does not begin again, sends only the differences from `before`: the
     /// body stays where it is.
     pub(super) fn change(
         &self,
@@ -134,7 +134,7 @@ impl Setup {
         })
     }
 
-    /// The obstacles as they are within the range of the board's numbers.
+    /// Sends the scene with its obstacles, if the board has room for them.
     fn send_scene_among(
         &self,
         session: &mut Session,
@@ -160,7 +160,7 @@ impl Setup {
         sent
     }
 
-    /// The scene with its obstacles as a board's number type has them.
+    /// The scene with its obstacles in the board's number type.
     fn described_on<T>(
         &self,
         about: &About,
@@ -172,7 +172,7 @@ impl Setup {
         }
     }
 
-    /// What the board's obstacles are in the scene file, where they are not the same.
+    /// The indices of the board's obstacles in the scene file, if they differ.
     pub(super) fn indices(&self, about: &About) -> Option<Indices> {
         self.described_on(about, |_, _| ()).1
     }
@@ -182,7 +182,7 @@ impl Setup {
         Names::of(&self.scene.surfaces, &self.scene.obstacles)
     }
 
-    /// The same, the obstacles by the indices that they have on the board.
+    /// The same, with the obstacles at their indices on the board.
     fn names_on(&self, about: &About) -> Names {
         let mut names = self.names();
         if let Some(indices) = self.indices(about) {
@@ -192,7 +192,7 @@ impl Setup {
         names
     }
 
-    /// How the board is to work.
+    /// The mode of the board.
     pub(super) fn mode(&self, about: &About) -> Mode {
         Mode {
             evolution: self.evolution,
@@ -209,8 +209,8 @@ impl Setup {
         }
     }
 
-    /// Where the line is too slow for a pose with forces at every tick: fewer of them, or, where every step is wanted,
-    /// fewer ticks; which, is the remark.
+    /// If the line is too slow for a pose with forces at every tick: fewer of them, or, if every step is needed, fewer ticks; the
+    /// remark reports which.
     fn set_mode(
         &self,
         session: &mut Session,
@@ -249,7 +249,7 @@ impl Setup {
     }
 }
 
-/// A longer frame would be counted by the board and never answered.
+/// The board would count a longer frame and never answer it.
 fn check_frame(about: &About, bytes: usize, what: &str) -> Result<(), BoardError> {
     if bytes <= usize::from(about.longest_frame) {
         return Ok(());
@@ -272,7 +272,7 @@ fn corner_count(obstacles: &[ObstacleDescription<'_, f32>]) -> usize {
         .sum()
 }
 
-/// There is no room for so many obstacles, or for none.
+/// The message that there is no room for so many obstacles, or for any.
 fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
     let scene = format!("the scene has {obstacles} obstacles with {corners} corners");
     match about.room.obstacles {
@@ -288,7 +288,7 @@ fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
     }
 }
 
-/// A mode that is less for the line, where one was refused for that.
+/// A mode that needs less of the line, if one was refused for that reason.
 fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
     let too_much = f64::from(refusal.value / refusal.limit);
     let of_line = refusal.subject == Subject::LineRate && refusal.reason == Reason::Unsupported;
@@ -296,10 +296,10 @@ fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
         return None;
     }
     Some(if mode.stepping == Stepping::PerSample {
-        // A part of the load, the health, does not become less with the ticks.
+        // A part of the load, the health reports, does not decrease with the ticks.
         let fitting = (f64::from(mode.tick_rate) / too_much).floor() as u16;
         let tick_rate = fitting.min(mode.tick_rate.saturating_sub(1));
-        // Fewer steps than that no board makes.
+        // No board makes fewer steps than this.
         if tick_rate < SLOWEST_TICK {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Pose, forces and events of a step, which come as frames of their own, put together by their time (FRAME 7).
+//! Combines pose, forces and events of a step, which arrive as separate frames, by their time (FRAME 7).
 
 use std::collections::VecDeque;
 use std::time::Instant;
@@ -7,19 +7,19 @@ use stiction_core::frame::{EventSet, Pose};
 
 use super::heard::{Events, Forces, Heard, Said};
 
-/// So many later steps may begin before one is given up as it is.
+/// A step is given up as incomplete after this number of later steps has begun.
 const PATIENCE: usize = 4;
-/// Events of steps whose poses do not come are kept up to this many, slips are counted on.
+/// Maximum number of events that are stored for steps whose poses do not arrive; slips are still counted beyond it.
 const MOST_EVENTS: usize = 1024;
 
-/// A step of the board, as far as it arrived.
+/// The received parts of a step of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
-    /// Its pose came then.
+    /// Arrival time of its pose.
     pub(super) at: Instant,
     pub(super) pose: Pose,
     pub(super) forces: Option<Forces>,
-    /// Since the pose before; none where nothing happened.
+    /// Since the previous pose; none if nothing happened.
     pub(super) events: Option<Events>,
     /// Nothing of it was lost.
     pub(super) is_whole: bool,
@@ -35,7 +35,7 @@ struct Parts {
 }
 
 impl Parts {
-    /// Pose and forces came, and all that the pose says has happened is among what was told since the pose before.
+    /// Returns whether pose and forces arrived, and all events of the pose are among those reported since the previous pose.
     fn is_whole(&self, told: EventSet) -> bool {
         let is_told = |pose: &Pose| told.union(pose.events) == told;
         self.forces.is_some() && self.pose.is_some_and(|(_, pose)| is_told(&pose))
@@ -51,21 +51,21 @@ impl Parts {
     }
 }
 
-/// What happened, as a pose tells it.
+/// The set of events, in the form in which a pose reports it.
 fn set(events: Option<&Events>) -> EventSet {
     events.map_or_else(EventSet::default, |events| EventSet::of(&events.list))
 }
 
-/// Puts the parts of steps together.
+/// Combines the parts of steps.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steps {
     pending: VecDeque<Parts>,
-    /// Events of steps whose pose was not sent: they are of the next one that is.
+    /// Events of steps whose pose was not sent: they belong to the next pose that is sent.
     earlier: Option<Events>,
 }
 
 impl Steps {
-    /// Takes a part. The steps that nothing more will come of, in order.
+    /// Adds a part. Returns the steps for which nothing more will arrive, in order.
     pub(super) fn add(&mut self, heard: Heard) -> Vec<Step> {
         let Heard { at, time, said } = heard;
         let place = self
@@ -92,7 +92,7 @@ impl Steps {
         self.finish(beyond.max(self.up_to_the_last_whole()))
     }
 
-    /// How many steps end with the last one that nothing is missing of.
+    /// The number of steps up to the last complete one.
     fn up_to_the_last_whole(&self) -> usize {
         let mut told = set(self.earlier.as_ref());
         let mut count = 0;
@@ -108,7 +108,7 @@ impl Steps {
         count
     }
 
-    /// Events of a step that nobody asked for are of the next one.
+    /// Events of a step that was not requested belong to the next one.
     pub(super) fn keep(&mut self, events: Option<Events>) {
         if let Some(events) = events {
             match &mut self.earlier {
@@ -118,12 +118,12 @@ impl Steps {
         }
     }
 
-    /// What is left, when nothing more will come.
+    /// Returns the rest when nothing more will arrive.
     pub(super) fn flush(&mut self) -> Vec<Step> {
         self.finish(self.pending.len())
     }
 
-    /// The first so many steps.
+    /// Returns the first `count` steps.
     fn finish(&mut self, count: usize) -> Vec<Step> {
         let mut steps = Vec::new();
         let done: Vec<Parts> = self.pending.drain(..count).collect();

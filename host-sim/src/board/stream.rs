@@ -1,4 +1,4 @@
-//! Samples to the board in real time, and what comes back: frames for an audience, the counts, the comparison.
+//! Sends samples to the board in real time, and distributes its messages: frames for an audience, the counts, the comparison.
 
 use std::time::{Duration, Instant};
 
@@ -24,25 +24,25 @@ use super::verify::{Twin, Verdict};
 use crate::record::Names;
 use crate::stop;
 
-/// Samples on their way to a board that makes a step with each: its queue holds them.
+/// Maximum number of samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;
-/// Samples on their way to a board that takes the newest one: more would wait in the line, and come late.
+/// Maximum number of samples on their way to a board that uses the newest one: more would wait in the line, and arrive late.
 const TIMED_WINDOW: usize = 32;
-/// As many where newer is better: a hand that waits in the line is an old one, which can be felt.
+/// The same if only the newest matters: a hand that waits in the line is an old one, which can be felt.
 const LIVE_WINDOW: usize = 8;
-/// Samples that are sent before what came is looked at: a full line makes each of them wait.
+/// Samples that are sent before received messages are processed: on a full line, each of them waits.
 const BURST: usize = 2;
-/// News that are looked at before samples are sent: an emulator sends byte by byte.
+/// Messages that are processed before samples are sent: an emulator sends byte by byte.
 const MOST_NEWS: usize = 256;
 /// The type of a hand on the wire.
 const HAND: u8 = 0x01;
-/// The line on the screen is looked after so often.
+/// Interval of the checks of the progress line.
 const BREATH: Duration = Duration::from_millis(50);
 
 /// A stream from a feed to a board and back.
 pub(super) struct Stream<'a, A> {
     pub(super) setup: Setup,
-    /// What the board says of itself.
+    /// The board's description of itself.
     pub(super) about: About,
     pub(super) address: Address,
     pub(super) mail: Mail,
@@ -57,14 +57,14 @@ pub(super) struct Stream<'a, A> {
     pub(super) flight: Flight,
     pub(super) steps: Steps,
     pub(super) recorder: Recorder,
-    /// What the board's obstacles are in the scene file, where they are not the same.
+    /// The indices of the board's obstacles in the scene file, if they differ.
     pub(super) indices: Option<Indices>,
-    /// Why the tracker is gone.
+    /// Why the tracker was disconnected.
     pub(super) tracker_gone: Option<BoardError>,
 }
 
 impl<'a, A: Audience> Stream<'a, A> {
-    /// Connects, sends scene and mode. The stream, and the session that it begins in.
+    /// Connects, sends scene and mode. Returns the stream, and the session in which it begins.
     pub(super) fn connect(
         args: &ConnectArgs,
         setup: Setup,
@@ -103,7 +103,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok((stream, session))
     }
 
-    /// Until the feed ends. A board that goes away is waited for, unless it is compared with the host.
+    /// Runs until the feed ends. Waits for a disconnected board, unless it is compared with the host.
     pub(super) fn run(&mut self, mut session: Session) -> Result<(), BoardError> {
         loop {
             self.counts.begin(session.health);
@@ -116,12 +116,12 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
     }
 
-    /// As long as the board is there.
+    /// Runs as long as the board is connected.
     fn follow(&mut self, session: &mut Session) -> Result<(), BoardError> {
         self.number_anew(session)?;
         session.before_answer.clear();
         session.after_answer.clear();
-        // Since when the board owes a word; where it makes a step with every sample, the answer to one.
+        // Since when the board owes a message; if it makes a step with every sample, the answer to one.
         let mut owed: Option<Instant> = None;
         let faults = self.counts.faults;
         loop {
@@ -144,7 +144,7 @@ impl<'a, A: Audience> Stream<'a, A> {
                 if self.hear(session, news)? {
                     owed = None;
                 }
-                // What else is there already.
+                // Other messages that have already arrived.
                 until = Instant::now();
             }
             if owed.is_some_and(|since| since.elapsed() > self.timeout) {
@@ -160,7 +160,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
     }
 
-    /// A pose of before may carry the number that the first sample is about to get: a ping takes it away.
+    /// An earlier pose may have the number that the first sample is about to get: a ping uses up that number.
     fn number_anew(&mut self, session: &mut Session) -> Result<(), BoardError> {
         if session.last_sample == Some(session.line.next_number()) {
             session.send(Command::Ping)?;
@@ -168,7 +168,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// A live sample.
+    /// Adds a live sample.
     pub(super) fn push(&mut self, sample: Sample) {
         self.counts.overtake(self.feed.push(sample).into());
     }
@@ -182,7 +182,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.flight.len() < window
     }
 
-    /// When there is something to do, even if nothing comes.
+    /// The time to wake up, even if nothing arrives.
     fn wake(&mut self) -> Instant {
         let now = Instant::now();
         let mut wake = now + BREATH;
@@ -194,7 +194,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         wake
     }
 
-    /// Sends what is due. How many.
+    /// Sends the samples that are due. Returns their number.
     fn send_due(&mut self, session: &mut Session) -> Result<usize, BoardError> {
         let mut count = 0;
         while count < BURST && self.has_room() {
@@ -221,7 +221,8 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(count)
     }
 
-    /// Takes news; whether the board gave what it owes: a word, or, where it makes a step with every sample, an answer to one.
+    /// Processes a message; returns whether the board sent what it owes: a message, or, if it makes a step with every sample, an
+    /// answer to one.
     fn hear(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
         match news {
             News::Sample(sample) => {
@@ -279,10 +280,10 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// A step that follows a sample.
+    /// Processes a step that follows a sample.
     fn answer(&mut self, step: &Step) -> Result<(), BoardError> {
         let Some((sent, overtaken)) = self.flight.answer(&step.pose) else {
-            // A step without a new sample: what happened in it is told with the next one.
+            // A step without a new sample: its events are reported with the next one.
             self.steps.keep(step.events.clone());
             return Ok(());
         };
@@ -324,7 +325,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// What is still under way, and the last word of the board.
+    /// Receives what is still on its way, and the last report of the board.
     fn finish(&mut self, session: &mut Session) -> Result<(), BoardError> {
         for step in self.steps.flush() {
             self.answer(&step)?;
@@ -339,7 +340,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.tracker_gone.take().map_or(Ok(()), Err)
     }
 
-    /// What is under way is still waited for, then this is the end.
+    /// Waits for what is still on its way, then ends.
     pub(super) fn end_tracker(&mut self, error: BoardError) {
         self.feed.close();
         self.tracker_gone = Some(error);

@@ -1,5 +1,5 @@
-//! The tracker of the paper as a source of samples (FRAME 9): a thread asks for record after record, and puts each on the
-//! plane of the scene.
+//! The tracker of the paper as a source of samples (FRAME 9): a thread requests record after record, and maps each to the plane
+//! of the scene.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,9 +15,9 @@ use stiction_scene::{LivePlacement, Placement, Sample};
 use super::error::BoardError;
 use super::link::{Link, News, reason};
 
-/// Of the tracker's line.
+/// Baud rate of the tracker's line.
 const BAUD: u32 = 19_200;
-/// A record that was asked for and did not come is asked for again: at 19200 baud it takes 9 ms.
+/// A record that was requested and did not arrive is requested again: at 19200 baud it takes 9 ms.
 const AGAIN: Duration = Duration::from_millis(100);
 
 /// Where a tracker is, and what holds.
@@ -57,12 +57,12 @@ impl HoldButton {
 }
 
 impl TrackerArgs {
-    /// A tracker is wanted.
+    /// Returns whether a tracker is requested.
     pub(super) const fn is_wanted(&self) -> bool {
         self.tracker.is_some()
     }
 
-    /// Begins to read the tracker, if one is wanted; it may be silent for `timeout`.
+    /// Begins to read the tracker, if one is requested; it may be silent for `timeout`.
     pub(super) fn start(
         &self,
         placement: &Placement,
@@ -114,7 +114,7 @@ fn no_tracker(place: &Path, problem: &str) -> BoardError {
     }
 }
 
-/// Asks for records.
+/// Requests records.
 struct Reader {
     link: Link,
     decoder: LogitechDecoder,
@@ -143,7 +143,7 @@ impl Reader {
         while asked.elapsed() < AGAIN {
             let count = self.link.read(&mut bytes)?;
             let records = bytes[..count].iter();
-            // Of several that came at once the last one is the newest.
+            // If several arrived together, the last one is the newest.
             if let Some(record) = records.filter_map(|&byte| self.decoder.push(byte)).last() {
                 return Ok(Some(record));
             }
@@ -152,7 +152,7 @@ impl Reader {
     }
 }
 
-/// Puts records on the plane.
+/// Maps records to the plane.
 struct Placed {
     placement: LivePlacement,
     hold: HoldButton,

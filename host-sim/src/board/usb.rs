@@ -1,5 +1,5 @@
-//! `--port auto`: from the serial ports of this computer to the one behind which a board of stiction is, by what the board says of
-//! itself on USB. On Linux, where the system shows that in `/sys`.
+//! `--port auto`: finds the serial port of this computer that belongs to a stiction board, by the board's USB descriptors. On
+//! Linux, where the system lists them in `/sys`.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use stiction_firmware::usb::{MANUFACTURER, PICO, PICO_2, VENDOR, is_board};
 
 use super::error::BoardError;
 
-/// The name of the port that is looked for.
+/// The port name that requests the search.
 pub(super) const AUTO: &str = "auto";
 
 /// Where Linux shows its serial ports.
@@ -18,13 +18,13 @@ const PORTS: &str = "/sys/class/tty";
 /// A serial port.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Port {
-    /// Where it is opened.
+    /// The path at which it is opened.
     pub(super) place: PathBuf,
-    /// What is behind it, where that is on USB.
+    /// The device behind it, if it is on USB.
     usb: Option<Identity>,
 }
 
-/// What a device says of itself on USB; a text that it lacks is empty.
+/// The USB descriptors of a device; a missing text is empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Identity {
     vendor: u16,
@@ -36,8 +36,8 @@ struct Identity {
 }
 
 impl Identity {
-    /// That of the device to which a port belongs, from the folder of the port in [`PORTS`]. The device is some folders around what
-    /// drives the port.
+    /// The descriptors of the device to which a port belongs, from the folder of the port in [`PORTS`]. The device is a few
+    /// folders above the driver of the port.
     fn of(port: &Path) -> Option<Self> {
         let driven = port.join("device").canonicalize().ok()?;
         let mut around = driven.ancestors();
@@ -62,7 +62,7 @@ impl Identity {
 }
 
 impl Port {
-    /// Those of this computer.
+    /// The ports of this computer.
     fn all() -> Result<Vec<Self>, BoardError> {
         if cfg!(not(target_os = "linux")) {
             return Err(gone(
@@ -83,7 +83,7 @@ impl Port {
         only_board(Self::all()?).map_err(gone)
     }
 
-    /// Where the same board is by now: one that is plugged in again may have another port.
+    /// The present port of the same board: one that is plugged in again may have another port.
     pub(super) fn again(&mut self) -> Result<&Path, BoardError> {
         let found = Self::all()?.into_iter().find(|port| port.usb == self.usb);
         *self = found.ok_or_else(|| gone(format!("{self} is gone")))?;
@@ -102,7 +102,7 @@ impl fmt::Display for Port {
     }
 }
 
-/// The only board among ports; otherwise why there is none, and what is to be typed.
+/// The only board among ports; otherwise why there is none, and what to type.
 fn only_board(ports: Vec<Port>) -> Result<Port, String> {
     let is_board = |port: &Port| port.usb.as_ref().is_some_and(Identity::is_board);
     let (mut boards, others): (Vec<_>, Vec<_>) = ports.into_iter().partition(is_board);
@@ -123,7 +123,7 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
     }
 }
 
-/// What is said of a port that does not exist.
+/// The message about a port that does not exist.
 pub(super) fn no_such_port() -> String {
     let ports = Port::all().unwrap_or_default();
     format!(
@@ -132,7 +132,7 @@ pub(super) fn no_such_port() -> String {
     )
 }
 
-/// After "a serial port": those that this computer has.
+/// The ports of this computer, to follow "a serial port".
 fn here(ports: &[Port]) -> String {
     match ports {
         [] => ", of which there is none here".to_owned(),
@@ -147,7 +147,7 @@ fn list(ports: &[Port]) -> String {
     ports.join(", ")
 }
 
-/// There is no board where `--port auto` looks.
+/// The message if there is no board that `--port auto` finds.
 fn gone(problem: impl Into<String>) -> BoardError {
     BoardError::Gone {
         address: format!("--port {AUTO}"),
@@ -180,7 +180,7 @@ mod tests {
         }
     }
 
-    /// Numbers of Raspberry Pi with another program behind them are no board, nor is a program of that name on another chip.
+    /// A Raspberry Pi's identifiers with another program are no board, nor is a program of that name on another chip.
     #[test]
     fn the_only_board_is_found_among_others() {
         for product in [0x000A, 0x0009] {
@@ -250,7 +250,7 @@ mod tests {
         file("usb1/1-2/manufacturer", "stiction\n");
         file("usb1/1-2/product", "stiction on Pico\n");
         file("usb1/1-2/serial", "E6614103E7452D2F\n");
-        // The hub around it has numbers of its own.
+        // The hub above it has identifiers of its own.
         file("usb1/idVendor", "1d6b\n");
         link("usb1/1-2/1-2:1.0", "tty/ttyACM0");
         link("usb1/1-2/1-2:1.0/ttyUSB0", "tty/ttyUSB0");

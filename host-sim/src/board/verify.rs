@@ -1,4 +1,4 @@
-//! The host's solver beside the board's, on the same samples: every bit of every answer is compared.
+//! Runs the host's solver in parallel with the board's, on the same samples, and compares every bit of every answer.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use super::heard::{About, Touched};
 use super::steps::Step;
 use crate::simulate::Running;
 
-/// What the host's solver makes of a sample.
+/// The result of the host's solver for a sample.
 #[derive(Clone, Debug)]
 pub(super) struct Expected {
     output: Output<f32>,
@@ -20,13 +20,13 @@ pub(super) struct Expected {
 }
 
 impl Expected {
-    /// The part of the hand's displacement that is not yet followed, where a step has a budget.
+    /// The part of the hand's displacement that is not yet followed, if a step has a budget.
     pub(super) fn behind(&self) -> Option<f64> {
         self.has_budget.then(|| self.output.behind.into())
     }
 }
 
-/// The host's solver, of the number type and the model of a board.
+/// The host's solver, with the number type and the model of a board.
 pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
@@ -46,7 +46,7 @@ where
     }
 }
 
-/// The contacts as a board says them: among obstacles with what touches what.
+/// The contacts as a board reports them: among obstacles, with the features that touch.
 fn touched<R: Real<Si = f32>, M: HostModel>(
     solver: &HostSolver<R, M>,
     state: &State<R>,
@@ -85,7 +85,7 @@ where
     }
 }
 
-/// With obstacles only where the scene has some.
+/// With obstacles only if the scene has some.
 fn in_place<R: Real<Si = f32> + Send + 'static, const FRICTION: bool, const WEIGHT: bool>(
     about: &About,
     scene: &SceneFile,
@@ -111,7 +111,7 @@ where
     Ok(Box::new(running))
 }
 
-/// What is not equal, and both values.
+/// Lists the values that are not equal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Difference(String);
 
@@ -138,8 +138,8 @@ fn same_bits(what: &str, board: f32, host: f32) -> Result<(), Difference> {
     Err(Difference(text))
 }
 
-/// Compares a whole step with what was expected. `before`: the events of steps whose poses did not come since the last one
-/// that did; the board adds them to this one where it did not send these.
+/// Compares a whole step with the expected one. `before`: the events of steps whose poses did not arrive since the last one that
+/// did; the board adds them to this one if it did not send these poses.
 pub(super) fn compare(
     step: &Step,
     expected: &Expected,
@@ -220,7 +220,7 @@ fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
     Ok(())
 }
 
-/// How many frames are equal, and the first that is not.
+/// The number of equal frames, and the first one that differs.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Verdict {
     frames: u64,
@@ -231,7 +231,7 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
-    /// The answer to a sample (index, time) came.
+    /// Adds the answer to a sample (index, time).
     pub(super) fn add(&mut self, (index, t): (u64, f64), step: &Step, expected: &Expected) {
         self.frames += 1;
         let missed = std::mem::take(&mut self.missed);
@@ -245,7 +245,7 @@ impl Verdict {
         }
     }
 
-    /// No answer to a sample came.
+    /// Adds a sample without an answer.
     pub(super) fn lose(&mut self, (index, t): (u64, f64), expected: &Expected) {
         self.frames += 1;
         self.lost += 1;
@@ -261,7 +261,7 @@ impl Verdict {
         }
     }
 
-    /// Every frame is equal, and there were some.
+    /// Returns whether every frame is equal, and there was at least one.
     pub(super) const fn is_good(&self) -> bool {
         self.frames > 0 && self.equal == self.frames
     }

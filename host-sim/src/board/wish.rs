@@ -1,4 +1,4 @@
-//! A board is told to work in another way while samples go to it.
+//! Changes the board's settings while samples are sent to it.
 
 use super::audience::Audience;
 use super::error::BoardError;
@@ -7,7 +7,7 @@ use super::setup::Setup;
 use super::steps::Steps;
 use super::stream::Stream;
 
-/// The board is to work in another way.
+/// A request to change the board's settings.
 #[derive(Debug)]
 pub(super) struct Wish {
     pub(super) setup: Setup,
@@ -16,8 +16,8 @@ pub(super) struct Wish {
 }
 
 impl<A: Audience> Stream<'_, A> {
-    /// The board works in another way from now on, or refuses to. What it says until then is told before, and what it says
-    /// afterwards after the answer.
+    /// The board changes its settings, or refuses to. Its earlier messages are reported before the answer, its later ones after
+    /// it.
     pub(super) fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
         let Wish { setup, anew } = wish;
         let with = (&self.about, &mut self.mail);
@@ -30,7 +30,7 @@ impl<A: Audience> Stream<'_, A> {
             self.setup = setup;
             if anew {
                 self.feed.drop_waiting();
-                // They are of the run before.
+                // They belong to the previous run.
                 self.flight.give_up();
                 self.steps = Steps::default();
             }

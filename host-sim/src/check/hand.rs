@@ -1,5 +1,5 @@
-//! The hand of a trace beside the path that it followed: sample by sample, to the rounding of the printed numbers. What a hand did is
-//! the one thing that a trace cannot show by itself.
+//! Compares the hand of a trace with the path that it followed: sample by sample, to the rounding of the printed numbers. The
+//! hand's motion is the only thing that a trace cannot prove by itself.
 
 use std::path::{Path, PathBuf};
 
@@ -10,16 +10,16 @@ use stiction_scene::{HandPath, InputError, Sample};
 use crate::input;
 use crate::number::Number;
 
-/// Roundings that a number of the hand may be off: that of the solver's type, and that of the trace.
+/// The allowed deviation of a number of the hand, in roundings: that of the solver's type, and that of the trace.
 const ROUNDINGS: f64 = 2.0;
 
-/// The hand that is compared: its path and the rate (Hz) to resample it to, or why there is none.
+/// The hand for the comparison: its path and the rate (Hz) to which it is resampled, or why there is none.
 pub(super) type Given = Result<(HandPath, Option<f64>), String>;
 
-/// By `--hand`, `--rate` and the scene.
+/// Selects it by `--hand`, `--rate` and the scene.
 ///
 /// # Errors
-/// A path that is asked for cannot be used.
+/// Fails if a requested path cannot be used.
 pub(super) fn given(
     name: &Path,
     number: Number,
@@ -31,7 +31,7 @@ pub(super) fn given(
     let scene = match input::open_scene(name, number) {
         Ok(scene) => scene,
         Err(error) if hand.is_some() => return Err(error),
-        // The judge takes scenes that the solver does not.
+        // The judge accepts scenes that the solver does not.
         Err(error) => return Ok(Err(error.to_string())),
     };
     if hand.is_none() && scene.hand.motion.is_none() {
@@ -43,7 +43,7 @@ pub(super) fn given(
     input::open_path(&scene, hand.map(PathBuf::as_path), rate).map(Ok)
 }
 
-/// The law on a frame and the sample that it answers; `None`: the path had ended.
+/// The law for a frame and the sample that it answers; `None`: the path had ended.
 pub(super) fn finding(sample: Option<Sample>, frame: &Frame, bounds: &Bounds) -> Finding {
     let off = sample.map_or(f64::INFINITY, |sample| off(&sample, frame));
     Finding {
@@ -53,7 +53,7 @@ pub(super) fn finding(sample: Option<Sample>, frame: &Frame, bounds: &Bounds) ->
     }
 }
 
-/// How far the hand of a frame is from a sample, relative to the size of its numbers.
+/// The deviation of a frame's hand from a sample, relative to the size of its numbers.
 fn off(sample: &Sample, frame: &Frame) -> f64 {
     let hand = &sample.hand;
     let is_dropped = !hand.is_finite();

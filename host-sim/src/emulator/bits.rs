@@ -22,10 +22,10 @@ pub enum Machine {
     WebAssembly,
 }
 
-/// Where the hand walks.
+/// The place where the hand walks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Place {
-    /// By a floor and a wall.
+    /// Next to a floor and a wall.
     ByWalls,
     /// Among obstacles with corners.
     AmongObstacles,
@@ -59,10 +59,10 @@ impl Machine {
         }
     }
 
-    /// The hash of all answers of a walk of so many frames in a place.
+    /// The hash of all answers of a walk of `frames` frames in a place.
     ///
     /// # Errors
-    /// A program is missing, the image cannot be built, or its run ends with an error.
+    /// Fails if a program is missing, the image cannot be built, or its run ends with an error.
     pub fn bits(self, number: NumberType, place: Place, frames: u32) -> Result<u64, EmulatorError> {
         // For so many instructions as the other programs have, this one has not the flash on the smallest chip.
         let (name, profile) = match place {

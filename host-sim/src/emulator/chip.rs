@@ -1,5 +1,5 @@
-//! The chips that figures are given for: their names, their emulated boards, the number type that suits them, and the time that they take
-//! for what is counted.
+//! The chips for which figures are given: their names, their emulated boards, the number type that suits them, and the time of
+//! the counted instructions or cycles.
 
 use stiction_scene::NumberType;
 
@@ -51,7 +51,7 @@ impl Chip {
         }
     }
 
-    /// The emulated board that has it.
+    /// The emulated board with this chip.
     pub const fn board(self) -> Board {
         match self {
             Self::CortexM4F => Board::Stm32F405,
@@ -69,7 +69,7 @@ impl Chip {
         }
     }
 
-    /// The number type that suits it: fixed point where there is no floating point unit.
+    /// The number type that suits it: fixed point if there is no floating point unit.
     pub const fn number(self) -> NumberType {
         match self {
             Self::CortexM4F | Self::CortexM33 => NumberType::F32,
@@ -87,7 +87,7 @@ impl Chip {
         }
     }
 
-    /// What is counted on it, for a reader.
+    /// The counted unit, for a reader.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::CortexM0Plus => "cycles",
@@ -95,10 +95,10 @@ impl Chip {
         }
     }
 
-    /// Cycles of what is counted on it, on average: 1 where they are counted, else an estimate.
+    /// Cycles per counted unit, on average: 1 if cycles are counted, otherwise an estimate.
     ///
-    /// Of the M4F and the M33 it is that of [`Counter::estimate`](super::Counter::estimate), from above: 1.93 to 1.99 for random drags.
-    /// With branches that take the three cycles of an M0, those counted of an M0+ are 1.53 to 1.64 of an instruction.
+    /// For the M4F and the M33, it is the upper estimate of [`Counter::estimate`](super::Counter::estimate): 1.93 to 1.99 for
+    /// random drags. If branches take the three cycles of an M0, the counted cycles of an M0+ are 1.53 to 1.64 per instruction.
     pub const fn cycles(self) -> f64 {
         match self {
             Self::CortexM4F | Self::CortexM33 => 2.0,
@@ -107,12 +107,12 @@ impl Chip {
         }
     }
 
-    /// The time that it takes for what is counted on it (µs).
+    /// The time for the counted units (µs).
     pub fn microseconds(self, counted: f64) -> f64 {
         counted * self.cycles() / f64::from(self.megahertz())
     }
 
-    /// How its time is known, for a reader.
+    /// The source of its time, for a reader.
     pub(crate) fn timing(self) -> String {
         let (name, megahertz) = (self.name(), self.megahertz());
         match self {

@@ -1,9 +1,9 @@
-//! Cycles of an instruction, estimated where no emulator counts them: from every instruction that a Cortex-M4F executes in a step to the
-//! cycles that Arm's manual (DDI 0439D, tables 3-1 and 7-1) states for it.
+//! Cycles of an instruction, estimated if no emulator counts them: from every instruction that a Cortex-M4F executes in a step to
+//! the cycles that Arm's manual (DDI 0439D, tables 3-1 and 7-1) specifies for it.
 //!
-//! The estimate is from above: a branch that is taken refills the pipeline in the most cycles that the manual allows, a division takes its
-//! most, no load overlaps the one before it, no `it` is folded. It leaves out wait states of the flash and what else is on the bus. Arm
-//! states no cycles for the Cortex-M33, whose instructions are taken to need as many.
+//! The estimate is an upper one: a taken branch refills the pipeline in the most cycles that the manual allows, a division takes
+//! its maximum, no load overlaps the previous one, no `it` is folded. It excludes wait states of the flash and other traffic on
+//! the bus. Arm specifies no cycles for the Cortex-M33, whose instructions are assumed to need as many.
 
 use std::io::{BufRead, BufReader, Read};
 
@@ -18,20 +18,20 @@ const FLOAT_DIVISION: u64 = 14;
 /// Cycles of a multiplication with accumulation in single precision.
 const FLOAT_ACCUMULATION: u64 = 3;
 
-/// The function whose instructions are estimated, with all that it calls.
+/// The function whose instructions are estimated, with all functions that it calls.
 const STEP: &str = "_ZN17stiction_firmware5count4step17h";
 
-/// What the steps of a run took.
+/// The instructions and cycles of the steps of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Taken {
     pub(super) instructions: u64,
     pub(super) cycles: u64,
 }
 
-/// Reads which instructions QEMU says that it executes (`-d exec`), the flash of the image given with the address at which it begins.
+/// Reads the instructions that QEMU reports as executed (`-d exec`); the flash of the image is given with its start address.
 ///
 /// # Errors
-/// The log cannot be read, or no step is in it.
+/// Fails if the log cannot be read, or contains no step.
 pub(super) fn read(log: impl Read, flash: (&[u8], u32)) -> Result<Taken, EmulatorError> {
     let not_understood = |line: &str| EmulatorError::Output(format!("the emulator's log: {line}"));
     let mut steps = Steps::default();
@@ -56,7 +56,7 @@ pub(super) fn read(log: impl Read, flash: (&[u8], u32)) -> Result<Taken, Emulato
 #[derive(Clone, Debug, Default)]
 struct Steps {
     last: Option<Instruction>,
-    /// Where a step returns to, while it is under way.
+    /// The return address of a step in progress.
     end: Option<u32>,
     taken: Taken,
 }
@@ -81,12 +81,12 @@ impl Steps {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Instruction {
     at: u32,
-    /// Its halves; the second one is that of the next instruction where it has only one.
+    /// Its halves; the second one is that of the next instruction if it has only one.
     halves: [u16; 2],
 }
 
 impl Instruction {
-    /// The one at an address of the flash.
+    /// The instruction at an address of the flash.
     fn at(at: u32, (flash, begin): (&[u8], u32)) -> Option<Self> {
         let bytes = flash.get(at.checked_sub(begin)? as usize..)?;
         let half = |k: usize| bytes.get(2 * k..)?.first_chunk().copied();
@@ -102,12 +102,12 @@ impl Instruction {
         self.halves[0] >> 11 > 0b11100
     }
 
-    /// The address behind it.
+    /// The address after it.
     fn next(&self) -> u32 {
         self.at + if self.is_long() { 4 } else { 2 }
     }
 
-    /// What it takes before another one, which is executed next.
+    /// Its cycles when followed by another given instruction.
     fn cycles(&self, next: &Self) -> u64 {
         let branches = next.at != self.next();
         let waits = match self.float() {
@@ -117,7 +117,7 @@ impl Instruction {
         self.alone() + u64::from(waits) + if branches { REFILL } else { 0 }
     }
 
-    /// What it takes in itself.
+    /// Its own cycles.
     fn alone(&self) -> u64 {
         let [first, second] = self.halves;
         let words = |list: u16| 1 + u64::from(list.count_ones());
@@ -138,7 +138,7 @@ impl Instruction {
         }
     }
 
-    /// It is one of the floating point unit.
+    /// Returns whether it is an instruction of the floating point unit.
     fn float(&self) -> Option<Float> {
         let [first, second] = self.halves;
         if first & 0xEC00 != 0xEC00 || second & 0x0E00 != 0x0A00 {
@@ -167,7 +167,7 @@ impl Instruction {
                 read: (first & 0x10 == 0).then_some(d),
             }
         } else if first & 0xFF00 == 0xFE00 {
-            // Choices, of the M33 alone.
+            // Selections, only on the M33.
             let sources = [None, Some(n), Some(m)];
             Float::Other { sources }
         } else if second & 0x10 != 0 {
@@ -179,7 +179,7 @@ impl Instruction {
         })
     }
 
-    /// It needs a register of the floating point unit.
+    /// Returns whether it needs a register of the floating point unit.
     fn reads(&self, register: u16) -> bool {
         match self.float() {
             None => false,
@@ -200,7 +200,7 @@ impl Instruction {
 /// Instructions of the floating point unit, with the registers of single precision that they read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Float {
-    /// Its result comes one cycle later to an instruction that follows at once.
+    /// Its result is available one cycle later to an instruction that follows immediately.
     Arithmetic {
         cycles: u64,
         result: u16,
@@ -272,7 +272,7 @@ fn arithmetic(code: (u16, u16, u16), [d, n, m]: [u16; 3]) -> Float {
 mod tests {
     use super::*;
 
-    /// What instructions take that are executed one after the other, and the last one before that at `next`.
+    /// The cycles of instructions that are executed in sequence, the last one followed by the one at `next`.
     fn cycles(code: &[u16], next: Option<u32>) -> u64 {
         let flash: Vec<u8> = code.iter().flat_map(|half| half.to_le_bytes()).collect();
         let end = flash.len() as u32;

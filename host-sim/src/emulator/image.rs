@@ -1,4 +1,4 @@
-//! Images of the firmware: built by cargo, and how much of a board's flash the solver fills.
+//! Images of the firmware: built by cargo, with the solver's share of a board's flash.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,12 +21,12 @@ pub enum Profile {
     Release,
     /// For few instructions on a board.
     Device,
-    /// For little flash.
+    /// For small flash size.
     DeviceSmall,
 }
 
 impl Profile {
-    /// The name that cargo knows.
+    /// The name for cargo.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Dev => "dev",
@@ -40,7 +40,7 @@ impl Profile {
 /// A program built for a machine.
 pub(super) struct Image {
     path: PathBuf,
-    /// Where it lies, if nobody else shall have it.
+    /// The folder of a private copy, if there is one.
     _folder: Option<TempDir>,
 }
 
@@ -55,14 +55,14 @@ impl Image {
     }
 
     /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](stiction_scene::rust_source).
-    /// A copy of its own, as the next scene takes the place of this one.
+    /// A private copy, because the next scene replaces this one.
     pub(super) fn of_scene(
         board: Board,
         binary: &str,
         profile: Profile,
         scene: &str,
     ) -> Result<Self, EmulatorError> {
-        /// Images of different boards do not take each other's place.
+        /// Images of different boards do not replace each other.
         static BUILDING: [Mutex<()>; Board::ALL.len()] =
             [const { Mutex::new(()) }; Board::ALL.len()];
         let folder = tempfile::tempdir()?;
@@ -104,17 +104,17 @@ impl Image {
         &self.path
     }
 
-    /// The flash that it takes (bytes).
+    /// Its flash (bytes).
     fn flash(&self) -> Result<u64, EmulatorError> {
         Ok(Contents::of(&self.path)?.flash)
     }
 }
 
-/// The flash that the solver of a scene takes on a board (bytes): an image with it, less the same image without. `scene`
-/// is Rust code, see [`rust_source`](stiction_scene::rust_source).
+/// The flash of a scene's solver on a board (bytes): an image with it, minus the same image without. `scene` is Rust code, see
+/// [`rust_source`](stiction_scene::rust_source).
 ///
 /// # Errors
-/// Cargo or the target is missing, or the image cannot be built.
+/// Fails if cargo or the target is missing, or the image cannot be built.
 pub fn footprint(board: Board, profile: Profile, scene: &str) -> Result<u64, EmulatorError> {
     let whole = Image::of_scene(board, "footprint", profile, scene)?.flash()?;
     Ok(whole.saturating_sub(baseline(board, profile)?))
@@ -138,7 +138,7 @@ fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     let mut cargo = cargo(profile, Some(board.target()));
     cargo.args(["--features", "board", "--bin", binary]);
     if board == Board::Rp2040 {
-        // Apart from the other board of this target.
+        // Separate from the other board of this target.
         cargo.env("STICTION_CHIP", "rp2040");
         cargo
             .arg("--target-dir")

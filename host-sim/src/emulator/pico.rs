@@ -1,5 +1,5 @@
-//! An image with a command line on the emulated Pico: its cycles are read where the program asks for them. Its files are those of a
-//! folder, by semihosting.
+//! Runs an image with a command line on the emulated Pico: its cycles are read when the program requests them. Its files are
+//! those of a folder, by semihosting.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -9,21 +9,21 @@ use stiction_emulated_pico::{Chip, FLASH, length};
 use stiction_tools::image::flashed;
 use stiction_tools::process::EmulatorError;
 
-/// An image that takes longer does not come to an end: an hour of the chip at 125 MHz.
+/// The limit after which an image is considered endless: an hour of the chip at 125 MHz.
 const LONGEST: u64 = 450_000_000_000;
 
 /// `bkpt`: a request to the debugger, by the number in its lower byte.
 const BREAKPOINT: u8 = 0xBE;
-/// The clock is set to 0.
+/// Sets the clock to 0.
 const BEGIN: u8 = 1;
-/// The clock is read.
+/// Reads the clock.
 const END: u8 = 2;
 const SEMIHOSTING: u8 = 0xAB;
 
-/// Runs an image with a command line, its files in a folder. What it prints.
+/// Runs an image with a command line, its files in a folder. Returns its output.
 ///
 /// # Errors
-/// It is no image for this chip, ends with an error, or not at all.
+/// Fails if it is no image for this chip, ends with an error, or does not end.
 pub(super) fn run(image: &Path, folder: &Path, line: &[&str]) -> Result<String, EmulatorError> {
     let mut program = Program::new(flashed(image, FLASH)?, folder, line)?;
     loop {
@@ -39,7 +39,7 @@ fn not_understood(what: impl Into<String>) -> EmulatorError {
     EmulatorError::Output(what.into())
 }
 
-/// The chip, and what its debugger does for it.
+/// The chip, and the services of its debugger.
 struct Program {
     chip: Chip,
     /// The cycles at the last mark.
@@ -51,7 +51,7 @@ struct Program {
     printed: Vec<u8>,
 }
 
-/// What can be read or written.
+/// An open file.
 enum Stream {
     File(File),
     Console,
@@ -70,7 +70,7 @@ impl Program {
         })
     }
 
-    /// One instruction, or what the debugger is asked for. The exit status where that is its end.
+    /// Executes an instruction, or a request to the debugger. Returns the exit status if it ends the program.
     fn step(&mut self) -> Result<Option<u32>, EmulatorError> {
         let at = self.chip.at();
         let instruction = self.chip.instruction(at);
@@ -104,7 +104,7 @@ impl Program {
         Ok(None)
     }
 
-    /// A call of semihosting: its number in register 0, where its words are in register 1.
+    /// A call of semihosting: its number is in register 0, the address of its arguments in register 1.
     fn serve(&mut self) -> Result<Served, EmulatorError> {
         const FAILED: u32 = u32::MAX;
         /// Modes of files from here on are for writing.
@@ -141,7 +141,7 @@ impl Program {
                 }
                 None => FAILED,
             },
-            // SYS_WRITE: how many bytes are not written.
+            // SYS_WRITE: returns the number of bytes that were not written.
             0x05 => {
                 let (handle, from, length) = (word(0), word(1), word(2));
                 let bytes = self.chip.bytes(from, length);
@@ -152,7 +152,7 @@ impl Program {
                 }
                 0
             }
-            // SYS_READ: how many bytes are not read.
+            // SYS_READ: returns the number of bytes that were not read.
             0x06 => {
                 let (handle, to, length) = (word(0), word(1), word(2));
                 let mut bytes = Vec::new();
@@ -185,13 +185,13 @@ impl Program {
     }
 }
 
-/// What has come of a call.
+/// The result of a call.
 enum Served {
     Answer(u32),
     Exit(u32),
 }
 
-/// What the debugger is asked for by an instruction, if it is.
+/// The request of an instruction to the debugger, if it is one.
 fn requested(instruction: u16) -> Option<u8> {
     let [number, kind] = instruction.to_le_bytes();
     let is_known = [BEGIN, END, SEMIHOSTING].contains(&number);

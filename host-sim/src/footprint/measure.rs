@@ -6,10 +6,10 @@ use stiction_tools::process::EmulatorError;
 
 use crate::emulator::{Chip, Counted, Counter, Profile, footprint, job};
 
-/// What a model takes on a chip. Stack, instructions and cycles are those of the build for speed.
+/// The resources of a model on a chip. Stack, instructions and cycles are those of the build for speed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Measured {
-    /// Flash of the build for little flash (bytes).
+    /// Flash of the build for small size (bytes).
     pub(super) flash_small: u64,
     /// Flash of the build for speed (bytes).
     pub(super) flash_fast: u64,
@@ -18,7 +18,7 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// What is counted per frame (see [`Chip::unit`]), mean and worst; the start is not among them. `None`: there is no frame but that.
+    /// The count per frame (see [`Chip::unit`]), mean and worst, without the start. `None`: there is no other frame.
     pub(super) fn per_frame(&self) -> Option<[u64; 2]> {
         let steps = self.counted.steps();
         let sum: u64 = steps.iter().map(|step| u64::from(step.instructions)).sum();

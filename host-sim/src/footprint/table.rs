@@ -1,4 +1,4 @@
-//! The table: the smallest model beside the full one, as Markdown with columns of one width, for terminals as well.
+//! The table: the smallest model next to the full one, as Markdown with columns of equal width, suitable for terminals.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use stiction_tools::table::aligned;
 use super::measure::Measured;
 use crate::emulator::Chip;
 
-/// What the columns mean.
+/// The meaning of the columns.
 pub(super) const LEGEND: &str = "\
 Smallest model of the scene / full model (Full, room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
 scene, built for little flash (opt-level z) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
@@ -34,7 +34,7 @@ pub(super) struct Table {
     pub(super) rows: Vec<Row>,
 }
 
-/// Columns on the left that are words.
+/// Number of text columns on the left.
 const WORDS: usize = 4;
 const HEADER: [&str; 12] = [
     "scene",

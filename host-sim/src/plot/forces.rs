@@ -1,4 +1,4 @@
-//! The forces over time: for each surface and obstacle that is touched the normal reaction and the friction, summed over its contacts,
+//! The forces over time: for each touched surface and obstacle the normal reaction and the friction, summed over its contacts,
 //! between the limits of sticking and of slipping; and the force of the hand's spring.
 
 use super::legend::{Entry, Mark};

@@ -41,13 +41,13 @@ pub(crate) struct Panel {
 /// A picture.
 pub(crate) struct Fronts {
     pub(crate) title: String,
-    /// What a color means.
+    /// The meaning of a color.
     pub(crate) colors: Vec<(RGBColor, &'static str)>,
-    /// What dots and what rings are.
+    /// The meaning of dots and of rings.
     pub(crate) marks: [&'static str; 2],
-    /// What the error axis shows.
+    /// The label of the error axis.
     pub(crate) error: String,
-    /// The least error that is told apart.
+    /// The smallest error that is distinguished.
     pub(crate) floor: f64,
     pub(crate) panels: Vec<Panel>,
 }
@@ -111,7 +111,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Range<f64> {
     low - room..high + room
 }
 
-/// Powers of ten on an axis, with their doubles and fives where there is room for them.
+/// Powers of ten on an axis, with their doubles and fives if there is room for them.
 fn ticks(axis: &Range<f64>) -> Vec<f64> {
     let steps: &[f64] = if axis.end - axis.start < 3.2 {
         &[1.0, 2.0, 5.0]
@@ -125,7 +125,7 @@ fn ticks(axis: &Range<f64>) -> Vec<f64> {
         .collect()
 }
 
-/// A tick's label, with an exponent where it would be long.
+/// A tick's label, with an exponent if it would be long.
 fn label(value: f64) -> String {
     let text = if (1e-3..1e4).contains(&value) {
         format!("{}", (value * 1e6).round() / 1e6)
@@ -235,8 +235,8 @@ impl Axes<'_, '_> {
     }
 }
 
-/// The middle of a label beside each of some places with names: right, left, above or below, where it covers least of the
-/// marks and of the labels before it, and stays inside.
+/// The middle of a label next to each of the named places: right, left, above or below, wherever it covers least of the marks and
+/// of the earlier labels, and stays inside.
 fn labels(
     named: &[(&str, (f64, f64))],
     marks: &[(f64, f64)],

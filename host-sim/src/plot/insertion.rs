@@ -1,5 +1,5 @@
-//! A peg in a hole: the jamming diagram with the path of the load through it, and F_z over depth beside Whitney's formulas for small
-//! angles. Loads in the peg's frame.
+//! A peg in a hole: the jamming diagram with the path of the load through it, and F_z over depth compared with Whitney's formulas
+//! for small angles. Loads in the peg's frame.
 
 use super::legend::{Entry, Heading, Mark};
 use super::series::sparse;
@@ -139,7 +139,7 @@ impl Axes<'_> {
     }
 }
 
-/// The last frame in which the peg is deepest, but for what comes of rounding; from there on it is drawn out.
+/// The last frame in which the peg is deepest, apart from rounding; from there on it is drawn out.
 fn turn(readings: &[(&Frame, Insertion)]) -> usize {
     let deepest = readings
         .iter()
@@ -193,7 +193,7 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
             let ends = vec![corners[side], corners[(side + 1) % 4]];
             plane.draw(&PathElement::new(ends, stroke(color, width)))?;
         }
-        // Beside its upper corner.
+        // Next to its upper corner.
         let label = format!("l = {} mm", number(round(1e3 * depth)));
         let place = (corners[1].0 + 0.03 * across, corners[1].1 + 0.02 * up);
         plane.draw(&Text::new(label, place, font(SMALL).color(&FAINT)))?;
@@ -218,7 +218,7 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
     Ok(())
 }
 
-/// F_z over depth, and what the formulas say while the peg goes in.
+/// F_z over depth, and the values of the formulas while the peg moves in.
 fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
     let forces = || readings.iter().map(|(_, found)| found.fz);
     let deepest = readings

@@ -4,7 +4,7 @@
 use crate::record::{Frame, Run};
 use stiction_core::{Event, StateKind};
 
-/// Two snapshots are as much of the run's duration apart at least.
+/// The minimum interval between two snapshots, as a fraction of the run's duration.
 const APART: f64 = 0.005;
 /// Among obstacles events come in bunches, in which snapshots look alike.
 const BUNCH: f64 = 0.05;
@@ -48,7 +48,8 @@ fn eventful(frame: &Frame) -> bool {
     frame.events.iter().any(|&event| event != Event::Slip)
 }
 
-/// Adds candidates, the farthest in time from those chosen first, until there are `count` or none is left so much apart from them.
+/// Adds candidates, the farthest in time from those chosen first, until there are `count` or none is left with this distance from
+/// them.
 fn add(
     frames: &[Frame],
     chosen: &mut Vec<usize>,

@@ -8,7 +8,7 @@ use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
 use crate::record::{ContactRecord, Frame, Run};
 
-/// A smaller offset of the hand's angle is not told [rad].
+/// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;
 
 /// The picture as SVG.

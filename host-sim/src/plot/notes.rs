@@ -1,5 +1,5 @@
-//! The events of a run, and where its answer was limited, as notes above a time axis, set in rows so that none covers
-//! another. Lengths in px.
+//! The events of a run, and the limits of its answers, as notes above a time axis, arranged in rows so that none covers another.
+//! Lengths in px.
 
 use super::sheet::{Area, Drawn, px, stroke};
 use super::style::{FAINT, SMALL, font, text_width};
@@ -11,11 +11,11 @@ const ROW: f64 = 13.0;
 const MOST_ROWS: usize = 3;
 const SPACE: f64 = 4.0;
 
-/// What happened in a frame, but for slips and slides, which have marks of their own; and the status where it turns from ok.
+/// The events of a frame, except slips and slides, which have their own marks; and the status when it changes from ok.
 pub(super) struct Note {
     /// When [s].
     pub(super) t: f64,
-    /// Where on the time axis.
+    /// Position on the time axis.
     x: f64,
     names: String,
     /// Where the names begin.
@@ -31,7 +31,7 @@ pub(super) struct Notes {
 }
 
 impl Notes {
-    /// Sets the notes in as few rows as hold them all, left of `end`; `place` leads from time to the axis.
+    /// Arranges the notes in as few rows as possible, left of `end`; `place` maps time to the axis.
     pub(super) fn new(frames: &[Frame], place: impl Fn(f64) -> f64, end: f64) -> Self {
         let mut status = Status::Ok;
         let note = |frame: &Frame| {
@@ -99,7 +99,7 @@ pub(super) fn tally(names: impl Iterator<Item = &'static str>) -> String {
     counts.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
-/// Sets notes in rows from the top; a note may neither cover another one nor lead its tick through one below. Says whether
+/// Arranges notes in rows from the top; a note may neither cover another one nor draw its tick through one below. Returns whether
 /// all found room.
 fn set(notes: &mut [Note], rows: usize) -> bool {
     let mut ends = vec![0.0; rows];

@@ -1,4 +1,4 @@
-//! Obstacles in the plane: solid, their sides hatched where they are free, each with its name. World frame, m.
+//! Obstacles in the plane: solid, with their free sides hatched, each with its name. World frame, m.
 
 use stiction_scene::{ObstacleInfo, SurfaceInfo};
 
@@ -7,7 +7,7 @@ use super::sheet::{Drawn, px};
 use super::style::{FAINT, INK, SMALL, SOLID, centred, font, text_width};
 use plotters::prelude::*;
 
-/// Depth of the hatches and the way from one to the next [px].
+/// Depth of the hatches and distance between two [px].
 const HATCH: f64 = 7.0;
 const SPACING: f64 = 9.0;
 /// Height of a name [px].
@@ -15,7 +15,7 @@ const NAME: f64 = 14.0;
 
 type Point = (f64, f64);
 
-/// What is solid: the half-planes and the obstacles.
+/// The solid regions: the half-planes and the obstacles.
 pub(super) struct Solids<'a> {
     pub(super) surfaces: &'a [SurfaceInfo],
     pub(super) obstacles: &'a [ObstacleInfo],
@@ -45,7 +45,7 @@ impl View<'_> {
         Ok(())
     }
 
-    /// The names of the obstacles, each in the middle of what is seen of it; of what is too small for it beside it, or not at all.
+    /// The names of the obstacles, each in the middle of the visible part; if that is too small, next to it, or not at all.
     pub(super) fn names(&self, obstacles: &[ObstacleInfo], beside: bool) -> Drawn {
         for obstacle in obstacles {
             let seen = self.visible(&corners(obstacle));
@@ -68,7 +68,7 @@ impl View<'_> {
         Ok(())
     }
 
-    /// Where a name of this width begins beside what is seen of an obstacle: of a wall above or beside its middle.
+    /// The start of a name of this width next to the visible part of an obstacle: for a wall, above or next to its middle.
     fn beside(&self, seen: &Bounds, is_wall: bool, width: f64) -> Point {
         const GAP: f64 = 9.0;
         let (x, y) = seen.centre();
@@ -151,7 +151,7 @@ impl View<'_> {
         pieces
     }
 
-    /// From where to where a line is in the picture, as parts of it.
+    /// The start and the end of a line's visible part, as fractions of its length.
     fn span(&self, side: [Point; 2]) -> Option<(f64, f64)> {
         let seen = self.visible(&side);
         let [(x, y), (to_x, to_y)] = side;

@@ -63,8 +63,8 @@ fn extremes(samples: &[Sample]) -> Vec<Sample> {
     kept.into_iter().map(|i| samples[i]).collect()
 }
 
-/// A path in the plane without the points closer than `step` to the last one kept; the step doubles until at most `most`
-/// points are left. The ends stay.
+/// A path in the plane without the points closer than `step` to the last one kept; the step doubles until at most `most` points
+/// are left. The ends remain.
 pub(super) fn sparse(path: &[(f64, f64)], step: f64, most: usize) -> Vec<(f64, f64)> {
     let mut kept = Vec::new();
     for &point in path {

@@ -14,7 +14,7 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// A part of a sheet with two axes.
 pub(super) type Plane<'a> =
     DrawingArea<SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// What drawing gives.
+/// The result of drawing.
 pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 
 /// Steps per pixel.
@@ -97,7 +97,7 @@ pub(super) struct Rasterizer {
 }
 
 impl Rasterizer {
-    /// With DejaVu Sans, which the program carries.
+    /// With DejaVu Sans, which is built into the program.
     pub(super) fn new() -> Self {
         let mut options = usvg::Options::default();
         let fonts = options.fontdb_mut();
@@ -127,7 +127,7 @@ mod tests {
     use super::super::style::symbol;
     use super::*;
 
-    /// A subscript is smaller than the letters of its line and stands lower, and the line goes on at its height.
+    /// A subscript is smaller than the letters of its line and stands lower, and the line continues at its own height.
     #[test]
     fn subscripts_stand_lower() {
         let drawn = svg((100.0, 20.0), |area| {

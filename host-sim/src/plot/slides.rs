@@ -1,4 +1,4 @@
-//! When something slides, as bars above a time axis: apart from the marks of slips, which have lengths.
+//! The times of slides, as bars above a time axis: distinct from the marks of slips, which have lengths.
 
 use super::legend::{Entry, Mark};
 use super::sheet::{Area, Drawn, px};
@@ -9,14 +9,14 @@ use std::ops::Range;
 
 /// Height of the bars [px].
 const BAR: f64 = 9.0;
-/// Most bars that are told apart.
+/// Maximum number of distinguished bars.
 const COLUMNS: usize = 900;
 
 /// The slides of a run.
 pub(super) struct Slides {
-    /// From the frame that tells of it to the first one after that does not [s].
+    /// From the frame that reports it to the first one after that which does not [s].
     spans: Vec<Range<f64>>,
-    /// Of all frames together [s].
+    /// Total over all frames [s].
     seconds: f64,
 }
 
@@ -47,13 +47,13 @@ impl Slides {
         if self.spans.is_empty() { 0.0 } else { BAR }
     }
 
-    /// How long something slid.
+    /// The total time of sliding.
     pub(super) fn legend(&self) -> Option<Entry> {
         let text = format!("slides: {} s", number(round(self.seconds)));
         (!self.spans.is_empty()).then(|| Entry::new(Mark::Box(SLIDE), text))
     }
 
-    /// Draws the bars; `place` leads from time to the axis [px].
+    /// Draws the bars; `place` maps time to the axis [px].
     pub(super) fn draw(&self, area: &Area, place: impl Fn(f64) -> f64) -> Drawn {
         if self.spans.is_empty() {
             return Ok(());

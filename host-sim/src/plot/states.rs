@@ -6,7 +6,7 @@ use crate::record::Frame;
 use std::ops::Range;
 use stiction_core::StateKind;
 
-/// Most spans that are told apart.
+/// Maximum number of distinguished spans.
 const COLUMNS: usize = 900;
 
 /// An entry for each state.

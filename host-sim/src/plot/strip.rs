@@ -57,7 +57,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     })
 }
 
-/// What a snapshot has to show.
+/// The contents of a snapshot.
 fn extent(run: &Run, frame: &Frame) -> Bounds {
     let hand = frame.held.then_some((frame.hand[0], frame.hand[1]));
     Bounds::around(corners(&run.body, frame.pose).into_iter().chain(hand))

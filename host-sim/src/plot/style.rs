@@ -1,4 +1,4 @@
-//! The look of all pictures: colors that the color-blind tell apart (Okabe and Ito), one per role, and the type.
+//! The style of all pictures: colors that color-blind readers can distinguish (Okabe and Ito), one per role, and the type.
 
 use super::sheet::px;
 use crate::number::Number;
@@ -84,7 +84,7 @@ pub(super) fn centred(style: &TextStyle<'static>) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Center, VPos::Center))
 }
 
-/// Before a letter of a text that is a subscript: a character that no text has otherwise, from the private use area.
+/// The mark before a letter that is a subscript: a character of the private use area, which no text contains otherwise.
 pub(super) const SUBSCRIPT: char = '\u{e000}';
 
 /// A symbol with a letter as its subscript.
@@ -92,7 +92,7 @@ pub(super) fn symbol(name: &str, subscript: char) -> String {
     format!("{name}{SUBSCRIPT}{subscript}")
 }
 
-/// About the width of a text [px], on the safe side for DejaVu Sans.
+/// The approximate width of a text [px], not less than that in DejaVu Sans.
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
     let ems = |c: char| match c {
         SUBSCRIPT => 0.0,
@@ -104,7 +104,7 @@ pub(super) fn text_width(text: &str, size: f64) -> f64 {
     size * text.chars().map(ems).sum::<f64>()
 }
 
-/// A tick label of an axis that spans `extent`: a value that is 0 but for rounding reads 0.
+/// A tick label of an axis that spans `extent`: a value that is 0 apart from rounding reads 0.
 pub(super) fn tick(value: f64, extent: f64) -> String {
     number(if value.abs() < 1e-9 * extent {
         0.0

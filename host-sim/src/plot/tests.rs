@@ -1,4 +1,4 @@
-//! The pictures of a made-up run: a box that is dragged over the floor by stick-slip, against a wall, and let go.
+//! The pictures of an invented run: a box that is dragged over the floor by stick-slip, against a wall, and released.
 
 use super::legend::{Entry, Mark};
 use super::series::{envelope, outline, sparse};
@@ -13,7 +13,7 @@ use stiction_scene::SurfaceInfo;
 
 mod slides;
 
-/// A size that an SVG stays below [bytes].
+/// The maximum size of an SVG [bytes].
 const LARGEST_SVG: u64 = 1_000_000;
 
 fn surface(name: &str, normal: [f64; 2], offset: f64) -> SurfaceInfo {

@@ -16,9 +16,9 @@ use std::ops::Range;
 const GAP: f64 = 10.0;
 const SLIPS: f64 = 70.0;
 const BAND: f64 = 16.0;
-/// Columns that a line is thinned to: one per pixel.
+/// Number of columns to which a line is thinned: one per pixel.
 const COLUMNS: usize = 900;
-/// More events than this are not led through the panels.
+/// Above this number, events are not drawn through the panels.
 const MOST_GUIDES: usize = 24;
 
 /// A line of a panel.
@@ -26,11 +26,11 @@ pub(super) struct Line {
     pub(super) color: RGBColor,
     /// Width [px].
     pub(super) width: f64,
-    /// One value per frame, not finite where there is none.
+    /// One value per frame, not finite if there is none.
     pub(super) values: Vec<f64>,
     /// A limit: thinned to its outer edge, which can be dashed.
     pub(super) limit: bool,
-    /// The panel makes room for it; other lines are cut at the panel's edge.
+    /// The panel makes room for it; other lines are clipped at the panel's edge.
     pub(super) makes_room: bool,
 }
 
@@ -48,7 +48,7 @@ impl Line {
 
 /// A panel: lines over time with a common axis.
 pub(super) struct Panel {
-    /// What the vertical axis shows, with its unit.
+    /// The quantity on the vertical axis, with its unit.
     pub(super) label: String,
     /// Height [px].
     pub(super) height: f64,
@@ -117,7 +117,7 @@ fn span(times: &[f64]) -> Range<f64> {
     }
 }
 
-/// What the labels of a time axis count from: 0, or a round time before it where they would be too long (clock time) [s].
+/// The origin of the labels of a time axis: 0, or a round time before it if they would be too long (clock time) [s].
 fn origin(time: &Range<f64>) -> f64 {
     let step = 10f64.powf((time.end - time.start).log10().ceil() + 1.0);
     let origin = (time.start / step).floor() * step;
@@ -179,7 +179,7 @@ struct Column<'a, 'b> {
     times: &'a [f64],
     /// The time axis [s].
     time: Range<f64>,
-    /// Where the next panel begins [px].
+    /// The top of the next panel [px].
     top: f64,
 }
 

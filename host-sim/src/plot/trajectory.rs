@@ -96,7 +96,7 @@ fn bounds(run: &Run) -> Bounds {
     )
 }
 
-/// The corners of obstacles are seen that are not far away.
+/// Nearby corners of obstacles are shown.
 fn with_corners_near(run: &Run, bounds: Bounds) -> Bounds {
     let extent = bounds.width().max(bounds.height());
     let (width, height) = (

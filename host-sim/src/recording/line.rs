@@ -7,7 +7,7 @@ use stiction_scene::Sample;
 
 use crate::trace::Record;
 
-/// A sample as it is written.
+/// A sample in written form.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Written {
@@ -17,7 +17,7 @@ pub(super) struct Written {
     rest: Option<f64>,
     depth: Option<f64>,
     held: bool,
-    /// Hands that are not, as almost all are, leave it out.
+    /// Omitted for hands that are not, which almost all are.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     tilted: bool,
 }
@@ -55,14 +55,14 @@ impl Written {
     }
 }
 
-/// A line with a sample, as it is written.
+/// A line with a sample, for writing.
 #[derive(Serialize)]
 pub(super) struct LineOut<'a> {
     pub(super) sample: Written,
     pub(super) answer: Option<Record<'a>>,
 }
 
-/// A line with a sample, as it is read.
+/// A line with a sample, for reading.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct LineIn {
@@ -77,7 +77,7 @@ pub(super) struct End {
     pub(super) samples: u64,
 }
 
-/// A line with a change, of which C is the content.
+/// A line with a change, whose content is C.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ChangeLine<C> {

@@ -1,4 +1,4 @@
-//! A recording as it is read: its head, then line by line, with the line of what is wrong; one that was cut, as far as it is whole.
+//! Reads a recording: its head, then line by line; errors name the line. If it was cut, the complete part is read.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -12,14 +12,14 @@ use stiction_text::{LONGEST_WHOLE, Lines};
 use super::line::{ChangeLine, End, LineIn};
 use super::{Change, Head, PIECE, VERSION};
 
-/// The longest line that is read (bytes): a head and a change have the text of a scene file, for each byte of which JSON takes at most
-/// six, and else less than a piece. A sample with its answer has some hundred bytes.
+/// The maximum length of a line (bytes): a head and a change contain the text of a scene file, for each byte of which JSON needs
+/// at most six; the rest of them is shorter than a piece. A sample with its answer has some hundred bytes.
 const LONGEST_LINE: usize = 6 * LONGEST_WHOLE as usize + PIECE;
 
-/// Why a recording cannot be used.
+/// The reason why a recording cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {
-    /// It is no file on a disk, or the system does not give it.
+    /// It is no file on a disk, or the system cannot read it.
     #[error("{}: {problem}", file.display())]
     File {
         /// The recording.
@@ -27,7 +27,7 @@ pub enum RecordingError {
         /// What is wrong, and what is allowed.
         problem: String,
     },
-    /// A line is not as it must be.
+    /// A line is invalid.
     #[error("{}, line {line}: {problem}", file.display())]
     Line {
         /// The recording.
@@ -39,7 +39,7 @@ pub enum RecordingError {
     },
 }
 
-/// What every version of the format has in its head, and what some had.
+/// The fields that every version of the format has in its head, and those that some had.
 #[derive(Clone, Debug, Deserialize)]
 struct Made {
     recording: u32,
@@ -48,7 +48,7 @@ struct Made {
 }
 
 impl Made {
-    /// It is of the version that this program reads, or else what it is.
+    /// Checks that it is of the version that this program reads; otherwise returns what it is.
     fn check(&self) -> Result<(), String> {
         let (found, program) = (self.recording, &self.build);
         if found == VERSION {
@@ -69,7 +69,7 @@ impl Made {
 pub(crate) enum Line {
     /// A sample with the text of its answer.
     Sample(Sample, Option<String>),
-    /// From here on the body is under another setting.
+    /// From here on, the body is under another setting.
     Change(Change),
 }
 
@@ -84,12 +84,12 @@ pub(crate) struct Recording {
     pub(crate) head: Head,
 }
 
-/// How a recording ended, as far as it is read.
+/// The end of a recording, as far as it has been read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ending {
-    /// Without the count of its samples, or not yet.
+    /// Without the count of its samples, or not reached yet.
     None,
-    /// In the middle of a line, which is left out.
+    /// In the middle of a line, which is omitted.
     Torn,
     /// With the count of its samples.
     Counted,
@@ -99,9 +99,9 @@ impl Recording {
     /// Opens a recording and reads its head.
     ///
     /// # Errors
-    /// It cannot be read, or is none.
+    /// Fails if it cannot be read, or is no recording.
     pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
-        // As long as it likes: it is read line by line.
+        // Of any length: it is read line by line.
         let opened = stiction_text::open(file, u64::MAX);
         let opened = opened.map_err(|problem| RecordingError::File {
             file: file.to_owned(),
@@ -131,10 +131,10 @@ impl Recording {
         })
     }
 
-    /// The next line; nothing at the end.
+    /// Returns the next line; nothing at the end.
     ///
     /// # Errors
-    /// The file cannot be read, the line is neither a sample nor a change, or the last line counts others than there are.
+    /// Fails if the file cannot be read, the line is neither a sample nor a change, or the count in the last line is wrong.
     pub(crate) fn next(&mut self) -> Result<Option<Line>, RecordingError> {
         if !self.advance()? {
             return Ok(None);
@@ -163,7 +163,7 @@ impl Recording {
         Ok(Some(Line::Sample(line.sample.sample(), answer)))
     }
 
-    /// Goes on to the next line; false at the end of the file.
+    /// Advances to the next line; false at the end of the file.
     fn advance(&mut self) -> Result<bool, RecordingError> {
         let advanced = self.lines.advance().map(|line| line.is_some());
         if advanced != Ok(false) {
@@ -172,7 +172,7 @@ impl Recording {
         advanced.map_err(|problem| self.error(problem))
     }
 
-    /// Takes the last line.
+    /// Processes the last line.
     fn end(&mut self, end: &End) -> Result<(), RecordingError> {
         let (counted, there) = (end.samples, self.samples);
         if counted != there {
@@ -190,7 +190,7 @@ impl Recording {
         }
     }
 
-    /// What is missing where the recording ended without the count of its samples.
+    /// Describes what is missing if the recording ended without the count of its samples.
     pub(crate) fn cut(&self) -> Option<String> {
         let (file, line) = (self.file.display(), self.line);
         let what = match self.end {
@@ -203,7 +203,7 @@ impl Recording {
         ))
     }
 
-    /// A problem in the line that was read last.
+    /// A problem in the line that was last read.
     pub(crate) fn error(&self, problem: String) -> RecordingError {
         RecordingError::Line {
             file: self.file.clone(),
@@ -212,7 +212,7 @@ impl Recording {
         }
     }
 
-    /// The line that was read last.
+    /// The line that was last read.
     pub(crate) fn line(&self) -> usize {
         self.line
     }
@@ -223,7 +223,7 @@ impl Recording {
     }
 }
 
-/// Whether a first line is that of a trace: a record, or the names of the columns.
+/// Returns whether a first line is that of a trace: a record, or the names of the columns.
 fn is_trace(text: &[u8]) -> bool {
     #[derive(Deserialize)]
     #[expect(dead_code, reason = "that they are there is what counts")]
@@ -235,7 +235,7 @@ fn is_trace(text: &[u8]) -> bool {
     text.starts_with(b"t,hand_x,") || serde_json::from_slice::<Keys>(text).is_ok()
 }
 
-/// What serde_json says, without its place in a text of a single line.
+/// The message of serde_json, without its position in a text of a single line.
 fn plain(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

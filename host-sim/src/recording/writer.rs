@@ -1,5 +1,5 @@
-//! A recording as it is written: line by line, into a part of a file that appears in its place when it is whole, or, of what happens
-//! once, in its place from the beginning.
+//! Writes a recording line by line: to a temporary file that is moved to its destination when it is complete, or, for a process
+//! that happens only once, directly to the destination.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, LineWriter, Write};
@@ -15,7 +15,8 @@ use super::{Change, Head, PIECE};
 use crate::record::{Frame, Run, Scenery};
 use crate::trace::Record;
 
-/// A recording that is being written. One in a part of a file appears in its place with [`RecordingWriter::finish`], or not at all.
+/// A recording that is being written. One in a temporary file appears at its destination with [`RecordingWriter::finish`], or not
+/// at all.
 #[derive(Debug)]
 pub(crate) struct RecordingWriter<W: Write = BufWriter<NamedTempFile>> {
     place: PathBuf,
@@ -25,7 +26,8 @@ pub(crate) struct RecordingWriter<W: Write = BufWriter<NamedTempFile>> {
     writer: W,
 }
 
-/// A recording of something that happens once: it is in its place from the beginning, and every line as soon as it is whole.
+/// A recording of a process that happens only once: it is at its destination from the beginning, and every line as soon as it is
+/// complete.
 pub(crate) type LiveWriter = RecordingWriter<LineWriter<File>>;
 
 impl<W: Write> RecordingWriter<W> {
@@ -44,7 +46,7 @@ impl<W: Write> RecordingWriter<W> {
     /// Adds a sample and its answer.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
             sample: Written::new(sample),
@@ -55,10 +57,10 @@ impl<W: Write> RecordingWriter<W> {
         self.writer.write_all(b"\n")
     }
 
-    /// From the next sample on the body is under another setting, that of `run`.
+    /// From the next sample on, the body is under another setting, that of `run`.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(crate) fn change(&mut self, change: &Change, run: &Run) -> io::Result<()> {
         (self.scenery, self.single) = (run.scenery(), run.number.is_single());
         serde_json::to_writer(&mut self.writer, &ChangeLine { change })?;
@@ -73,18 +75,18 @@ impl<W: Write> RecordingWriter<W> {
 }
 
 impl RecordingWriter {
-    /// Begins the recording of `run` that is to stand at `place`.
+    /// Begins the recording of `run` with the destination `place`.
     ///
     /// # Errors
-    /// The folder of `place` cannot be written to.
+    /// Fails if the folder of `place` cannot be written to.
     pub(crate) fn create(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
         Self::begin(place, BufWriter::new(part(place)?), head, run)
     }
 
-    /// Ends the recording with the count of its samples and puts it in its place.
+    /// Ends the recording with the count of its samples and moves it to its destination.
     ///
     /// # Errors
-    /// The file cannot be written or moved.
+    /// Fails if the file cannot be written or moved.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         self.end()?;
         let file = self
@@ -97,23 +99,23 @@ impl RecordingWriter {
 }
 
 impl LiveWriter {
-    /// Begins a recording at `place`, where nothing may be yet.
+    /// Begins a recording at `place`, which must not exist yet.
     ///
     /// # Errors
-    /// Something is there, or the folder cannot be written to.
+    /// Fails if it exists, or the folder cannot be written to.
     pub(crate) fn live(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
         let file = File::options().write(true).create_new(true).open(place)?;
-        // Where the system has no locks, another program may take it for one that was cut.
+        // If the system has no locks, another program may mistake it for one that was cut.
         let _ = FileExt::try_lock(&file);
         let begun = Self::begin(place, LineWriter::with_capacity(PIECE, file), head, run);
         if begun.is_err() {
-            // There is no room for it. What is without a head is no recording.
+            // There is no room for it. A file without a head is no recording.
             let _ = fs::remove_file(place);
         }
         begun
     }
 
-    /// Where it is.
+    /// The path of the recording.
     pub(crate) fn place(&self) -> &Path {
         &self.place
     }
@@ -121,13 +123,13 @@ impl LiveWriter {
     /// Ends the recording with the count of its samples.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(crate) fn finish_live(mut self) -> io::Result<()> {
         self.end()
     }
 }
 
-/// Whether a program is still writing a recording.
+/// Returns whether a program is still writing a recording.
 pub(crate) fn is_being_written(place: &Path) -> bool {
     let locked = |file: File| {
         matches!(

@@ -1,4 +1,5 @@
-//! What a run says of a peg and its hole: how deep, with which force, where with two points, how often jammed and wedged.
+//! The report of a run about a peg and its hole: depth, force, position of the two-point contact, number of jammed and wedged
+//! frames.
 
 use std::fmt;
 
@@ -7,7 +8,7 @@ use stiction_insertion::{Insertion, Meter, Verdict};
 use crate::meter;
 use crate::record::Frame;
 
-/// Of a run whose scene has a meter.
+/// For a run whose scene has a meter.
 #[derive(Clone, Debug)]
 pub(super) struct Insertions {
     meter: Meter,
@@ -25,7 +26,7 @@ pub(super) struct Insertions {
 }
 
 impl Insertions {
-    /// Of a run whose frames are still to come.
+    /// For a run before its first frame.
     pub(super) fn new(meter: Meter) -> Self {
         Self {
             meter,

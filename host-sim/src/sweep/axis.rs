@@ -11,7 +11,7 @@ use super::key::Key;
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub(super) key: Key,
-    /// Where the key stands in the sweep file.
+    /// The position of the key in the sweep file.
     pub(super) offset: usize,
     values: Values,
 }
@@ -42,10 +42,10 @@ enum Scale {
 }
 
 impl Axis {
-    /// Of a key at a place in the sweep file, with what stands behind it; a grid needs `steps`.
+    /// Reads the values of a key at a position in the sweep file; a grid needs `steps`.
     ///
     /// # Errors
-    /// What is wrong and what is allowed.
+    /// Reports what is wrong and what is allowed.
     pub(super) fn new(
         key: Key,
         offset: usize,
@@ -73,7 +73,7 @@ impl Axis {
         })
     }
 
-    /// How many values a grid takes.
+    /// The number of values in a grid.
     pub(super) fn count(&self) -> u64 {
         match &self.values {
             Values::List(list) => list.len() as u64,
@@ -97,7 +97,7 @@ impl Axis {
         }
     }
 
-    /// A random value: one of the list, or one of the range.
+    /// A random value: one from the list, or one from the range.
     pub(super) fn draw(&self, random: &mut ChaCha8Rng) -> Value {
         match &self.values {
             Values::List(list) => list[one_of(list.len(), random)].clone(),
@@ -118,14 +118,15 @@ impl Axis {
     }
 }
 
-/// One of so many, drawn as every random value is.
+/// Draws one of `count` indices, in the same manner as every random value.
 pub(super) fn one_of(count: usize, random: &mut ChaCha8Rng) -> usize {
     // The upper half of a product of 64 bits by 64: below `count`.
     ((u128::from(random.next_u64()) * count as u128) >> 64) as usize
 }
 
 impl Range {
-    /// At `part` of the way, 0 to 1. The logarithm is that of libm, whose bits are the same on every machine.
+    /// The value at the fraction `part` of the range, 0 to 1. The logarithm is that of libm, whose bits are the same on every
+    /// machine.
     fn part(self, part: f64) -> f64 {
         let Self { from, to, .. } = self;
         let value = match self.scale {
@@ -135,7 +136,7 @@ impl Range {
                 libm::exp10(low + (high - low) * part)
             }
         };
-        // Rounding may lead beyond an end.
+        // Rounding may exceed an end.
         value.clamp(from, to)
     }
 }
@@ -156,7 +157,7 @@ fn range(key: &Key, given: Value, is_grid: bool) -> Result<Range, String> {
     let Range { from, to, .. } = range;
     checked(key, Value::Float(from))?;
     checked(key, Value::Float(to))?;
-    // Also where the way from one to the other is beyond the numbers.
+    // Also if the difference of the ends is beyond the range of the numbers.
     if !(from < to && (to - from).is_finite()) {
         return Err(format!(
             "goes from {from:?} to {to:?}, allowed: `to` above `from`"

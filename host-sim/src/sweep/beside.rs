@@ -1,5 +1,5 @@
-//! The file beside a table: what its rows were made from, line by line, and a digest of every row, by which a row is found that
-//! somebody has changed.
+//! The file next to a table: the inputs of its rows, line by line, and a digest of every row, which reveals rows that somebody
+//! has changed.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
@@ -10,7 +10,7 @@ use stiction_tools::files;
 
 use super::output::{OutputError, length_of, write_error};
 
-/// The line behind what the rows were made from.
+/// The line after the inputs of the rows.
 const ROWS: &str = "rows:\n";
 
 /// A line with 64 bits of SHA-256 in hexadecimal digits: chance alters a row unseen once in 2^64 times.
@@ -23,27 +23,27 @@ fn digest(row: &[u8]) -> [u8; DIGEST] {
     line
 }
 
-/// Where it stands.
+/// The path of the file.
 pub(super) fn beside(table: &Path) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(".sweep");
     name.into()
 }
 
-/// The file, whose digests are read from the first one on and then added to.
+/// The file; its digests are read from the first one on, then new ones are added.
 #[derive(Debug)]
 pub(super) struct Beside {
     file: BufReader<File>,
     place: PathBuf,
-    /// Where the digests begin (bytes).
+    /// The position of the first digest (bytes).
     begin: u64,
 }
 
 impl Beside {
-    /// For a table without rows, made from `inputs`.
+    /// Creates the file for a table without rows, made from `inputs`.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// Fails if it cannot be written.
     pub(super) fn begin(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let text = format!("{inputs}{ROWS}");
@@ -51,10 +51,10 @@ impl Beside {
         Self::open(table, inputs)
     }
 
-    /// For a table that is there.
+    /// Opens the file of an existing table.
     ///
     /// # Errors
-    /// The file is not there, or the rows were made from something else.
+    /// Fails if the file is missing, or the rows were made from other inputs.
     pub(super) fn open(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let file = match OpenOptions::new().read(true).write(true).open(&place) {
@@ -74,7 +74,7 @@ impl Beside {
         if before == expected.as_bytes() {
             return Ok(Self { file, place, begin });
         }
-        // Of a program that knew no digests: nobody can tell what became of the rows.
+        // Written by a program without digests: changes of its rows cannot be detected.
         if before == inputs.as_bytes() {
             return Self::begin(table, inputs);
         }
@@ -84,10 +84,10 @@ impl Beside {
         })
     }
 
-    /// Whether a row is the one that was written next; nothing where none was.
+    /// Returns whether a row is the one that was written next; nothing if none was.
     ///
     /// # Errors
-    /// The file cannot be read.
+    /// Fails if the file cannot be read.
     pub(super) fn is_next(&mut self, row: &[u8]) -> Result<Option<bool>, OutputError> {
         let mut line = [0; DIGEST];
         match self.file.read_exact(&mut line) {
@@ -97,10 +97,10 @@ impl Beside {
         }
     }
 
-    /// Leaves the digests of so many rows; the next one follows.
+    /// Keeps the digests of `rows` rows; the next one follows.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(super) fn cut(&mut self, rows: u64) -> Result<(), OutputError> {
         let length = self.begin + rows * DIGEST as u64;
         let cut = self.file.get_ref().set_len(length);
@@ -111,14 +111,14 @@ impl Beside {
     /// Adds the digest of a row.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         let written = self.file.get_mut().write_all(&digest(row));
         written.map_err(write_error(&self.place))
     }
 }
 
-/// The lines up to the one before the digests, with it.
+/// The lines up to and including the one before the digests.
 fn head(mut file: impl BufRead) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
     loop {
@@ -130,7 +130,7 @@ fn head(mut file: impl BufRead) -> io::Result<Vec<u8>> {
     }
 }
 
-/// What differs between two lists of inputs, whose lines are "what: which".
+/// The difference between two lists of inputs, whose lines are "what: which".
 fn changed(before: &str, inputs: &str) -> String {
     let names = |text: &str, other: &str| -> Vec<String> {
         let lines = text

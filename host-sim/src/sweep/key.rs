@@ -1,5 +1,5 @@
-//! What a sweep may vary: the keys of a scene file, and `run.` with the options of `stiction run`. From a key and a value to
-//! the scene's TOML and the settings of the run.
+//! The keys that a sweep may vary: the keys of a scene file, and `run.` with the options of `stiction run`. From a key and a
+//! value to the scene's TOML and the settings of the run.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use crate::options::{parse_budget, parse_evolution, parse_number, parse_rate};
 use crate::settings::Settings;
 
-/// What a key takes.
+/// The type of a key's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -16,7 +16,7 @@ enum Kind {
     Text,
 }
 
-/// Keys of a scene file; those of a surface stand behind `surface.NAME.`, those of an obstacle behind `obstacle.NAME.`.
+/// Keys of a scene file; those of a surface follow `surface.NAME.`, those of an obstacle `obstacle.NAME.`.
 const SCENE: [(&str, Kind); 16] = [
     ("body.vertices", Kind::Numbers),
     ("body.rectangle", Kind::Numbers),
@@ -48,7 +48,7 @@ const OBSTACLE: [(&str, Kind); 4] = [
     ("dynamic", Kind::Number),
     ("memory", Kind::Number),
 ];
-/// Sections of which a file has several, and their keys.
+/// Sections that may occur several times in a file, and their keys.
 const NAMED: [(&str, &[(&str, Kind)]); 2] = [("surface", &SURFACE), ("obstacle", &OBSTACLE)];
 const RUN: [(&str, Dial); 5] = [
     ("run.hand", Dial::Hand),
@@ -82,7 +82,7 @@ enum Place {
     Scene(Vec<String>, Kind),
 }
 
-/// All that may be varied, for messages.
+/// All keys that may be varied, for messages.
 pub(super) fn all() -> String {
     let run = RUN.iter().map(|(name, _)| (*name).to_owned());
     let scene = SCENE.iter().map(|(name, _)| (*name).to_owned());
@@ -94,7 +94,7 @@ pub(super) fn all() -> String {
 }
 
 impl Key {
-    /// The key of a name; `None` where there is none.
+    /// The key of a name; `None` if there is none.
     pub(super) fn parse(name: &str) -> Option<Self> {
         let place = match RUN.iter().find(|(known, _)| *known == name) {
             Some((_, dial)) => Place::Run(*dial),
@@ -104,15 +104,15 @@ impl Key {
         Some(Self { name, place })
     }
 
-    /// As it is written.
+    /// The key as it is written.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
-    /// A value as this key has it: whole numbers become numbers where it takes numbers.
+    /// Converts a value to the type of this key: whole numbers become floating-point numbers if it needs these.
     ///
     /// # Errors
-    /// What is allowed, where the key cannot take such a value.
+    /// Reports what is allowed if the key cannot have such a value.
     pub(super) fn value(&self, value: Value) -> Result<Value, String> {
         let whole = matches!(self.place, Place::Run(Dial::Budget));
         let value = match value {
@@ -138,7 +138,7 @@ impl Key {
         Ok(value)
     }
 
-    /// Whether the values are numbers, of which there is one between any two.
+    /// Returns whether the values are numbers from a continuous range.
     pub(super) fn is_continuous(&self) -> bool {
         match self.place {
             Place::Run(dial) => matches!(dial, Dial::Rate),
@@ -151,10 +151,10 @@ impl Key {
         matches!(self.place, Place::Run(Dial::Hand))
     }
 
-    /// Puts a value in its place; files of the run are relative to `folder`.
+    /// Writes a value to its place; files of the run are relative to `folder`.
     ///
     /// # Errors
-    /// What is wrong with the scene, where it has no such place.
+    /// Reports what is wrong with the scene if it has no such place.
     pub(super) fn set(
         &self,
         value: &Value,
@@ -180,7 +180,7 @@ impl Key {
     }
 }
 
-/// The place of a key of the scene file, with indices into arrays behind it or without.
+/// The place of a key of the scene file, with or without trailing indices into arrays.
 fn scene_place(name: &str) -> Option<Place> {
     let mut base = name;
     let mut indices = Vec::new();
@@ -214,7 +214,7 @@ fn whole_place(name: &str) -> Option<(Vec<&str>, Kind)> {
     Some((name.split('.').collect(), *kind))
 }
 
-/// Puts a value below `node`, which is called `name`.
+/// Writes a value below `node`, which is called `name`.
 fn set_in(node: &mut Value, name: &str, path: &[String], value: &Value) -> Result<(), String> {
     let Some((step, rest)) = path.split_first() else {
         *node = value.clone();
@@ -259,7 +259,7 @@ fn is_called(entry: &Value, name: &str) -> bool {
     entry.get("name").and_then(Value::as_str) == Some(name)
 }
 
-/// Takes a value as the option of `stiction run` takes it.
+/// Parses a value as `stiction run` parses its option.
 fn set_dial(
     dial: Dial,
     value: &Value,
@@ -286,7 +286,7 @@ fn set_dial(
     Ok(())
 }
 
-/// What is allowed, without the word.
+/// The allowed values, without the word.
 fn bare(message: String) -> String {
     message.trim_start_matches("allowed: ").to_owned()
 }

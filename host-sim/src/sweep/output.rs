@@ -1,6 +1,6 @@
-//! The table on disk: rows are added in order, each with one write, so that a killed run leaves whole rows and at most one
-//! that is cut. The next run finds what the rows were made from, and what they were, in a file beside the table, and goes on where
-//! they end.
+//! The table on disk: rows are added in order, each with one write, so that a killed run leaves complete rows and at most one
+//! that is cut. The next run finds the inputs of the rows, and their digests, in a file next to the table, and continues after
+//! the last row.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, Write};
@@ -10,25 +10,25 @@ use fs4::TryLockError;
 
 use super::beside::Beside;
 
-/// A line of a table that is read is shorter (bytes): its names and values stand in a sweep file or are those of a summary, which are
-/// fewer.
+/// The maximum length of a line in a table that is read (bytes): its names and values come from a sweep file or from a summary,
+/// and these are shorter.
 const LONGEST_ROW: u64 = 2 * stiction_text::LONGEST_WHOLE;
 
-/// Why rows cannot be added.
+/// The reason why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
-    /// The table, or the file beside it, cannot be read or written.
+    /// The table, or the file next to it, cannot be read or written.
     #[error("{}: cannot be written: {error}", place.display())]
     Write {
         /// The file.
         place: PathBuf,
-        /// What the system says.
+        /// The system's message.
         error: io::Error,
     },
     /// Another process writes to it.
     #[error("{}: another sweep is writing to it, allowed: one at a time, or another --out", .0.display())]
     Busy(PathBuf),
-    /// No sweep wrote it.
+    /// It was not written by a sweep.
     #[error(
         "{}: is there already and {} is not, so no sweep wrote it, allowed: another --out, or a file that is not there",
         place.display(), beside.display()
@@ -36,7 +36,7 @@ pub enum OutputError {
     Stranger {
         /// The table.
         place: PathBuf,
-        /// What would be beside it.
+        /// The file expected next to it.
         beside: PathBuf,
     },
     /// The rows belong to another sweep.
@@ -47,10 +47,10 @@ pub enum OutputError {
     Changed {
         /// The table.
         place: PathBuf,
-        /// Which input.
+        /// The input that differs.
         changed: String,
     },
-    /// A row is not where it has to be.
+    /// A row is not the expected one.
     #[error(
         "{}, line {line}: is not {expected}, allowed: the file as the sweep left it, another --out, or to delete it",
         place.display()
@@ -60,21 +60,21 @@ pub enum OutputError {
         place: PathBuf,
         /// The line, counted from 1.
         line: u64,
-        /// What has to be there.
+        /// The expected content.
         expected: String,
     },
 }
 
-/// The rows that are to stand in a table.
+/// The rows of a table.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     /// The first line; the tables of all shards but the first have none.
     pub(super) header: Option<Vec<u8>>,
     /// The index of the first row.
     pub(super) first: u64,
-    /// From one index to the next.
+    /// The step between indices.
     pub(super) step: u64,
-    /// How many there are.
+    /// The number of rows.
     pub(super) count: u64,
 }
 
@@ -85,7 +85,7 @@ impl Rows {
     }
 }
 
-/// A table that rows are added to. As long as it lives nobody else adds any.
+/// A table to which rows are added. As long as it exists, nobody else adds any.
 #[derive(Debug)]
 pub(super) struct Output {
     file: File,
@@ -95,10 +95,10 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// Opens the table at `place`, or begins it; `inputs`: what the rows are made from, line by line.
+    /// Opens the table at `place`, or creates it; `inputs`: the inputs of the rows, line by line.
     ///
     /// # Errors
-    /// What is there belongs to something else, or it cannot be written.
+    /// Fails if an existing table belongs to something else, or it cannot be written.
     pub(super) fn open(place: &Path, inputs: &str, rows: &Rows) -> Result<Self, OutputError> {
         let cannot_write = write_error(place);
         let file = OpenOptions::new()
@@ -111,7 +111,7 @@ impl Output {
         match fs4::FileExt::try_lock(&file) {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(OutputError::Busy(place.to_owned())),
-            // Some file systems of clusters know no locks.
+            // Some file systems of clusters do not support locks.
             Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
             Err(TryLockError::Error(error)) => return Err(cannot_write(error)),
         }
@@ -135,15 +135,15 @@ impl Output {
         Ok(output)
     }
 
-    /// How many rows are there.
+    /// The number of existing rows.
     pub(super) fn rows(&self) -> u64 {
         self.rows
     }
 
-    /// Adds a row, which is in the hands of the system then.
+    /// Adds a row; on return, the system has accepted it.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         self.write(row)?;
         self.beside.append(row)?;
@@ -155,8 +155,8 @@ impl Output {
         self.file.write_all(line).map_err(write_error(&self.place))
     }
 
-    /// Counts the rows, each of which must be the one that was written there; returns how many bytes they are. A row that was written
-    /// last, of which nothing is known, is made again.
+    /// Counts the rows, each of which must be the one that was written there; returns their length in bytes. If the last row has
+    /// no digest, it is computed again.
     fn take_stock(&mut self, rows: &Rows) -> Result<u64, OutputError> {
         let place = self.place.clone();
         let mut reader = BufReader::new(&self.file);
@@ -199,10 +199,10 @@ impl Output {
     }
 }
 
-/// How long a file on a disk is (bytes).
+/// The length of a file on a disk (bytes).
 ///
 /// # Errors
-/// It is something else, which need not have an end.
+/// Fails for anything else, which need not have an end.
 pub(super) fn length_of(file: &File) -> io::Result<u64> {
     let there = file.metadata()?;
     match there.is_file() {

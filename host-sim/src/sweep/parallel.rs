@@ -1,4 +1,4 @@
-//! Work on all threads, its results in the order of the jobs: from job numbers to a sink that sees them one by one.
+//! Runs jobs on all threads, with results in the order of the jobs: from job numbers to a sink that receives them one by one.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -7,14 +7,14 @@ use std::sync::mpsc::sync_channel;
 
 use rayon::ThreadPool;
 
-/// Jobs that are begun, or wait, for each thread: so many results at most wait for an earlier one.
+/// Jobs per thread that are running or waiting: at most this number of results waits for an earlier one.
 pub(super) const AHEAD: usize = 8;
 
-/// Does `jobs` on the threads of `pool` and gives the results to `sink`, in order, as soon as they are there. It ends early
-/// where `work` gives nothing: then whatever was done before that job has been given.
+/// Runs `jobs` on the threads of `pool` and passes the results to `sink`, in order, as soon as they are available. It ends early
+/// if `work` returns nothing: all results before that job have then been passed.
 ///
 /// # Errors
-/// The first error of `sink`.
+/// Returns the first error of `sink`.
 pub(super) fn in_order<T: Send, E>(
     pool: &ThreadPool,
     mut jobs: Range<u64>,

@@ -1,5 +1,5 @@
-//! The sweep file: from TOML to scenes, axes and a design, and on to any point of it. A point is a function of the file and
-//! its index alone, so that shards and continuations agree.
+//! The sweep file: from TOML to scenes, axes and a design, and to any point of it. A point is a function of the file and its
+//! index alone, so that shards and continuations agree.
 
 use std::path::{Path, PathBuf};
 
@@ -16,10 +16,10 @@ use super::key::{self, Key};
 use crate::scenes;
 use crate::settings::Settings;
 
-/// The most points of a sweep.
+/// Maximum number of points of a sweep.
 pub(super) const MOST: u64 = 1_000_000_000;
 
-/// The file as TOML has it; `vary` is read by itself, for the order and the places of its keys.
+/// The file as TOML; `vary` is read separately, for the order and the positions of its keys.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Document {
@@ -41,7 +41,7 @@ struct Design {
 /// A scene to start from.
 #[derive(Clone, Debug)]
 pub(super) struct BaseScene {
-    /// As the sweep file calls it.
+    /// Its name in the sweep file.
     pub(super) name: String,
     pub(super) source: Source,
     pub(super) table: Table,
@@ -58,12 +58,12 @@ pub(super) struct Plan {
     points: u64,
 }
 
-/// One of them.
+/// A point of a sweep.
 #[derive(Clone, Debug)]
 pub(super) struct Point<'a> {
     pub(super) index: u64,
     pub(super) scene: &'a BaseScene,
-    /// Of every axis.
+    /// The value of every axis.
     pub(super) values: Vec<Value>,
 }
 
@@ -71,7 +71,7 @@ impl Plan {
     /// Reads a sweep file and its scenes.
     ///
     /// # Errors
-    /// The file, or a scene, cannot be read, or a key, a value or the number of points cannot be used.
+    /// Fails if the file, or a scene, cannot be read, or a key, a value or the number of points cannot be used.
     pub(super) fn read(file: &Path) -> Result<Self, InputError> {
         let source = Source::read(file)?;
         let document: Document = source.toml()?;
@@ -100,7 +100,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// How many points there are.
+    /// The number of points.
     pub(super) fn count(&self) -> u64 {
         self.points
     }
@@ -114,7 +114,7 @@ impl Plan {
     pub(super) fn point(&self, index: u64) -> Point<'_> {
         let (scene, values) = match self.seed {
             Some(seed) => {
-                // Every point has a stream of random bits of its own.
+                // Every point has its own stream of random bits.
                 let mut random = ChaCha8Rng::seed_from_u64(seed);
                 random.set_stream(index);
                 let scene = one_of(self.scenes.len(), &mut random);
@@ -140,7 +140,7 @@ impl Plan {
         }
     }
 
-    /// Every scene has a place for every key.
+    /// Checks that every scene has a place for every key.
     fn check_places(&self) -> Result<(), InputError> {
         let point = self.point(0);
         for scene in &self.scenes {
@@ -159,7 +159,7 @@ impl Plan {
         Ok(())
     }
 
-    /// All files that are read: the sweep file, scenes that are not bundled ones, recorded paths of the hand.
+    /// All input files: the sweep file, scenes that are not bundled ones, recorded paths of the hand.
     pub(super) fn files(&self) -> Vec<PathBuf> {
         let scenes = self
             .scenes
@@ -185,10 +185,10 @@ impl Plan {
 }
 
 impl Point<'_> {
-    /// The scene with this point's values, and how to run it.
+    /// The scene with this point's values, and the settings of its run.
     ///
     /// # Errors
-    /// The scene is refused.
+    /// Fails if the scene is refused.
     pub(super) fn scene_file(&self, plan: &Plan) -> Result<(SceneFile, Settings), InputError> {
         let (mut table, mut settings) = (self.scene.table.clone(), Settings::default());
         let source = &self.scene.source;
@@ -236,7 +236,7 @@ fn base_scenes(source: &Source, document: &Document) -> Result<Vec<BaseScene>, I
 
 /// `[vary]`, in the order of the file.
 fn axes(source: &Source, is_grid: bool) -> Result<Vec<Axis>, InputError> {
-    // What is no TOML was refused before.
+    // Invalid TOML was refused before.
     let document = DeTable::parse(source.text()).map_err(|error| source.error(error.message()))?;
     let mut given = Vec::new();
     if let Some(vary) = document.get_ref().get("vary") {
@@ -255,7 +255,7 @@ fn axes(source: &Source, is_grid: bool) -> Result<Vec<Axis>, InputError> {
     Ok(axes)
 }
 
-/// Keys with their values below a table, whether they are written with quotes, as `"a.b" = ...`, or without.
+/// Keys with their values below a table, written with quotes, as `"a.b" = ...`, or without.
 fn leaves(
     source: &Source,
     path: &str,

@@ -1,4 +1,4 @@
-//! How far a sweep is, on standard error: a bar on a terminal, else a line every ten seconds.
+//! The progress of a sweep, on standard error: a bar on a terminal, otherwise a line every ten seconds.
 
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -8,10 +8,10 @@ use indicatif::{HumanDuration, ProgressBar};
 use crate::progress::bar;
 use crate::report;
 
-/// Rows done of all.
+/// Completed rows out of all.
 pub(super) struct Progress {
     bar: ProgressBar,
-    /// When the last line was written, where there is no terminal.
+    /// When the last line was written, if there is no terminal.
     told: Option<Instant>,
     begun: Instant,
     before: u64,
@@ -20,7 +20,7 @@ pub(super) struct Progress {
 impl Progress {
     const INTERVAL: Duration = Duration::from_secs(10);
 
-    /// `done` of `total` rows are there already.
+    /// Begins with `done` of `total` rows complete.
     pub(super) fn new(done: u64, total: u64, quiet: bool) -> Self {
         let bar = match quiet {
             true => ProgressBar::hidden(),
@@ -37,7 +37,7 @@ impl Progress {
         }
     }
 
-    /// `done` rows are there.
+    /// Reports that `done` rows are complete.
     pub(super) fn set(&mut self, done: u64, total: u64) {
         self.bar.set_position(done);
         let Some(told) = &mut self.told else {

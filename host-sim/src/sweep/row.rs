@@ -1,5 +1,5 @@
-//! A row of the table: a point run as `stiction run` runs it, and what a study needs of it. SI units, every number with the
-//! fewest digits that read back.
+//! A row of the table: a point that is run as in `stiction run`, and the results that a study needs. SI units, every number with
+//! the fewest digits that read back to the same value.
 
 use stiction_core::{StateKind, Status};
 use stiction_scene::InputError;
@@ -35,11 +35,11 @@ pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {
 /// A row of the table.
 pub(super) struct Row {
     pub(super) cells: Vec<String>,
-    /// Its scene is refused, as `status` says; there are no results.
+    /// Its scene is refused, as reported by `status`; there are no results.
     pub(super) is_refused: bool,
 }
 
-/// Runs a point to its row.
+/// Runs a point and returns its row.
 pub(super) fn row(plan: &Plan, point: &Point<'_>, time: bool) -> Row {
     let results = results(plan, point, time);
     let is_refused = results.is_err();
@@ -54,7 +54,7 @@ pub(super) fn row(plan: &Plan, point: &Point<'_>, time: bool) -> Row {
             cells.resize(header(plan, time).len(), String::new());
         }
     }
-    // A row is a line.
+    // A row is one line.
     for cell in &mut cells {
         *cell = cell.replace(char::is_control, " ");
     }
@@ -93,7 +93,7 @@ fn results(plan: &Plan, point: &Point<'_>, time: bool) -> Result<Vec<String>, In
         summary.slips.to_string(),
         digits(summary.longest_slip),
     ];
-    // One frame takes no time.
+    // A single frame takes no time.
     let share = |spent: f64| if seconds > 0.0 { spent / seconds } else { 0.0 };
     row.extend(summary.seconds.map(|spent| format!("{:?}", share(spent))));
     row.push(format!("{:?}", summary.residual.largest_force()));
@@ -106,14 +106,14 @@ fn results(plan: &Plan, point: &Point<'_>, time: bool) -> Result<Vec<String>, In
     Ok(row)
 }
 
-/// The statuses of frames that something limited.
+/// The statuses of frames that were limited.
 fn limiting() -> impl Iterator<Item = Status> {
     Status::ALL
         .into_iter()
         .filter(|status| *status != Status::Ok)
 }
 
-/// A value as it stands in the table.
+/// The text of a value in the table.
 fn cell(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
@@ -125,7 +125,7 @@ fn cell(value: &Value) -> String {
 /// A row as a line of CSV.
 ///
 /// # Errors
-/// None that is known; writing to memory.
+/// No failure is known; it writes to memory.
 pub(super) fn line(cells: &[String]) -> std::io::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(cells)?;

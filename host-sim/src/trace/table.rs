@@ -6,9 +6,9 @@ use tempfile::NamedTempFile;
 
 use super::{ContactEntry, InsertionEntry, Record, Value};
 
-/// Contacts in a row; columns of absent ones are empty.
+/// Maximum number of contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
-/// The columns of a contact; the others are there only where the scene has obstacles.
+/// The columns of a contact; the others are present only if the scene has obstacles.
 const CONTACT_COLUMNS: [(&str, Shown); 13] = [
     ("vertex", Shown::Always),
     ("surface", Shown::Always),
@@ -25,7 +25,7 @@ const CONTACT_COLUMNS: [(&str, Shown); 13] = [
     ("direction_y", Shown::AmongObstacles),
 ];
 
-/// In which traces a column is.
+/// The traces in which a column is present.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shown {
     Always,
@@ -52,13 +52,13 @@ const COLUMNS: [&str; 17] = [
     "contacts",
 ];
 
-/// The column of what only a frame with a budget has; the last one.
+/// The column for frames with a budget; the last one.
 const BEHIND: &str = "behind";
 
 /// The columns of a scene that has a peg and a hole; empty while the peg is not in it.
 const INSERTION: [&str; 7] = ["depth", "fx", "fz", "m", "lambda", "margin", "verdict"];
 
-/// Which columns there are besides those of every trace.
+/// The columns in addition to those of every trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Has {
     pub(super) obstacles: bool,
@@ -66,7 +66,7 @@ pub(super) struct Has {
     pub(super) meter: bool,
 }
 
-/// A table that is being written. Its first record says whether frames have a budget.
+/// A table that is being written. Its first record determines whether frames have a budget.
 #[derive(Debug)]
 pub(super) struct Writer {
     rows: csv::Writer<NamedTempFile>,
@@ -88,7 +88,7 @@ impl Writer {
         Ok(self.rows.write_record(row(record, self.has))?)
     }
 
-    /// The whole table; a header is there without a row, too.
+    /// Returns the whole table; the header is present even without rows.
     pub(super) fn finish(mut self) -> io::Result<NamedTempFile> {
         self.begin(false)?;
         self.rows.into_inner().map_err(|error| error.into_error())
@@ -118,7 +118,7 @@ fn header(has_budget: bool, has: Has) -> Vec<String> {
     names
 }
 
-/// The columns of a contact that are there.
+/// The columns of a contact that are present.
 fn shown(has_obstacles: bool) -> impl Iterator<Item = usize> {
     let is_shown = move |k: &usize| has_obstacles || CONTACT_COLUMNS[*k].1 == Shown::Always;
     (0..CONTACT_COLUMNS.len()).filter(is_shown)

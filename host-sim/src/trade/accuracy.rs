@@ -1,4 +1,4 @@
-//! How far the frames of a setting are from the reference: from poses, states and slips of whole runs to percentiles and counts.
+//! The deviation of a setting's frames from the reference: from poses, states and slips of whole runs to percentiles and counts.
 
 use stiction_core::Status;
 
@@ -6,7 +6,7 @@ use super::reference::Truth;
 use crate::balance::Imbalance;
 use crate::record::Frame;
 
-/// What so many of the frames stay within.
+/// The bounds that given fractions of the frames satisfy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Spread {
     /// Half of them.
@@ -53,7 +53,7 @@ impl Spread {
 pub(super) struct Accuracy {
     /// Frames that were compared.
     pub(super) frames: usize,
-    /// Distance of the body's origin from where the reference has it (µm).
+    /// Distance of the body's origin from that of the reference (µm).
     pub(super) position: Spread,
     /// Angle between the body and that of the reference (mrad).
     pub(super) angle: Spread,
@@ -63,22 +63,22 @@ pub(super) struct Accuracy {
     pub(super) other_state: usize,
     /// Slips of the reference.
     pub(super) reference_slips: u64,
-    /// Slips more than the reference has, summed over the scenes that have more.
+    /// Slips in excess of the reference, summed over the scenes that have more.
     pub(super) slips_too_many: u64,
-    /// Slips fewer, likewise.
+    /// Missing slips, summed likewise.
     pub(super) slips_too_few: u64,
     /// Frames whose status is not ok.
     pub(super) not_ok: usize,
 }
 
 impl Accuracy {
-    /// So many of the frames (%).
+    /// A percentage of the frames.
     pub(super) fn percent(&self, count: usize) -> f64 {
         100.0 * count as f64 / self.frames.max(1) as f64
     }
 }
 
-/// What is gathered for an [`Accuracy`].
+/// The data from which an [`Accuracy`] is computed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Errors {
     /// µm
@@ -99,7 +99,7 @@ impl Errors {
         self.counts.not_ok += usize::from(frame.status != Status::Ok);
     }
 
-    /// Adds what is known at the end of a scene.
+    /// Adds the results at the end of a scene.
     pub(super) fn end_scene(&mut self, slips: u64, reference: u64, residual: Imbalance) {
         let counts = &mut self.counts;
         counts.reference_slips += reference;

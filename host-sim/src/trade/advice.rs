@@ -1,5 +1,5 @@
-//! The recommendation in words: for a chip and an error, the setting that reaches it at the least cost. The reference is not
-//! among them: its error is none by definition. Nor is another memory length than the default: it is another law of the scene.
+//! The recommendation in words: for a chip and an error, the setting that reaches it at the least cost. The reference is
+//! excluded: its error is zero by definition. So is any memory length other than the default: it is another law of the scene.
 
 use super::front::error;
 use super::measure::Row;
@@ -7,10 +7,10 @@ use super::place::Place;
 use super::setting::Memory;
 use super::table::figure;
 
-/// Errors that are asked of 99 % of all frames, from any to fine (µm).
+/// Errors that 99 % of all frames may have, from any to fine (µm).
 const LEVELS: [f64; 6] = [f64::INFINITY, 1e4, 1e3, 100.0, 10.0, 1.0];
 
-/// The cheapest row, per second of motion, among those whose error is small enough.
+/// The cheapest row, per second of motion, among those with a sufficiently small error.
 fn cheapest(place: Place, rows: &[Row], allowed: f64) -> Option<&Row> {
     let per_second = |row: &Row| place.cost(&row.cost).map(|cost| cost * row.rate);
     rows.iter()
@@ -21,7 +21,7 @@ fn cheapest(place: Place, rows: &[Row], allowed: f64) -> Option<&Row> {
         .map(|(row, _)| row)
 }
 
-/// Sentences, a place after the other. Rows over all scenes.
+/// Sentences, one place after the other, from rows over all scenes.
 pub(super) fn advice(rows: &[Row], machine: &str) -> Vec<String> {
     let mut sentences = Vec::new();
     for place in Place::of(rows) {

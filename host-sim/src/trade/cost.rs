@@ -1,4 +1,4 @@
-//! What a frame costs: its time on this computer, its instructions or cycles and memory on emulated chips.
+//! The cost of a frame: its time on this computer, its instructions or cycles and memory on emulated chips.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -8,12 +8,12 @@ use stiction_scene::HostSolver;
 
 use crate::emulator::Chip;
 
-/// What a setting costs on an emulated chip.
+/// The cost of a setting on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Emulated {
-    /// What is counted per frame, see [`Chip::unit`]: mean.
+    /// The count per frame, see [`Chip::unit`]: mean.
     pub(super) mean: f64,
-    /// Likewise, of the worst frame.
+    /// The same for the worst frame.
     pub(super) worst: u32,
     /// Flash (bytes).
     pub(super) flash: u64,
@@ -23,19 +23,19 @@ pub(super) struct Emulated {
     pub(super) stack: u32,
 }
 
-/// What a setting costs.
+/// The cost of a setting.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cost {
     /// Time of a frame on this computer (ns), mean.
     pub(super) host: f64,
-    /// On each of [`Chip::ALL`], where it was counted.
+    /// On each of [`Chip::ALL`], if it was counted.
     pub(super) emulated: [Option<Emulated>; Chip::ALL.len()],
 }
 
-/// The best of so many runs counts: it is the one that was disturbed least.
+/// Number of runs, of which the fastest counts: it was disturbed least.
 pub(super) const REPEATS: usize = 5;
 
-/// The time of all steps through a path; the start is not in it.
+/// The time of all steps through a path, without the start.
 pub(super) fn time<R: Real>(solver: &HostSolver<R>, hands: &[Hand<R::Si>]) -> Duration {
     let Some((&first, rest)) = hands.split_first() else {
         return Duration::ZERO;

@@ -1,5 +1,5 @@
-//! What settings cost on emulated chips: the bundled scenes of the suite through every setting that makes sense on the chip.
-//! From scenes to the instructions or cycles of a frame, the stack, the state, and the flash, all of one and the same solver.
+//! The cost of settings on emulated chips: the bundled scenes of the suite through every setting that is useful on the chip. From
+//! scenes to the instructions or cycles of a frame, the stack, the state, and the flash, all of the same solver.
 
 use stiction_core::{Evolution, Hand};
 use stiction_scene::{NumberType, SceneModel, rust_source};
@@ -15,7 +15,7 @@ use crate::number::Number;
 /// How images are built.
 const PROFILE: Profile = Profile::Device;
 
-/// What was counted of a setting at a rate.
+/// The counts of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Count {
     chip: Chip,
@@ -25,7 +25,7 @@ pub(super) struct Count {
 }
 
 impl Count {
-    /// Puts it into its rows: that of all scenes, and that of the bundled ones.
+    /// Copies them to their rows: that of all scenes, and that of the bundled ones.
     pub(super) fn enter(&self, rows: &mut [Row]) {
         let groups = [None, Some(Group::Bundled)];
         let its_own = rows.iter_mut().filter(|row| {
@@ -37,14 +37,14 @@ impl Count {
     }
 }
 
-/// What a chip computes with.
+/// The number types of a chip.
 struct Build {
     chip: Chip,
     number: NumberType,
 }
 
 impl Build {
-    /// Every chip with the number type that suits it; one without a unit for single precision with that, too.
+    /// Every chip with the number type that suits it; a chip without a single-precision unit also with f32.
     fn all() -> impl Iterator<Item = Self> {
         let number = |chip: Chip| (chip == Chip::CortexM0).then_some(NumberType::F32);
         Chip::ALL.into_iter().flat_map(move |chip| {
@@ -60,7 +60,7 @@ impl Build {
         Setting::all().filter(counted)
     }
 
-    /// The solver for all scenes with an evolution: what counts, and the flash that it takes (bytes).
+    /// The solver for all scenes with an evolution: its counter and its flash (bytes).
     fn solver(&self, cases: &[&Case], evolution: Evolution) -> Result<Built, EmulatorError> {
         let models = cases.iter().map(|case| SceneModel::smallest(&case.scene));
         let (Some(model), Some(first)) = (models.reduce(SceneModel::with), cases.first()) else {
@@ -77,12 +77,12 @@ impl Build {
 /// A solver on a chip.
 struct Built {
     counter: Counter,
-    /// What it adds to an image (bytes).
+    /// Its increase of an image's size (bytes).
     flash: u64,
 }
 
 impl Built {
-    /// Scenes through a setting at a rate.
+    /// Runs scenes through a setting at a rate.
     fn count(
         &self,
         cases: &[&Case],
@@ -113,17 +113,17 @@ impl Built {
     }
 }
 
-/// How many times [`count`] says that a setting is done at a rate.
+/// How many times [`count`] reports that a setting is complete at a rate.
 pub(super) fn extent() -> usize {
     let settings = Build::all().map(|build| build.settings().count());
     settings.sum::<usize>() * RATES.len()
 }
 
-/// Counts on all chips; `done` hears of every setting at a rate. All figures of a setting are those of one solver, which has what
-/// all scenes need.
+/// Counts on all chips; `done` is called for every setting at a rate. All figures of a setting are those of one solver, which has
+/// everything that the scenes need.
 ///
 /// # Errors
-/// The emulator or a target is missing, or an image cannot be built or run.
+/// Fails if the emulator or a target is missing, or an image cannot be built or run.
 pub(super) fn count(
     suite: &Suite,
     mut done: impl FnMut(&str),

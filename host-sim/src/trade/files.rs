@@ -1,4 +1,5 @@
-//! A folder of results: none appears before all are written to the disk, and then each at once, one after the other.
+//! A folder of results: none appears before all are written to the disk; then they appear one after the other, each in one
+//! operation.
 
 use std::fs;
 use std::io::{self, Write};
@@ -6,19 +7,19 @@ use std::path::{Path, PathBuf};
 
 use stiction_tools::files::part;
 
-/// Where results will stand.
+/// The destination of the results.
 #[derive(Debug)]
 pub(super) struct Folder(PathBuf);
 
 impl Folder {
-    /// The folder, created where it is missing; whether it can be written to is known from here on.
+    /// The folder, created if it is missing; from here on, it is known whether it can be written to.
     pub(super) fn open(place: &Path) -> io::Result<Self> {
         fs::create_dir_all(place)?;
         part(&place.join("result"))?.close()?;
         Ok(Self(place.to_owned()))
     }
 
-    /// Puts files of these names and contents into the folder. Their paths.
+    /// Writes files of these names and contents to the folder. Returns their paths.
     pub(super) fn write(self, files: &[(String, Vec<u8>)]) -> io::Result<Vec<PathBuf>> {
         let written = files.iter().map(|(name, content)| {
             let place = self.0.join(name);

@@ -1,5 +1,5 @@
-//! Which settings no other one beats in both cost and error, and the picture of them: error against the cost of a frame, and
-//! against the cost of a second of motion.
+//! The settings that no other one beats in both cost and error, and their picture: error against the cost of a frame, and against
+//! the cost of a second of motion.
 
 use super::measure::Row;
 use super::place::Place;
@@ -11,7 +11,7 @@ use stiction_core::Evolution;
 /// The position error (µm) below which settings are equally good.
 pub(super) const FLOOR: f64 = 1e-3;
 
-/// The floor of a picture (µm): the decade below that of the least error in it that is told from 0.
+/// The floor of a picture (µm): the decade below that of the least error in it that is distinguished from 0.
 fn floor(rows: &[Row]) -> f64 {
     let errors = rows.iter().map(error).filter(|error| *error > 0.0);
     let least = errors.fold(f64::INFINITY, f64::min);
@@ -22,19 +22,19 @@ fn floor(rows: &[Row]) -> f64 {
     }
 }
 
-/// What a front is made of: the error (µm) that 99 % of all frames stay within.
+/// The error of a front: the bound (µm) that 99 % of all frames satisfy.
 pub(super) fn error(row: &Row) -> f64 {
     row.accuracy.position.p99
 }
 
-/// For each of some (cost, error): no other one has less of one and not more of the other.
+/// Selects from pairs (cost, error) those of which no other one has less of one and not more of the other.
 pub(super) fn best(points: &[(f64, f64)]) -> Vec<bool> {
     let beats = |a: &(f64, f64), b: &(f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
     let unbeaten = |b| !points.iter().any(|a| beats(a, b));
     points.iter().map(unbeaten).collect()
 }
 
-/// The picture for a place: all settings that have a cost there, but for the reference.
+/// The picture for a place: all settings with a cost there, except the reference.
 pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
     let counted = |row: &&Row| !row.is_reference() && place.cost(&row.cost).is_some();
     let rows: Vec<Row> = rows.iter().filter(counted).copied().collect();

@@ -1,5 +1,5 @@
-//! A box in the corner of floor and wall, in a hand that moves as people do: a path made by a seeded rule, or a recorded one
-//! brought to the size of the corner. SI units, world frame.
+//! A box in the corner of floor and wall, in a hand that moves like a person's: a path generated from a seed, or a recorded one
+//! scaled to the size of the corner. SI units, world frame.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -40,13 +40,13 @@ offset = 0.0
 [hand]
 "#;
 
-/// Where the hand goes (m), along x and y alike: up to 20 mm into floor and wall.
+/// The range of the hand (m), in x and y: up to 20 mm into floor and wall.
 const REGION: Range<f64> = 0.03..0.15;
-/// How far it turns (rad).
+/// The range of its angle (rad).
 const TURN: Range<f64> = -0.5..0.5;
 /// Samples per second, as of a motion capture.
 const SAMPLES: f64 = 100.0;
-/// The longest recording that is taken (s).
+/// The longest accepted recording (s).
 const LONGEST: f64 = 600.0;
 
 /// A hand that reaches from place to place with the least jerk (Flash, Hogan 1985), rests, and trembles by 0.1 mm.

@@ -1,4 +1,4 @@
-//! Every scene of the suite through every setting at every rate: from the suite to rows of accuracy and cost.
+//! Runs every scene of the suite through every setting at every rate: from the suite to rows of accuracy and cost.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;
 
-/// What was measured of a setting at a rate.
+/// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Row {
     /// The setting.
@@ -33,7 +33,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Whether it is what all others of its memory length are measured against.
+    /// Returns whether it is the reference of all others with its memory length.
     pub(super) fn is_reference(&self) -> bool {
         let reference = Setting::reference(self.setting.memory);
         (self.setting, self.rate) == (reference, FINEST)
@@ -109,7 +109,7 @@ impl Row {
     }
 }
 
-/// What is gathered for a row.
+/// The data from which a row is computed.
 #[derive(Clone, Debug, Default)]
 struct Tally {
     errors: Errors,
@@ -139,11 +139,11 @@ impl Tally {
     }
 }
 
-/// Measures all settings at all rates; `done` hears of every scene that is finished. For every combination a row over all
-/// scenes, and one for each group after it.
+/// Measures all settings at all rates; `done` is called for every finished scene. Each combination has a row over all scenes,
+/// followed by one for each group.
 ///
 /// # Errors
-/// A scene is refused by a number type.
+/// Fails if a number type refuses a scene.
 pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
     let settings: Vec<Setting> = Setting::all().collect();
     let combinations: Vec<_> = (settings.iter())
@@ -185,7 +185,7 @@ pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<
         .collect())
 }
 
-/// A scene through a setting at a rate.
+/// Runs a scene through a setting at a rate.
 struct Ride<'a> {
     case: &'a Case,
     setting: Setting,
@@ -196,7 +196,7 @@ struct Ride<'a> {
 }
 
 impl Ride<'_> {
-    /// From the name of a number type to the type.
+    /// Converts the name of a number type to the type.
     fn measure(&self, tally: &mut Tally) -> Result<(), InputError> {
         match self.setting.number {
             Number::F64 => self.run::<f64>(tally),

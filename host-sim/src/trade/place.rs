@@ -1,10 +1,10 @@
-//! Where a cost is counted: this computer, in ns, and the emulated chips, in instructions or cycles.
+//! The places where a cost is counted: this computer, in ns, and the emulated chips, in instructions or cycles.
 
 use super::cost::Cost;
 use super::measure::Row;
 use crate::emulator::Chip;
 
-/// Where a cost is counted.
+/// The place where a cost is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     /// On this computer, ns.
@@ -63,7 +63,7 @@ impl Place {
         }
     }
 
-    /// Of the worst frame, where that is known.
+    /// Of the worst frame, if known.
     pub(super) fn worst(self, cost: &Cost) -> Option<u32> {
         match self {
             Self::Host => None,

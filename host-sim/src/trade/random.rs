@@ -1,6 +1,6 @@
-//! Random scenes as scene files, the same ones in every run: convex bodies of 2 to 6 vertices within 0.1 m, an ordinary
-//! grip, 1 to 3 surfaces with static friction up to 1.5 and dynamic friction of 0.3 to 0.9 of it, and a hand that goes in
-//! four straight lines of a second each. SI units, world frame.
+//! Random scenes as scene files, the same ones in every run: convex bodies of 2 to 6 vertices within 0.1 m, an ordinary grip, 1
+//! to 3 surfaces with static friction up to 1.5 and dynamic friction of 0.3 to 0.9 of it, and a hand that moves in four straight
+//! lines of a second each. SI units, world frame.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write as _;
@@ -35,7 +35,7 @@ impl Random {
         range.start + (range.end - range.start) * part
     }
 
-    /// One of the whole numbers in a range.
+    /// A whole number in a range.
     fn one_of(&mut self, range: Range<u64>) -> u64 {
         range.start + self.bits() % (range.end - range.start)
     }
@@ -79,7 +79,7 @@ fn body(random: &mut Random) -> Vec<[f64; 2]> {
     (0..count).map(corner).collect()
 }
 
-/// A surface that faces the body, turned a little; one in four touches it at the start.
+/// A surface that faces the body, rotated slightly; one in four touches it at the start.
 fn surface(text: &mut String, random: &mut Random, facing: f64, corners: &[[f64; 2]]) {
     let (sin, cos) = (facing + random.within(-0.4..0.4)).sin_cos();
     let heights = corners.iter().map(|[x, y]| cos * x + sin * y);

@@ -1,4 +1,4 @@
-//! The results in Markdown files: everything in the section `trade`, the table in short in the section `settings`.
+//! The results in Markdown files: the complete ones in the section `trade`, a short table in the section `settings`.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -34,7 +34,7 @@ impl Readme {
         })
     }
 
-    /// The folder of the pictures as seen from that of the file; in short nothing is seen of it.
+    /// The folder of the pictures relative to that of the file; the short section has no pictures.
     pub(super) fn pictures(&self, out: &Path) -> Result<PathBuf, TradeError> {
         if self.whole.is_none() {
             return Ok(PathBuf::new());
@@ -49,7 +49,7 @@ impl Readme {
         })
     }
 
-    /// Writes what there is a section for.
+    /// Writes the sections that the file has.
     pub(super) fn write(&self, report: &Report, pictures: &Path) -> Result<(), TradeError> {
         let texts = [
             (&self.whole, report.markdown(pictures)),

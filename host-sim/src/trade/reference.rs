@@ -1,5 +1,5 @@
-//! What every setting of a memory length is measured against: f64 with path evolution at the finest rate, and its answer at any
-//! instant between two of its frames.
+//! The reference of every setting of a memory length: f64 with path evolution at the finest rate, and its answer at any instant
+//! between two of its frames.
 
 use stiction_core::{Evolution, Output, Solver, State, StateKind, narrow_hand};
 use stiction_scene::{HostSolver, InputError, Sample};
@@ -7,7 +7,7 @@ use stiction_scene::{HostSolver, InputError, Sample};
 use super::setting::FINEST;
 use super::suite::Case;
 
-/// Where the body is at an instant.
+/// The body at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Truth {
     /// x, y (m), theta (rad)
@@ -18,7 +18,7 @@ pub(super) struct Truth {
 }
 
 impl Truth {
-    /// After so many slips before.
+    /// Adds the number of earlier slips.
     fn of(output: &Output<f64>, slips: u64) -> Self {
         let [x, y] = output.position;
         Self {
@@ -36,7 +36,7 @@ pub(super) struct Reference {
 }
 
 impl Reference {
-    /// Two instants that differ by less (s) are the same.
+    /// Two instants that differ by less than this (s) are the same.
     const INSTANT: f64 = 1e-6 / FINEST;
 
     pub(super) fn new(case: &Case) -> Result<Self, InputError> {
@@ -63,8 +63,8 @@ impl Reference {
         self.frames.last().map_or(0, |(.., truth)| truth.slips)
     }
 
-    /// The truth at the instants of samples: a frame's, or that of one step more from the frame before. The run itself
-    /// goes through its own frames alone.
+    /// The reference at the instants of samples: a frame's, or that of one additional step from the previous frame. The run
+    /// itself uses only its own frames.
     pub(super) fn at(&self, samples: impl Iterator<Item = Sample>) -> Vec<Truth> {
         let truth = |sample: Sample| {
             let later = |(t, ..): &(f64, _, _)| *t <= sample.t + Self::INSTANT;

@@ -12,19 +12,19 @@ use super::setting::FINEST;
 use super::table::Table;
 use crate::emulator::Chip;
 
-/// What errors are measured from.
+/// The reference of the errors.
 fn reference() -> String {
     format!("f64 with path evolution at {FINEST} Hz")
 }
 
-/// What was measured, on what.
+/// The measurements and their conditions.
 #[derive(Clone, Debug)]
 pub(super) struct Report {
     /// The processor of this computer.
     pub(super) machine: String,
     /// The scenes in words.
     pub(super) scenes: String,
-    /// For every combination the row over all scenes and one for each group.
+    /// For every combination, the row over all scenes and one for each group.
     pub(super) rows: Vec<Row>,
     /// Recommendations.
     pub(super) advice: Vec<String>,
@@ -54,7 +54,7 @@ impl Report {
         writer.into_inner().map_err(|error| error.into_error())
     }
 
-    /// Everything.
+    /// All results.
     pub(super) fn json(&self) -> Vec<u8> {
         let row = |row: &Row| Value::Object(row.columns().into_iter().collect::<Map<_, _>>());
         let report = json!({
@@ -66,7 +66,7 @@ impl Report {
         format!("{report:#}\n").into_bytes()
     }
 
-    /// What stands above the table.
+    /// The text above the table.
     fn caption(&self) -> String {
         let emulated = match Place::of(&self.rows).len() {
             ..2 => "",
@@ -92,7 +92,7 @@ impl Report {
         )
     }
 
-    /// For the terminal: what to take.
+    /// For the terminal: the recommendation.
     pub(super) fn recommendation(&self) -> String {
         format!(
             "Which setting to take, measured on {}. Scenes: {}. Error: the distance from where {} has the body.\n\n{}\n\n",
@@ -103,7 +103,7 @@ impl Report {
         )
     }
 
-    /// For the terminal: everything that was measured.
+    /// For the terminal: all measurements.
     pub(super) fn table(&self) -> String {
         let rows = self.overall();
         let mut text = format!("{}\n\n{}", self.caption(), Table::of(&rows).text());
@@ -125,7 +125,7 @@ impl Report {
         )
     }
 
-    /// For a README beside which the pictures lie in `folder`.
+    /// For a README; `folder` has the pictures.
     pub(super) fn markdown(&self, folder: &Path) -> String {
         let rows = self.overall();
         let mut text = format!(

@@ -1,4 +1,4 @@
-//! What can be chosen: number type, evolution, memory length and frame rate.
+//! The available choices: number type, evolution, memory length and frame rate.
 
 use stiction_core::Evolution;
 use stiction_scene::SceneFile;
@@ -11,23 +11,23 @@ pub const RATES: [f64; 3] = [31.0, 100.0, FINEST];
 /// The rate (Hz) at which the references run.
 pub const FINEST: f64 = 1000.0;
 
-/// Over how much sliding a contact renews.
+/// The sliding distance over which a contact renews.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory {
     /// The name in tables.
     pub name: &'static str,
-    /// In parts of the body size, on every surface; `None`: what the scene has where it says nothing.
+    /// As a fraction of the body size, on every surface; `None`: the default of a scene that specifies none.
     length: Option<f64>,
 }
 
 impl Memory {
-    /// That of a scene that gives none.
+    /// The default of a scene that specifies none.
     pub const DEFAULT: Self = Self {
         name: "2^-12",
         length: None,
     };
 
-    /// As little as the solver takes, for comparison.
+    /// The smallest that the solver accepts, for comparison.
     pub(super) const NONE: Self = Self::new("0", 0.0);
 
     /// All lengths that are measured.
@@ -58,7 +58,7 @@ impl Memory {
     }
 }
 
-/// The largest distance of two vertices.
+/// The largest distance between two vertices.
 fn size(vertices: &[[f64; 2]]) -> f64 {
     let pairs = vertices
         .iter()
@@ -79,7 +79,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// What every other setting of this memory length is measured against, at [`FINEST`].
+    /// The reference of every other setting of this memory length, at [`FINEST`].
     pub(super) const fn reference(memory: Memory) -> Self {
         Self {
             number: Number::F64,

@@ -10,10 +10,10 @@ use super::{hand, random};
 use crate::number::Number;
 use crate::scenes;
 
-/// Which part of the suite a scene belongs to.
+/// The part of the suite to which a scene belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// The scenes of the program, the paper's and the dragged boxes among them.
+    /// The scenes of the program, including the paper's and the dragged boxes.
     Bundled,
     /// Random scenes.
     Random,
@@ -74,16 +74,16 @@ impl Case {
     }
 }
 
-/// The scenes, and what is to be said about them.
+/// The scenes, and remarks about them.
 #[derive(Clone, Debug)]
 pub struct Suite {
     /// All scenes.
     pub cases: Vec<Case>,
-    /// What moves the hand of the last one.
+    /// The motion of the hand in the last one.
     hand: String,
 }
 
-/// Which bundled scenes, how many random ones, how long the hand moves (s).
+/// The bundled scenes, the number of random ones, the time for which the hand moves (s).
 struct Extent {
     bundled: fn(&str) -> bool,
     random: usize,
@@ -96,17 +96,17 @@ const WHOLE: Extent = Extent {
     seconds: 30.0,
 };
 const QUICK: Extent = Extent {
-    // Slips of one length, and slips as short as the memory length lets them be.
+    // Slips of one length, and slips as short as the memory length permits.
     bundled: |name| matches!(name, "vertex-stick-slip" | "burst"),
     random: 4,
     seconds: 2.0,
 };
 
 impl Suite {
-    /// With a recorded path of the hand, or else a synthetic one; `quick`: a few scenes of each kind.
+    /// Creates the suite with a recorded path of the hand, or a synthetic one; `quick`: a few scenes of each kind.
     ///
     /// # Errors
-    /// The recorded path cannot be used.
+    /// Fails if the recorded path cannot be used.
     pub fn new(recorded: Option<&Path>, quick: bool) -> Result<Self, InputError> {
         let extent = if quick { QUICK } else { WHOLE };
         let mut cases = Vec::new();

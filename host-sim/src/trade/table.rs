@@ -1,4 +1,4 @@
-//! Rows as text: columns side by side on a terminal, or a table in Markdown.
+//! Rows as text: aligned columns on a terminal, or a table in Markdown.
 
 use stiction_tools::table::aligned;
 
@@ -14,7 +14,7 @@ pub(super) struct Table {
     rows: Vec<Vec<String>>,
 }
 
-/// Columns on the left that are words.
+/// Number of text columns on the left.
 const WORDS: usize = 3;
 
 impl Table {
@@ -54,7 +54,7 @@ impl Table {
         }
     }
 
-    /// Instructions or cycles, time and memory on an emulated chip (of [`Chip::ALL`]); `None` where nothing was counted on it.
+    /// Instructions or cycles, time and memory on an emulated chip (of [`Chip::ALL`]); `None` if nothing was counted on it.
     pub(super) fn of_chip(rows: &[Row], chip: usize) -> Option<Self> {
         let its = Chip::ALL.get(chip)?;
         let per_frame = format!("{} per frame", its.unit());
@@ -93,7 +93,7 @@ impl Table {
         })
     }
 
-    /// What each number type and evolution costs with the default memory length, at the rate of the reference.
+    /// The cost of each number type and evolution with the default memory length, at the rate of the reference.
     pub(super) fn short(rows: &[Row]) -> Self {
         let header = [
             "number",
@@ -143,7 +143,7 @@ impl Table {
         }
     }
 
-    /// Columns side by side.
+    /// Aligned columns.
     pub(super) fn text(&self) -> String {
         let lines: Vec<_> = (std::iter::once(&self.header).chain(&self.rows))
             .cloned()
@@ -172,7 +172,7 @@ fn names(row: &Row) -> [String; 4] {
     ]
 }
 
-/// What 50, 90 and 99 % of the frames stay within.
+/// The bounds that 50, 90 and 99 % of the frames satisfy.
 fn spread(spread: Spread) -> String {
     [spread.p50, spread.p90, spread.p99].map(figure).join(" / ")
 }

@@ -1,4 +1,4 @@
-//! What a board says, and what the engine makes of it: frames, the end of a change, how it fares, that it is back.
+//! Processes the messages of a board in the engine: frames, the end of a change, its health, its return.
 
 use std::time::Instant;
 
@@ -9,7 +9,7 @@ use crate::board::Word;
 use crate::record::Frame;
 
 impl Engine {
-    /// What the board said.
+    /// Processes the board's messages.
     pub(super) fn listen(&mut self, now: Instant) -> Result<(), String> {
         while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
             match word {
@@ -23,7 +23,7 @@ impl Engine {
                         self.take(wish, reply, now);
                     }
                 }
-                // What it is told anew is what it was told before: there is nothing to refuse.
+                // The board receives the same setting as before: there is nothing to refuse.
                 Word::Back => self.apply(self.live.anew(false).into())?,
                 Word::Fares(fares) => {
                     if let Some(board) = &mut self.board {

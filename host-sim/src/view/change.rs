@@ -1,5 +1,5 @@
-//! What becomes of the body where it is told to: it goes on under another setting, or another run begins, perhaps with a
-//! recording. A board is asked first, and what it answers decides.
+//! Changes of the body on request: it continues under another setting, or another run begins, perhaps with a recording. A board
+//! is asked first, and its answer decides.
 
 use stiction_live::change::{Change, Run};
 use stiction_live::guide::{Guide, HandPose};
@@ -12,11 +12,11 @@ use crate::body::Setting;
 use crate::recording::Maker;
 use stiction_live::stage::reread;
 
-/// A change that is wanted.
+/// A requested change.
 #[derive(Debug)]
 pub(super) struct Wanted {
     pub(super) change: Change,
-    /// A recording, which begins with the run, and where the live hand is that goes on.
+    /// A recording, which begins with the run, and the pose of the live hand that continues.
     pub(super) recording: Option<Box<(Recording, HandPose)>>,
 }
 
@@ -29,7 +29,7 @@ impl From<Change> for Wanted {
     }
 }
 
-/// Whoever waits for an answer.
+/// The recipient of an answer.
 #[derive(Debug)]
 pub(super) enum Reply {
     /// A client of the socket.
@@ -37,12 +37,12 @@ pub(super) enum Reply {
         id: Option<i64>,
         answers: Sender<String>,
     },
-    /// Somebody in this program.
+    /// A part of this program.
     Direct(Sender<Result<(), String>>),
 }
 
 impl Reply {
-    /// Tells it.
+    /// Sends the answer.
     pub(super) fn send(&self, result: Result<(), String>) {
         match self {
             Self::Client { id, answers } => {
@@ -51,7 +51,7 @@ impl Reply {
                     let _ = answers.try_send(answer);
                 }
             }
-            // Whoever has gone meanwhile needs no answer.
+            // A recipient that has gone meanwhile needs no answer.
             Self::Direct(answers) => {
                 let _ = answers.try_send(result);
             }
@@ -60,7 +60,7 @@ impl Reply {
 }
 
 impl Engine {
-    /// Changes the body, or asks the board to.
+    /// Changes the body, or requests the change from the board.
     pub(super) fn change(&mut self, wanted: Wanted, reply: Reply) {
         match &mut self.board {
             Some(board) => board.ask(wanted, reply),
@@ -72,7 +72,7 @@ impl Engine {
     }
 
     /// # Errors
-    /// The scene cannot be used, or the body cannot settle in it.
+    /// Fails if the scene cannot be used, or the body cannot settle in it.
     pub(super) fn apply(&mut self, wanted: Wanted) -> Result<(), String> {
         match wanted.change {
             Change::Setting(setting) => self.go_on(&setting),
@@ -83,7 +83,7 @@ impl Engine {
     fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
         let recorded;
         let setting = match &self.recording {
-            // From now on the scene is the one that a reader of the file gets.
+            // From now on, the scene is the one that a reader of the file obtains.
             Some(_) => {
                 recorded = reread(setting)?;
                 &recorded
@@ -91,7 +91,7 @@ impl Engine {
             None => setting,
         };
         let result = match self.board {
-            // It has changed already, and its next answer shows what became of the body.
+            // The board has changed already, and its next answer shows the new state of the body.
             Some(_) => {
                 let result = self.live.pair.changed(setting);
                 self.live.has_changed();
@@ -133,7 +133,7 @@ impl Engine {
         self.end_recording();
         self.begin_run(ready);
         if let Some((recording, guide, stage)) = begun {
-            // A reset goes back to where the scene begins, not the recording.
+            // A reset returns to the beginning of the scene, not of the recording.
             (self.live.guide, self.live.stage) = (guide, stage);
             self.recording = Some(recording);
             self.wait_for_hold();
@@ -141,7 +141,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Who makes recordings.
+    /// The maker of recordings.
     fn maker(&self) -> Maker {
         let board = self
             .board

@@ -1,5 +1,6 @@
-//! One client of the socket: its messages to the solver, answers, the state and frames back. A client that does not read
-//! waits alone; one that floods is not read any more and has to go, and so has one that says nothing, not even to pings.
+//! One client of the socket: forwards its messages to the solver, and answers, the state and frames to it. A slow reader delays
+//! nobody else; a client that floods is no longer read and is disconnected, and so is one that sends nothing, not even answers to
+//! pings.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -19,23 +20,23 @@ use super::orders::Order;
 use super::server::Hub;
 use crate::board::Identity;
 
-/// Messages of a client in a second. Longer ones than are read count more often.
+/// Maximum number of messages of a client per second. Messages beyond the readable length count more than once.
 const MOST: usize = 2000;
 const SECOND: Duration = Duration::from_secs(1);
-/// Answers that wait for a client.
+/// Maximum number of answers that wait for a client.
 const WAITING: usize = 256;
-/// Frames a second, unless the client asks for others.
+/// Frames per second, unless the client requests another rate.
 const RATE: f64 = 60.0;
-/// The state is looked after so often.
+/// Interval of the checks of the state.
 const STATE_EVERY: Duration = Duration::from_millis(20);
-/// A client is pinged so often, which it answers without knowing.
+/// Interval of the pings of a client, which its library answers.
 const PING_EVERY: Duration = Duration::from_secs(10);
-/// A client that says nothing or takes nothing for so long, three pings, is gone.
+/// A client that sends or accepts nothing for this time, three pings, counts as gone.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// The server goes away.
+/// The server ends.
 const GOING_AWAY: u16 = 1001;
 
-/// Serves a client until it goes or the server ends.
+/// Serves a client until it disconnects or the server ends.
 pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
     let client = hub.number();
     let (sink, stream) = socket.split();
@@ -64,23 +65,23 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
         _ = mouth.talk(inbox, wanted) => {}
         () = seat.lost() => {}
     }
-    // Where the solver is gone, nobody has to know.
+    // If the solver has ended, nobody needs to know.
     let _ = hub.orders.send(Order::Left(client)).await;
 }
 
-/// What a client says.
+/// The receiver of a client's messages.
 struct Ear<'a> {
     hub: &'a Hub,
     seat: &'a Seat,
     client: u32,
     answers: mpsc::Sender<String>,
     rate: watch::Sender<f64>,
-    /// Since when so many messages came.
+    /// Start of the present second, and the number of messages in it.
     second: (Instant, usize),
 }
 
 impl Ear<'_> {
-    /// Until it goes, floods or says nothing.
+    /// Runs until the client disconnects, floods or sends nothing.
     async fn listen(mut self, mut stream: SplitStream<WebSocket>) {
         while let Ok(Some(Ok(message))) = timeout(PATIENCE, stream.next()).await {
             self.seat.hear();
@@ -104,7 +105,7 @@ impl Ear<'_> {
         }
     }
 
-    /// The rest of the second, where it said too much in it.
+    /// Returns the rest of the second if the client sent too many messages in it.
     fn is_too_fast(&mut self, message: &Wire) -> Option<Duration> {
         let length = match message {
             Wire::Text(text) => text.len(),
@@ -119,7 +120,7 @@ impl Ear<'_> {
         (*count > MOST).then(|| SECOND.saturating_sub(since.elapsed()))
     }
 
-    /// Passes a message on; the answer, where it is known already.
+    /// Forwards a message; returns the answer if it is already known.
     fn take(&self, Said { id, message }: Said) -> Option<String> {
         let message = match message {
             Ok(message) => message,
@@ -141,18 +142,18 @@ impl Ear<'_> {
     }
 }
 
-/// What a client is told.
+/// The sender of messages to a client.
 struct Mouth<'a> {
     hub: &'a Hub,
     client: u32,
     sink: SplitSink<WebSocket, Wire>,
-    /// Frames that the client did not get.
+    /// Frames that the client did not receive.
     skipped: u64,
-    /// Between two frames.
+    /// Time between two frames.
     period: Duration,
 }
 
-/// The client is gone.
+/// The client is disconnected.
 struct Gone;
 
 impl Mouth<'_> {
@@ -193,7 +194,7 @@ impl Mouth<'_> {
         }
     }
 
-    /// The state, if it is another one, and the frame, if it is.
+    /// Sends the state if it has changed, and the frame if it has.
     async fn tell(&mut self, told: &mut Told, with_frame: bool) -> Result<(), Gone> {
         let (state, news) = told.look(&self.hub.feed.read(), with_frame);
         if let Some(state) = state {
@@ -206,10 +207,10 @@ impl Mouth<'_> {
         Ok(())
     }
 
-    /// Sends a message. How many frames were lost because the client did not take it.
+    /// Sends a message. Returns how many frames were lost because the client did not accept it.
     async fn send(&mut self, message: Wire) -> Result<u64, Gone> {
         let mut sending = self.sink.send(message);
-        // Where there is room it is done at once, whatever else this computer does.
+        // If there is room, this completes immediately, whatever else this computer does.
         let (sent, lost) = match (&mut sending).now_or_never() {
             Some(sent) => (sent, 0),
             None => {
@@ -237,6 +238,6 @@ impl Mouth<'_> {
 
 /// The server ends.
 pub(super) async fn ended(stop: &mut watch::Receiver<bool>) {
-    // An end of the other side is one, too.
+    // The disappearance of the other side is an end, too.
     let _ = stop.wait_for(|stop| *stop).await;
 }

@@ -1,5 +1,5 @@
-//! The connections: so many at a time, each with a time for its request. Where all places are taken, a newcomer gets the place of
-//! the one that has been there longest of those from whom nothing was heard: who works with the program is not locked out.
+//! The connections: a limited number, each with a time limit for its request. If all places are taken, a new connection replaces
+//! the oldest of those that have sent nothing: active users of the program are not locked out.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -18,14 +18,15 @@ use tower_service::Service;
 
 use super::client::ended;
 
-/// Connections at a time: pages have up to seven each. An eighth of the descriptors that a process has where least are allowed.
+/// Maximum number of connections: pages have up to seven each. This is an eighth of the smallest limit of descriptors per
+/// process.
 const MOST: usize = 128;
-/// The head of a request comes within this, and so does a piece of its body after the one before: a browser sends both at once.
+/// Time limit for the head of a request, and for each piece of its body after the previous one: a browser sends both immediately.
 pub(super) const PIECE: Duration = Duration::from_secs(5);
-/// Where the system gives no connection, it is asked again after this.
+/// If the system provides no connection, the next attempt is made after this time.
 const BREATH: Duration = Duration::from_millis(50);
 
-/// Lets clients in until `stop`, and waits until they are gone.
+/// Accepts clients until `stop`, and waits until they are gone.
 pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch::Receiver<bool>) {
     let doors = Doors::default();
     loop {
@@ -37,9 +38,9 @@ pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch
             sleep(BREATH).await;
             continue;
         };
-        // One that has no place is closed.
+        // A connection without a place is closed.
         if let Some(seat) = doors.enter() {
-            // A frame does not wait until the one before was acknowledged. Where this cannot be set, it is only later.
+            // A frame does not wait for the acknowledgement of the previous one. If this cannot be set, frames are only later.
             let _ = stream.set_nodelay(true);
             tokio::spawn(connection(stream, router.clone(), seat, stop.clone()));
         }
@@ -49,7 +50,7 @@ pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch
     }
 }
 
-/// Serves a connection; one that becomes a socket goes on without this.
+/// Serves a connection; one that becomes a socket continues without this.
 async fn connection(
     stream: TcpStream,
     router: Router,
@@ -66,7 +67,7 @@ async fn connection(
     let serving = server.serve_connection(TokioIo::new(stream), service);
     let mut serving = std::pin::pin!(serving.with_upgrades());
     tokio::select! {
-        // A client that goes is no fault of this program.
+        // A client that disconnects is no fault of this program.
         _ = &mut serving => {}
         () = seat.lost() => {}
         () = ended(&mut stop) => {
@@ -76,13 +77,13 @@ async fn connection(
     }
 }
 
-/// Who is there.
+/// The present connections.
 #[derive(Debug, Default)]
 struct Doors(Arc<Mutex<Seats>>);
 
 #[derive(Debug, Default)]
 struct Seats {
-    /// Number, whether something was heard, and who is told that the place is lost; the oldest first.
+    /// Number, whether it has sent something, and the notification that its place is lost; the oldest first.
     taken: VecDeque<(u64, bool, Arc<Notify>)>,
     next: u64,
 }
@@ -92,7 +93,7 @@ impl Doors {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A place for a newcomer; none where all are taken by those who were heard.
+    /// Returns a place for a new connection; none if all places are taken by active ones.
     fn enter(&self) -> Option<Arc<Seat>> {
         let mut seats = self.seats();
         if seats.taken.len() >= MOST {
@@ -120,7 +121,7 @@ pub(super) struct Seat {
 }
 
 impl Seat {
-    /// A client of the socket says something, or answers a ping: it keeps its place.
+    /// A client of the socket sent a message or answered a ping: it keeps its place.
     pub(super) fn hear(&self) {
         let mut seats = self.seats.lock().unwrap_or_else(PoisonError::into_inner);
         let own = seats.taken.iter_mut().find(|seat| seat.0 == self.number);
@@ -129,7 +130,7 @@ impl Seat {
         }
     }
 
-    /// A newcomer has the place now.
+    /// Waits until a new connection takes the place.
     pub(super) async fn lost(&self) {
         self.lost.notified().await;
     }

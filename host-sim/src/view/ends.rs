@@ -1,4 +1,4 @@
-//! The addresses of `stiction view`: where clients connect, where poses go, where the hand comes from.
+//! The addresses of `stiction view`: where clients connect, where poses are sent, where the hand is received.
 
 use std::io;
 use std::net::{SocketAddr, TcpListener, UdpSocket};
@@ -7,13 +7,13 @@ use super::outward::{self, Format};
 use super::{ViewArgs, ViewError};
 use crate::report;
 
-/// Ports that are tried after one that is taken.
+/// Number of ports to try after one that is taken.
 const PORTS: u16 = 100;
 
 /// Listens at an address, or at the next free port.
 ///
 /// # Errors
-/// The address cannot be listened to, and no port after it is free.
+/// Fails if the address cannot be listened to, and no port after it is free.
 pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
     let mut tried = address;
     loop {
@@ -57,10 +57,10 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    /// Opens those of the arguments.
+    /// Opens the sockets requested by the arguments.
     ///
     /// # Errors
-    /// There is no such host, or a port is taken.
+    /// Fails if there is no such host, or a port is taken.
     pub(super) fn open(args: &ViewArgs, place: SocketAddr) -> Result<Self, ViewError> {
         let mut ends = Self {
             out: Vec::new(),

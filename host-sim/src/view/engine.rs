@@ -1,6 +1,6 @@
-//! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. Where a
-//! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and, while it records, until the
-//! system has taken a line of the file; for nothing else.
+//! The solver in real time: a tick every millisecond at absolute times, orders in between, new results to the feed. If a board
+//! has the solver, it receives the hand, and its answers are shown. The engine waits for the clock and, during a recording, until
+//! the system has accepted a line of the file; for nothing else.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,46 +22,46 @@ use crate::body::Setting;
 use stiction_live::replay::{Recorded as _, Way};
 use stiction_live::stage::Stage;
 
-/// Time between two ticks for orders.
+/// Maximum time for orders between two ticks.
 const ORDERING: Duration = Duration::from_micros(500);
-/// Others get so much time, however late a tick is.
+/// Minimum time for other threads, however late a tick is.
 const BREATH: Duration = Duration::from_micros(50);
-/// A board is given so many ticks to take hold, before the hand goes on.
+/// Maximum number of ticks that a board has to take hold before the hand continues.
 const LONGEST_GRASP: u64 = 100;
-/// While it records, the state tells so every so many ticks.
+/// Number of ticks between updates of the state during a recording.
 const RECORDING_EVERY: usize = 100;
 
-/// The solver with its hand, and what a program has besides: a board, recordings, clients.
+/// The solver with its hand, and the other parts of a program: a board, recordings, clients.
 pub(super) struct Engine {
     pub(super) feed: Arc<Feed>,
     pub(super) live: Live,
-    /// The board, where one has the solver.
+    /// The board, if it has the solver.
     pub(super) board: Option<Remote>,
-    /// A path or a program was given that leads the hand.
+    /// A path or a program was given that moves the hand.
     pub(super) is_led: bool,
-    /// The tick in which the hand closed or opened last.
+    /// The tick in which the hand last closed or opened.
     switched: u64,
     pub(super) recording: Option<Recording>,
     pub(super) recorded: Option<Arc<Recording>>,
-    /// One that is to be shown.
+    /// A recording that is to be offered.
     pub(super) offered: Option<Arc<Recording>>,
-    /// Where recordings go.
+    /// The folder of recordings.
     pub(super) shelf: Shelf,
-    /// What the terminal is told.
+    /// Messages for the terminal.
     pub(super) notes: SyncSender<String>,
-    /// A path that was sent, and its name.
+    /// An uploaded path, and its name.
     pub(super) upload: Option<(String, Way)>,
-    /// A recording of a board that waits for the answer to its last sample, not longer than this.
+    /// A recording of a board that waits for the answer to its last sample, at most until this time.
     pub(super) closing: Option<(Recording, Instant)>,
-    /// Answers that wait until what they are about is shown.
+    /// Answers that wait until their effect is shown.
     pub(super) answers: Vec<(Reply, Result<(), String>)>,
 }
 
 impl Engine {
-    /// With a scene, the body at its start.
+    /// Creates an engine with a scene, the body at its start.
     ///
     /// # Errors
-    /// The scene cannot be used.
+    /// Fails if the scene cannot be used.
     pub(super) fn new(
         stage: Stage,
         setting: &Setting,
@@ -87,10 +87,10 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Until `stop`; what is being recorded then is whole.
+    /// Runs until `stop`, and completes a recording in progress.
     ///
     /// # Errors
-    /// The board will not come back.
+    /// Fails if the board will not come back.
     pub(super) fn run(mut self, orders: Receiver<Order>, stop: &AtomicBool) -> Result<(), String> {
         let result = self.go(orders, stop);
         self.end_recording();
@@ -120,10 +120,10 @@ impl Engine {
         Ok(())
     }
 
-    /// A period passes.
+    /// Executes a period.
     fn pass(&mut self) {
         if self.board.as_ref().is_some_and(Remote::is_ending) {
-            // What the hand does now, nobody follows.
+            // Nothing follows the hand now.
             return;
         }
         let mut tick = Tick {
@@ -138,7 +138,7 @@ impl Engine {
         }
     }
 
-    /// Another run begins, which a board hears of.
+    /// Begins another run, and notifies the board.
     pub(super) fn begin_run(&mut self, ready: Ready) {
         self.live.begin(ready);
         self.switched = 0;
@@ -147,22 +147,23 @@ impl Engine {
         }
     }
 
-    /// A board is to take hold with the first hand of a run, before that goes on.
+    /// Lets a board take hold with the first hand of a run before that continues.
     pub(super) const fn wait_for_hold(&mut self) {
         self.switched = self.live.tick + 1;
     }
 }
 
-/// What a tick has to do with besides the solver.
+/// The parts other than the solver that a tick affects.
 struct Tick<'a> {
-    /// A board has the solver, and hears of the hand.
+    /// A board has the solver, and receives the hand.
     is_board: bool,
     switched: &'a mut u64,
     recording: &'a mut Option<Recording>,
 }
 
 impl Tick<'_> {
-    /// One tick. Whether another one may follow in the same period: a board gets every sample, and a recording ends.
+    /// Executes a tick. Returns whether another one may follow in the same period: a board receives every sample, and a recording
+    /// ends.
     fn advance(&mut self, live: &mut Live) -> bool {
         if live.replay.is_some() {
             live.follow(!self.is_board);
@@ -193,7 +194,8 @@ impl Tick<'_> {
         !self.is_board && !recording.is_full() && recording.problem.is_none()
     }
 
-    /// A board has not yet answered the hand that closed or opened: it takes the newest sample, and must not miss this one.
+    /// Returns whether a board has not yet answered the hand that closed or opened: it uses the newest sample, and must not miss
+    /// this one.
     fn is_grasping(&self, live: &Live) -> bool {
         let answered = live.pair.frame.t * 1000.0;
         self.is_board

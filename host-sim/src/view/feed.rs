@@ -1,5 +1,5 @@
-//! The place between the solver and those who watch it: the newest record, what led to it, and the state. The solver puts
-//! things there only where nobody is reading at that moment, else with its next tick: it waits for no one.
+//! The exchange between the solver and its readers: the newest record, the events that led to it, and the state. The solver
+//! writes to it only if nobody is reading at that moment, otherwise with its next tick: it waits for no one.
 
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -8,7 +8,7 @@ use stiction_live::feed::{Latest, Pending, Shown};
 
 use super::recording::Recording;
 
-/// What is shown, and the recording that can be downloaded.
+/// The published data, and the recording that can be downloaded.
 #[derive(Debug, Default)]
 pub(super) struct Showcase {
     shown: Shown,
@@ -23,19 +23,19 @@ impl Deref for Showcase {
     }
 }
 
-/// What is shown, to be read by many.
+/// The published data, with many readers.
 #[derive(Debug, Default)]
 pub(super) struct Feed {
     shown: Mutex<Showcase>,
 }
 
 impl Feed {
-    /// Reads. Not for long: nothing new is shown meanwhile.
+    /// Locks the data for reading. Only briefly: nothing new is published meanwhile.
     pub(super) fn read(&self) -> MutexGuard<'_, Showcase> {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Shows what waits, unless somebody is reading.
+    /// Publishes the pending data, unless somebody is reading.
     pub(super) fn show(
         &self,
         (pending, recorded): (&mut Pending, &mut Option<Arc<Recording>>),

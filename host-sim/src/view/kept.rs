@@ -1,15 +1,15 @@
-//! What the solver has that is large, paths that were sent and recordings: kept until nobody else has it. So the solver's thread is never
-//! the one that gives the memory back, for which the system takes some milliseconds.
+//! Holds the solver's large data, uploaded paths and recordings, until no other owner is left. Thus the solver's thread never
+//! frees the memory, which takes the system some milliseconds.
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What is kept.
+/// The data that is held.
 #[derive(Debug, Default)]
 pub(super) struct Kept(Mutex<Vec<Arc<dyn Any + Send + Sync>>>);
 
 impl Kept {
-    /// Keeps something, once.
+    /// Adds data, once.
     pub(super) fn keep(&self, large: Arc<dyn Any + Send + Sync>) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if !all.iter().any(|known| Arc::ptr_eq(known, &large)) {
@@ -17,10 +17,10 @@ impl Kept {
         }
     }
 
-    /// Drops what nobody else has.
+    /// Drops data without another owner.
     pub(super) fn tidy(&self) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        // There is no other way to it than through those that are counted.
+        // It can be reached only through counted references.
         all.retain(|large| Arc::strong_count(large) > 1);
     }
 }
@@ -31,7 +31,7 @@ mod tests {
     use std::sync::mpsc::{Sender, channel};
     use std::thread::{self, ThreadId};
 
-    /// Tells which thread drops it.
+    /// Reports which thread drops it.
     struct Large(Sender<ThreadId>);
 
     impl Drop for Large {

@@ -1,4 +1,4 @@
-//! The body of a board, as its last answer says: a body that nobody moves here.
+//! The body of a board according to its last answer: nothing moves it here.
 
 use stiction_core::{Angle, Hand, Wrench};
 
@@ -6,7 +6,7 @@ use crate::body::{Body, Setting};
 use crate::body::{Hold, Present};
 use crate::record::Frame;
 
-/// What a board said last.
+/// The last answer of a board.
 #[derive(Clone, Debug)]
 pub(super) struct Mirror {
     frame: Frame,
@@ -17,7 +17,7 @@ pub(super) struct Mirror {
 }
 
 impl Mirror {
-    /// Of an answer, after the body was as in `before`.
+    /// Creates it from an answer; `before`: the previous state of the body.
     pub(super) fn of(frame: &Frame, before: Present, setting: &Setting) -> Self {
         let [x, y, phi] = frame.hand;
         Self {

@@ -1,5 +1,5 @@
-//! What the solver is told, and what it makes of it: a change of the setting, another run, or what concerns the hand and the
-//! time alone. What is refused changes nothing.
+//! Executes the orders to the solver: a change of the setting, another run, or an order that concerns only the hand and the time.
+//! A refused order changes nothing.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -20,38 +20,38 @@ use super::recording::Recording;
 use super::resume::resumed;
 use crate::body::{Setting, without_obstacles};
 
-/// What the solver is told.
+/// An order to the solver.
 #[derive(Debug)]
 pub(super) enum Order {
-    /// A client is there.
+    /// A client has connected.
     Joined,
-    /// It is gone.
+    /// It has disconnected.
     Left(u32),
-    /// What it says, and where the answer goes.
+    /// A client's message, and the recipient of the answer.
     Message {
         client: u32,
         id: Option<i64>,
         message: Message,
         answers: Sender<String>,
     },
-    /// A sample from elsewhere.
+    /// A hand sample from another source.
     Hand(Source, HandPose),
     /// A path, and its name.
     Upload(String, Arc<HandPath>),
     /// A recording that was made before the program was started.
     Earlier(Box<Recording>),
-    /// A scene that somebody wrote, to be shown.
+    /// An edited scene to show.
     Scene(Box<Stage>, Reply),
-    /// Why the file of the scene, as it is now, cannot be shown; none where it is.
+    /// Why the present content of the scene's file cannot be shown; none if it can.
     SceneProblem(Option<String>),
 }
 
-/// What concerns the body: it waits where a change of it is under way.
+/// An order that may concern the body: it then waits while a change of the body is in progress.
 #[derive(Debug)]
 pub(super) enum Wish {
-    /// What a client says.
+    /// A client's message.
     Said(u32, Message),
-    /// A scene that somebody wrote.
+    /// An edited scene.
     Scene(Box<Stage>),
 }
 
@@ -65,7 +65,7 @@ impl Wish {
 }
 
 impl Engine {
-    /// Does as it is told.
+    /// Executes an order.
     pub(super) fn obey(&mut self, order: Order, now: Instant) {
         match order {
             Order::Joined => {
@@ -76,7 +76,7 @@ impl Engine {
                 self.live.left(client);
             }
             Order::Hand(source, pose) => {
-                // Nobody is there to be told that somebody else holds it.
+                // There is no recipient for the message that somebody else holds it.
                 let _ = self.live.hand(source, pose, None, now);
             }
             Order::Upload(name, path) => {
@@ -101,7 +101,7 @@ impl Engine {
         }
     }
 
-    /// Does what somebody wishes, or keeps it until the board has answered.
+    /// Executes a wish, or keeps it until the board has answered.
     fn hear(&mut self, wish: Wish, reply: Reply, now: Instant) {
         match &mut self.board {
             Some(board) if board.is_busy() && wish.is_of_body() => board.keep(wish, reply),
@@ -109,7 +109,7 @@ impl Engine {
         }
     }
 
-    /// Does what somebody wishes, and answers.
+    /// Executes a wish, and answers it.
     pub(super) fn take(&mut self, wish: Wish, reply: Reply, now: Instant) {
         let result = match wish {
             Wish::Said(client, message) => self.carry_out(client, message, now),
@@ -128,7 +128,7 @@ impl Engine {
         Ok(change.into())
     }
 
-    /// Whether whoever has the solver can have the scene of a change.
+    /// Checks whether the board, if there is one, supports the scene of a change.
     fn may_have(&self, change: &Change) -> Result<(), String> {
         match self.board {
             Some(_) => {
@@ -138,7 +138,7 @@ impl Engine {
         }
     }
 
-    /// Does what can be done at once; a change of the body is given back.
+    /// Executes what can be done immediately; returns a change of the body.
     fn carry_out(
         &mut self,
         client: u32,
@@ -179,7 +179,7 @@ impl Engine {
         Ok(change.map(Wanted::from))
     }
 
-    /// Whether a board can do that.
+    /// Checks whether a board supports the message.
     fn may_board(&self, message: &Message) -> Result<(), String> {
         let number = self.live.pair.setting.number;
         match message {
@@ -202,7 +202,7 @@ impl Engine {
         }
     }
 
-    /// The path that was sent.
+    /// The uploaded path.
     pub(super) fn upload(&mut self) -> Result<Change, String> {
         let (name, way) = self
             .upload

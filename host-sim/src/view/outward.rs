@@ -1,4 +1,4 @@
-//! Poses to renderers, and the hand from trackers, by UDP: OSC, and the six doubles of OpenTrack.
+//! Sends poses to renderers, and receives the hand from trackers, by UDP: OSC, and the six doubles of OpenTrack.
 
 use std::io;
 use std::net::{IpAddr, SocketAddr, ToSocketAddrs, UdpSocket as StdSocket};
@@ -18,15 +18,15 @@ use stiction_live::guide::HandPose;
 use stiction_live::hear::FARTHEST;
 use stiction_live::holder::Source;
 
-/// The longest packet that is read: short enough for what is nested in it.
+/// The longest packet that is read: short enough for the depth of its nesting.
 const PACKET: usize = 2048;
-/// Centimetres in a metre.
+/// Centimetres per metre.
 const CENTIMETRES: f64 = 100.0;
 
 /// A socket that sends to an address.
 ///
 /// # Errors
-/// There is no such host, or no port.
+/// Fails if there is no such host, or no port.
 pub(super) fn to(address: &str) -> io::Result<StdSocket> {
     let resolved = address.to_socket_addrs()?.next();
     let to = resolved.ok_or_else(|| io::Error::other("no such host"))?;
@@ -43,27 +43,27 @@ pub(super) fn to(address: &str) -> io::Result<StdSocket> {
     Ok(socket)
 }
 
-/// A socket that hears on a port.
+/// A socket that listens on a port.
 ///
 /// # Errors
-/// The port is taken.
+/// Fails if the port is taken.
 pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
     let socket = StdSocket::bind((address, port))?;
     socket.set_nonblocking(true)?;
     Ok(socket)
 }
 
-/// The format of a pose that goes out.
+/// The format of a sent pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Format {
     Osc,
     OpenTrack,
 }
 
-/// Sends the newest pose so often (Hz).
+/// Sends the newest pose at this rate (Hz).
 ///
 /// # Errors
-/// The socket cannot be used.
+/// Fails if the socket cannot be used.
 pub(super) async fn send(
     socket: StdSocket,
     format: Format,
@@ -95,7 +95,7 @@ pub(super) async fn send(
             Format::Osc => encoder::encode(&bundle(&frame, &scene, &events)).unwrap_or_default(),
             Format::OpenTrack => doubles(&frame).to_vec(),
         };
-        // Nobody has to be there.
+        // A receiver is not required.
         let _ = socket.send(&bytes).await;
     }
 }
@@ -142,7 +142,7 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
             .iter()
             .map(|event| message("event", vec![text(event)])),
     );
-    // At once.
+    // The OSC time tag "immediately".
     let timetag = OscTime {
         seconds: 0,
         fractional: 1,
@@ -168,10 +168,10 @@ fn doubles(frame: &Frame) -> [u8; 48] {
     bytes
 }
 
-/// Takes the hand.
+/// Receives the hand.
 ///
 /// # Errors
-/// The socket cannot be used.
+/// Fails if the socket cannot be used.
 pub(super) async fn hear(
     socket: StdSocket,
     format: Format,
@@ -181,7 +181,7 @@ pub(super) async fn hear(
     let mut bytes = [0; PACKET];
     let mut tracker = Tracker::default();
     loop {
-        // Another one's refusal of what was sent is no end.
+        // If another receiver refused what was sent, reading continues.
         let Ok(count) = socket.recv(&mut bytes).await else {
             continue;
         };
@@ -191,13 +191,13 @@ pub(super) async fn hear(
             Format::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
         };
         if let Some(pose) = news {
-            // What the solver has no time for is overtaken by the next one.
+            // A sample that the solver has no time for is overtaken by the next one.
             let _ = orders.try_send(Order::Hand(source, pose));
         }
     }
 }
 
-/// What a tracker said last.
+/// The latest state of a tracker.
 #[derive(Clone, Copy, Debug)]
 struct Tracker {
     hand: Option<HandPose>,
@@ -214,7 +214,7 @@ impl Default for Tracker {
 }
 
 impl Tracker {
-    /// The hand, if the packet says something of it.
+    /// Returns the hand, if the packet contains a part of it.
     fn osc(&mut self, packet: &[u8]) -> Option<HandPose> {
         let (_, packet) = decoder::decode_udp(packet).ok()?;
         let told = self.take(&packet);
@@ -246,7 +246,7 @@ impl Tracker {
         }
     }
 
-    /// The hand of six doubles; its angle goes on over whole turns.
+    /// Returns the hand of six doubles; its angle is unwrapped over whole turns.
     fn open_track(&mut self, packet: &[u8]) -> Option<HandPose> {
         let packet: &[u8; 48] = packet.try_into().ok()?;
         let value = |i: usize| {
@@ -261,7 +261,7 @@ impl Tracker {
         self.lead([x, y, phi], depth).then_some(self.hand)?
     }
 
-    /// Takes a pose that is within range.
+    /// Stores a pose that is within range.
     fn lead(&mut self, pose: [f64; 3], depth: f64) -> bool {
         let fits = pose
             .iter()

@@ -12,14 +12,14 @@ struct File {
     path: &'static str,
     kind: &'static str,
     source: &'static [u8],
-    /// As it goes to browsers; made when the first one asks.
+    /// The content as sent to browsers; created at the first request.
     served: OnceLock<Served>,
 }
 
-/// What browsers get: scripts of the page without their comments.
+/// The content that browsers receive: scripts of the page without their comments.
 struct Served {
     plain: Cow<'static, [u8]>,
-    /// The same by gzip, where that is shorter.
+    /// The same gzip-compressed, if that is shorter.
     packed: Option<Vec<u8>>,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Found {
     /// The media type.
     pub(super) kind: &'static str,
     pub(super) bytes: &'static [u8],
-    /// The bytes are by gzip.
+    /// Whether the bytes are gzip-compressed.
     pub(super) is_packed: bool,
 }
 
@@ -110,7 +110,7 @@ static FILES: LazyLock<Vec<File>> = LazyLock::new(|| {
     ]
 });
 
-/// The file at a path, by gzip where the browser takes that and it is shorter.
+/// The file at a path, gzip-compressed if the browser accepts that and it is shorter.
 pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
     let path = match path {
         "/" => "/index.html",
@@ -147,9 +147,9 @@ fn pack(bytes: &[u8]) -> io::Result<Vec<u8>> {
     encoder.finish()
 }
 
-/// True where a browser that says `accepted` (Accept-Encoding, RFC 9110, 12.5.3) takes gzip.
+/// Returns whether a browser that sends `accepted` (Accept-Encoding, RFC 9110, 12.5.3) accepts gzip.
 pub(super) fn takes_gzip(accepted: &str) -> bool {
-    // What is said of gzip itself goes before what is said of all others.
+    // A value for gzip itself has precedence over one for all encodings.
     let weight_of = |names: &[&str]| {
         accepted.split(',').find_map(|item| {
             let (name, weight) = item.split_once(';').unwrap_or((item, "q=1"));
@@ -173,7 +173,7 @@ mod tests {
     use std::io::Read as _;
     use std::path::Path;
 
-    /// The files of a folder that a browser asks for.
+    /// The files of a folder that a browser requests.
     fn asked_for(folder: &Path, into: &mut Vec<String>) {
         for entry in folder.read_dir().expect("a folder") {
             let path = entry.expect("an entry").path();

@@ -1,4 +1,4 @@
-//! Pictures of the scenes that can be shown: from the name of a scene to an SVG. They are drawn when they are requested.
+//! Pictures of the available scenes: from the name of a scene to an SVG. They are drawn on request.
 
 use std::path::Path as FilePath;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use tokio::task::spawn_blocking;
 use super::server::{Hub, problem};
 use crate::scenes;
 
-/// The scene of a name: the one that is shown, or a bundled one.
+/// Returns the scene of a name: the present one, or a bundled one.
 fn source(hub: &Hub, name: &str) -> Option<Source> {
     let latest = hub.feed.read().latest.clone();
     let shown = latest.filter(|latest| latest.stage.scene.title == name);

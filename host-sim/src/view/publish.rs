@@ -1,4 +1,4 @@
-//! What the engine shows with a tick: the newest record, and the state where it is another one.
+//! Publishes the results of a tick: the newest record, and the state if it has changed.
 
 use stiction_live::replay::Recorded as _;
 use stiction_live::say::{Recorded, Status};
@@ -7,7 +7,7 @@ use super::engine::Engine;
 use super::recording::Recording;
 
 impl Engine {
-    /// Shows what is new, and answers whoever waits for that.
+    /// Publishes new results, and sends the answers that wait for them.
     pub(super) fn publish(&mut self) {
         if self.live.changed {
             let status = self.status();

@@ -1,4 +1,4 @@
-//! The end of a recording, which is offered then, and so is one of before the program was started.
+//! Ends a recording, which is then offered, and offers one from before the program was started.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -11,12 +11,13 @@ use super::recording::Recording;
 use super::shelf::Shelf;
 use crate::report;
 
-/// A board answers the last sample of a recording within this, or not at all.
+/// A board answers the last sample of a recording within this time, or not at all.
 const LAST_ANSWER: Duration = Duration::from_millis(500);
-/// Recordings of before that are looked at until one can be used.
+/// Maximum number of earlier recordings to examine until one can be used.
 const TRIED: usize = 4;
 
-/// Finds what was recorded before this program was started, however that ended: how much, and the newest that can be used.
+/// Finds recordings from before this program was started, however it ended: their number and size, and the newest one that can be
+/// used.
 pub(super) fn look_back(shelf: &Shelf, orders: &Sender<Order>) {
     if let Some(stock) = shelf.stock() {
         report::print(&format!("{stock}\n"));
@@ -24,7 +25,7 @@ pub(super) fn look_back(shelf: &Shelf, orders: &Sender<Order>) {
     for place in shelf.newest_first().into_iter().take(TRIED) {
         match Recording::read(&place) {
             Ok(recording) => {
-                // Where the program ends meanwhile, nobody has to know.
+                // If the program ends meanwhile, nobody needs to know.
                 let _ = orders.blocking_send(Order::Earlier(Box::new(recording)));
                 return;
             }
@@ -37,7 +38,7 @@ pub(super) fn look_back(shelf: &Shelf, orders: &Sender<Order>) {
 }
 
 impl Engine {
-    /// No more ticks are recorded; of a board, what it answers to the last one still is.
+    /// Records no more ticks; a board's answer to the last one is still recorded.
     pub(super) fn close_recording(&mut self, now: Instant) {
         match self.recording.take() {
             Some(recording) if self.board.is_some() => {
@@ -51,7 +52,7 @@ impl Engine {
         }
     }
 
-    /// What was recorded can be downloaded.
+    /// Offers a recording for download.
     pub(super) fn end_recording(&mut self) {
         let closing = self.closing.take().map(|(recording, _)| recording);
         if let Some(mut recording) = self.recording.take().or(closing) {
@@ -64,7 +65,7 @@ impl Engine {
         }
     }
 
-    /// What was recorded before this program was started is there again, unless there is something newer.
+    /// Offers an earlier recording, unless there is something newer.
     pub(super) fn offer(&mut self, recording: Recording) {
         if self.recorded.is_some() || self.recording.is_some() || self.closing.is_some() {
             return;
@@ -77,7 +78,7 @@ impl Engine {
         self.live.changed = true;
     }
 
-    /// Tells the terminal, which the engine does not wait for.
+    /// Sends a message to the terminal, for which the engine does not wait.
     pub(super) fn tell(&self, text: String) {
         let _ = self.notes.try_send(text);
     }

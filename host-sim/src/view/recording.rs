@@ -1,5 +1,5 @@
-//! A recording: the hand of every tick, the setting and what became of it, to be replayed; and a file with the same and with
-//! what the solver or a board answered, which has every tick as soon as it is over: however the program ends, it is there.
+//! A recording: the hand of every tick and the settings, to be replayed; and a file with the same and with the answers of the
+//! solver or a board. The file has every tick as soon as it is over, however the program ends.
 
 use std::collections::VecDeque;
 use std::fmt::Write as _;
@@ -18,39 +18,39 @@ use crate::body::Setting;
 use crate::record::{Frame, Run};
 use crate::recording::{Change, Head, Line, LiveWriter, Maker, Recording as Reader};
 
-/// A recording ends by itself after so many ticks (ms).
+/// Number of ticks (ms) after which a recording ends by itself.
 const LONGEST: usize = 600_000;
-/// Ticks that are stored together: what is stored is never moved.
+/// Number of ticks that are stored together: stored ticks are never moved.
 const CHUNK: usize = 4096;
-/// Samples that wait for the answer of a board: more than are on their way to it.
+/// Maximum number of samples that wait for the answer of a board: more than are on their way to it.
 const MOST_UNANSWERED: usize = 1024;
-/// Ticks in a second.
+/// Ticks per second.
 const RATE: f64 = 1000.0;
 
-/// The hand of every tick, and the setting.
+/// The hand of every tick, and the settings.
 #[derive(Debug)]
 pub(super) struct Recording {
     /// The scene file.
     pub(super) scene: String,
-    /// As it is read from that file.
+    /// The settings as read from that file.
     pub(super) setting: Setting,
     pub(super) stage: Stage,
     chunks: Vec<Vec<HandPose>>,
-    /// From which tick on it is under another setting.
+    /// The ticks from which on other settings hold.
     changes: Vec<(usize, Setting)>,
-    /// Its file, and what writes it until it is over.
+    /// Its file, and the writer until the recording ends.
     place: PathBuf,
     writer: Option<LiveWriter>,
-    /// Of a board: samples that it has not answered yet.
+    /// For a board: samples that it has not answered yet.
     unanswered: Option<VecDeque<Sample>>,
-    /// Why it is not in its file as a whole.
+    /// Why its file is incomplete.
     pub(super) problem: Option<String>,
     /// It was made before the program was started.
     pub(super) is_earlier: bool,
 }
 
 impl Recording {
-    /// Before its first tick, without a file. `is_heard`: of a board.
+    /// Creates one before its first tick, without a file. `is_heard`: the answers come from a board.
     pub(super) fn new(setting: Setting, stage: Stage, is_heard: bool) -> Self {
         Self {
             scene: setting.scene.source().text().to_owned(),
@@ -66,10 +66,10 @@ impl Recording {
         }
     }
 
-    /// Its file begins.
+    /// Begins its file.
     ///
     /// # Errors
-    /// There is no place for it.
+    /// Fails if there is no place for it.
     pub(super) fn open(&mut self, shelf: &Shelf, maker: &Maker) -> Result<(), String> {
         let Setting {
             scene,
@@ -83,10 +83,10 @@ impl Recording {
         Ok(())
     }
 
-    /// One that is in a file, as far as it is whole.
+    /// Reads the complete part of a recording from a file.
     ///
     /// # Errors
-    /// It cannot be read, or is none of this program's live recordings.
+    /// Fails if it cannot be read, or is not a live recording of this program.
     pub(super) fn read(place: &Path) -> Result<Self, String> {
         let mut reader = Reader::open(place).map_err(|error| error.to_string())?;
         let Head {
@@ -143,7 +143,7 @@ impl Recording {
         &self.place
     }
 
-    /// The hand of the next tick, and the answer to it; that of a board comes later.
+    /// Adds the hand of the next tick, and the answer to it; a board's answer arrives later.
     pub(super) fn add(&mut self, hand: HandPose, answer: &Frame) {
         let sample = Sample {
             t: self.count() as f64 / RATE,
@@ -163,8 +163,8 @@ impl Recording {
         }
     }
 
-    /// The board answered the sample of this time, and none of those before it. A hand that rests sends the same sample again: its
-    /// first answer counts.
+    /// Adds the board's answer to the sample of this time; the samples before it have none. A hand that rests sends the same
+    /// sample again: its first answer counts.
     pub(super) fn hear(&mut self, frame: &Frame) {
         let due = |waiting: &mut VecDeque<Sample>| {
             let is_due = waiting.front().is_some_and(|sample| sample.t <= frame.t);
@@ -175,7 +175,7 @@ impl Recording {
         }
     }
 
-    /// From the next tick on the body is under another setting.
+    /// Changes the settings from the next tick on.
     pub(super) fn change(&mut self, setting: &Setting) {
         let unanswered = self.unanswered.as_ref().map_or(0, VecDeque::len);
         self.changes
@@ -193,7 +193,7 @@ impl Recording {
         self.note(written);
     }
 
-    /// It is over: what a board has not answered yet, it does not.
+    /// Ends it: samples that a board has not answered yet remain unanswered.
     pub(super) fn finish(&mut self) {
         for sample in self.unanswered.take().into_iter().flatten() {
             self.write(&sample, None);
@@ -202,7 +202,7 @@ impl Recording {
         self.note(finished);
     }
 
-    /// What the terminal is told of it when it is over.
+    /// The message for the terminal when it has ended.
     pub(super) fn farewell(&self) -> String {
         let (seconds, place) = (self.seconds(), self.place.display());
         match &self.problem {
@@ -224,7 +224,7 @@ impl Recording {
         self.note(written);
     }
 
-    /// Nothing is written after what could not be.
+    /// Stops writing after a failure.
     fn note(&mut self, result: Option<io::Result<()>>) {
         if let Some(Err(error)) = result {
             let problem = format!("{}: cannot be written: {error}", self.place.display());
@@ -244,17 +244,17 @@ impl Recording {
         }
     }
 
-    /// It has as many ticks as it may, and one.
+    /// Returns whether it has the maximum number of ticks, and one.
     pub(super) fn is_full(&self) -> bool {
         self.count() > LONGEST
     }
 
-    /// From the first tick to the last (s).
+    /// Time from the first tick to the last (s).
     pub(super) fn seconds(&self) -> f64 {
         self.count().saturating_sub(1) as f64 / RATE
     }
 
-    /// A recorded hand path with the digits that read back to the same values.
+    /// The recorded hand path, with the digits that read back to the same values.
     pub(super) fn hand_csv(&self) -> String {
         let mut text = "t,x,y,phi,held\n".to_owned();
         for (k, hand) in self.chunks.iter().flatten().enumerate() {
@@ -265,10 +265,10 @@ impl Recording {
         text
     }
 
-    /// The trace: the answers that its file has.
+    /// The trace: the answers in its file.
     ///
     /// # Errors
-    /// The file is gone, or there is no room for another one.
+    /// Fails if the file is missing, or there is no room for another one.
     pub(super) fn trace(&self) -> Result<File, String> {
         let mut reader = Reader::open(&self.place).map_err(|error| error.to_string())?;
         let file = tempfile::tempfile().map_err(|error| error.to_string())?;
@@ -283,10 +283,10 @@ impl Recording {
         Ok(file)
     }
 
-    /// The file as it is.
+    /// Opens its file.
     ///
     /// # Errors
-    /// It is gone.
+    /// Fails if it is missing.
     pub(super) fn file(&self) -> Result<File, String> {
         let opened = stiction_text::open(&self.place, u64::MAX);
         opened.map_err(|problem| format!("{}: {problem}", self.place.display()))
@@ -304,7 +304,7 @@ impl Recorded for Recording {
     }
 
     fn change_at(&self, k: usize) -> Option<&Setting> {
-        // Of several the last one holds.
+        // Of several, the last one applies.
         let mut changes = self.changes.iter().rev();
         changes
             .find(|(from, _)| *from == k)

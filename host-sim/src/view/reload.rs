@@ -1,5 +1,5 @@
-//! The file of the scene that is shown, while somebody edits it: read again and again, and shown anew where it has another content.
-//! What cannot be shown is told to the clients and on the terminal, and the scene before goes on.
+//! Follows the scene's file while somebody edits it: reads it repeatedly, and shows it again when its content has changed. If it
+//! cannot be shown, clients and terminal receive the reason, and the previous scene continues.
 
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::SyncSender;
@@ -15,13 +15,13 @@ use tokio::sync::mpsc::{Sender, channel};
 use super::change::Reply;
 use super::orders::Order;
 
-/// The file is read so often. Its content counts when it is the same twice: an editor may be writing it.
+/// Interval of the readings of the file. Its content counts when it is the same twice: an editor may be writing it.
 const EVERY: Duration = Duration::from_millis(400);
 
-/// What the file holds, or why it cannot be read.
+/// The content of the file, or why it cannot be read.
 type Content = Result<Vec<u8>, String>;
 
-/// A file that is looked after.
+/// A file that is followed.
 struct Watch {
     file: PathBuf,
     number: Number,
@@ -30,7 +30,7 @@ struct Watch {
     notes: SyncSender<String>,
 }
 
-/// Looks after a file from now on, for a number type, with a board or without.
+/// Follows a file from now on, for a number type, with or without a board.
 pub(super) fn begin(
     file: &Path,
     (number, has_board): (Number, bool),
@@ -48,7 +48,7 @@ pub(super) fn begin(
 }
 
 impl Watch {
-    /// Until the program ends.
+    /// Runs until the program ends.
     fn go(self) {
         let mut shown = stiction_text::read(&self.file);
         let mut last = shown.clone();
@@ -76,7 +76,7 @@ impl Watch {
         }
     }
 
-    /// Has a content shown.
+    /// Requests that a content is shown.
     fn show(&self, content: &Content) -> Result<(), String> {
         let stage = self.stage(content).map_err(|error| error.to_string())?;
         let (reply, mut result) = channel(1);

@@ -1,4 +1,4 @@
-//! The board that the engine follows: what was asked of it and has no answer yet, and how it fares.
+//! The board that the engine follows: the pending request, and its health.
 
 use std::collections::VecDeque;
 
@@ -9,27 +9,27 @@ use super::orders::Wish;
 use crate::board::{Identity, LiveBoard, Word};
 use stiction_live::say::Fares;
 
-/// Periods of the engine in a second.
+/// Periods of the engine per second.
 const PERIODS: u32 = 1000;
 
-/// Wishes that wait for the answer to a change.
+/// Maximum number of wishes that wait for the answer to a change.
 const MOST_WAITING: usize = 64;
 
-/// A board, with what it owes.
+/// A board, with its pending request.
 #[derive(Debug)]
 pub(super) struct Remote {
     board: LiveBoard,
-    /// A change that the board was asked for.
+    /// A change that was requested from the board.
     asked: Option<(Wanted, Reply)>,
-    /// What clients said meanwhile: it is of the body as it will be then.
+    /// Messages of clients meanwhile: they apply to the body after the change.
     waiting: VecDeque<(Wish, Reply)>,
     pub(super) fares: Fares,
-    /// Periods until the next sample: a board slower than the engine gets one with each of its ticks.
+    /// Periods until the next sample: a board slower than the engine receives one with each of its ticks.
     left: u32,
 }
 
 impl Remote {
-    /// A board that has its scene.
+    /// Creates it for a board that has its scene.
     pub(super) const fn new(board: LiveBoard) -> Self {
         Self {
             board,
@@ -43,24 +43,24 @@ impl Remote {
         }
     }
 
-    /// Who it is.
+    /// The identity of the board.
     pub(super) const fn identity(&self) -> &Identity {
         &self.board.identity
     }
 
-    /// A change is under way.
+    /// Returns whether a change is in progress.
     pub(super) const fn is_busy(&self) -> bool {
         self.asked.is_some()
     }
 
-    /// Another run is about to begin, which must not see the hand of this one.
+    /// Returns whether another run is about to begin, which must not receive the hand of this one.
     pub(super) fn is_ending(&self) -> bool {
         self.asked
             .as_ref()
             .is_some_and(|(wanted, _)| wanted.change.is_run())
     }
 
-    /// Asks for a change; one at a time.
+    /// Requests a change; one at a time.
     pub(super) fn ask(&mut self, wanted: Wanted, reply: Reply) {
         let (change, setting) = (&wanted.change, wanted.change.setting());
         self.board
@@ -68,12 +68,12 @@ impl Remote {
         self.asked = Some((wanted, reply));
     }
 
-    /// What it was asked, which is answered now.
+    /// Takes the pending request, which is answered now.
     pub(super) fn answered(&mut self) -> Option<(Wanted, Reply)> {
         self.asked.take()
     }
 
-    /// Keeps a wish until the change is made.
+    /// Keeps a wish until the change is complete.
     pub(super) fn keep(&mut self, wish: Wish, reply: Reply) {
         if self.waiting.len() < MOST_WAITING {
             self.waiting.push_back((wish, reply));
@@ -82,7 +82,7 @@ impl Remote {
         }
     }
 
-    /// A wish that waits no longer.
+    /// Returns a wish that no longer has to wait.
     pub(super) fn waited(&mut self) -> Option<(Wish, Reply)> {
         match self.asked {
             Some(_) => None,
@@ -90,17 +90,17 @@ impl Remote {
         }
     }
 
-    /// What it said, if it said something.
+    /// Returns the board's next message, if there is one.
     pub(super) fn hear(&self) -> Option<Word> {
         self.board.hear()
     }
 
-    /// The next sample is the first of a run.
+    /// Makes the next sample the first of a run.
     pub(super) const fn begin(&mut self) {
         self.left = 0;
     }
 
-    /// A period passes: a sample, where one is due.
+    /// Counts a period, and sends a sample if one is due.
     pub(super) fn send(&mut self, sample: Sample) {
         self.left = self.left.saturating_sub(1);
         if self.left == 0 && !self.is_ending() {

@@ -1,12 +1,13 @@
-//! A recording begins where the body is: the scene whose start that is, and the hand that holds the body there.
+//! Begins a recording where the body is: a scene with this start, and the hand that holds the body there.
 
 use stiction_scene::SceneFile;
 
 use crate::body::{Hold, Present, within_reach};
 use stiction_live::guide::HandPose;
 
-/// The scene that begins where the body of `present` is, and the hand of its first tick. A hand that took hold on the way does so
-/// again: it begins where it pulls at nothing, and comes back with the next tick. `now`: where the hand is.
+/// Returns a scene that begins where the body of `present` is, and the hand of its first tick. A hand that closed during the run
+/// does so again: it begins at the pose where its springs are relaxed, and returns with the next tick. `now`: the pose of the
+/// hand.
 pub(super) fn resumed(
     scene: &SceneFile,
     present: &Present,
@@ -18,7 +19,7 @@ pub(super) fn resumed(
     written.start = [x, y, present.angle.radians()];
     match (present.hold, present.held) {
         (Hold::Never, _) | (Hold::Given, true) => (scene, now),
-        // A holding point is for the first hold only.
+        // A holding point is only for the first hold.
         (_, false) => {
             written.holding_point = None;
             (scene, now)
@@ -26,7 +27,7 @@ pub(super) fn resumed(
         (Hold::Taken, true) => {
             written.holding_point = None;
             written.reach = within_reach(written, written.reach);
-            // The hand of `present` is turned back by the whole turns of the body.
+            // The hand of `present` is turned back by the body's whole turns.
             let (idle, pulling) = (HandPose::of(&present.idle()), HandPose::of(&present.hand));
             let part = |i: usize| now.pose[i] + (idle.pose[i] - pulling.pose[i]) + 0.0;
             let pose = std::array::from_fn(part);

@@ -1,4 +1,5 @@
-//! The server: the page, the socket, recordings and the way to uploads. Only the page itself, and programs that are no browser, may ask.
+//! The server: the page, the socket, recordings and uploads. Only the page itself, and programs other than browsers, may send
+//! requests.
 
 use std::net::{Ipv4Addr, Ipv6Addr};
 use std::sync::Arc;
@@ -27,12 +28,12 @@ use super::{client, page, written};
 use crate::board::Identity;
 use crate::scenes::Offer;
 
-/// A message that is longer than this ends the connection; one that is longer than is read is answered.
+/// A message longer than this ends the connection; a shorter one that exceeds the readable length is answered.
 const LONGEST_WIRE: usize = 64 << 10;
-/// What is read from a client at once (bytes).
+/// Maximum size of a reading from a client (bytes).
 const AT_ONCE: usize = 4 << 10;
 
-/// What every client needs.
+/// Data that every client needs.
 pub(super) struct Hub {
     pub(super) feed: Arc<Feed>,
     pub(super) orders: mpsc::Sender<Order>,
@@ -42,10 +43,10 @@ pub(super) struct Hub {
     /// True when the server ends.
     pub(super) stop: watch::Receiver<bool>,
     pub(super) clients: AtomicU32,
-    /// Places for paths that are uploaded, and for scenes.
+    /// Places for uploaded paths, and for scenes.
     pub(super) uploads: Arc<Semaphore>,
     pub(super) scene_places: Arc<Semaphore>,
-    /// Paths that were uploaded, and recordings.
+    /// Uploaded paths, and recordings.
     pub(super) kept: Kept,
 }
 
@@ -55,7 +56,7 @@ impl Hub {
         self.clients.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Drops what is of no use to anybody any more.
+    /// Drops data that nobody needs any more.
     pub(super) fn tidy(&self) {
         let recorded = self.feed.read().recorded.clone();
         if let Some(recorded) = recorded {
@@ -65,7 +66,7 @@ impl Hub {
     }
 }
 
-/// All there is to ask for; without the page where it is not wanted.
+/// All resources; without the page if it is not wanted.
 pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
     let router = Router::new()
         .route("/ws", get(socket))
@@ -82,7 +83,7 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
     router.layer(middleware::from_fn(guard)).with_state(hub)
 }
 
-/// Refuses what another page asks for, and adds what a browser has to know.
+/// Refuses requests of other pages, and adds the headers that a browser needs.
 async fn guard(request: Request, next: Next) -> Response {
     let place = own_place(request.headers());
     let policy = policy(place);
@@ -107,18 +108,18 @@ async fn guard(request: Request, next: Next) -> Response {
     response
 }
 
-/// What a page from here may do: use what is here, on this host and port, and not be in a frame of another page.
+/// The policy for a page from here: it may use resources of this host and port, and may not be in a frame of another page.
 fn policy(place: Option<&str>) -> HeaderValue {
     let socket = place.map_or_else(String::new, |place| format!(" ws://{place}"));
     let text = format!("default-src 'self'; connect-src 'self'{socket}; frame-ancestors 'none'");
-    // The place is an address or localhost.
+    // The host is an IP address or localhost.
     HeaderValue::from_str(&text).unwrap_or(HeaderValue::from_static(
         "default-src 'none'; frame-ancestors 'none'",
     ))
 }
 
-/// The host and port that are asked for, where it is by an address or as localhost, which no foreign name can be made to mean,
-/// and a page that asks is of this host.
+/// Returns the host and port of the request if it uses an IP address or localhost, which no foreign name can be made to resolve
+/// to, and if the requesting page is of this host.
 fn own_place(headers: &HeaderMap) -> Option<&str> {
     let text = |name| headers.get(name).map(HeaderValue::to_str);
     let Some(Ok(host)) = text(header::HOST) else {
@@ -129,16 +130,16 @@ fn own_place(headers: &HeaderMap) -> Option<&str> {
         Some(Ok(origin)) => origin.strip_prefix("http://") == Some(host),
         Some(Err(_)) => false,
     };
-    // What another page has its browser fetch has no origin; but a link to this page may stand anywhere.
+    // A request that another page makes through its browser has no origin; but a link to this page may be anywhere.
     let is_fetched = !matches!(text(FETCH_MODE), Some(Ok("navigate")))
         && matches!(text(FETCH_SITE), Some(Ok("cross-site" | "same-site")));
     (is_here(host) && of_page && !is_fetched).then_some(host)
 }
 
-/// An address or localhost, with a port or without.
+/// An IP address or localhost, with or without a port.
 fn is_here(host: &str) -> bool {
     let (name, port) = match host.rsplit_once(':') {
-        // The colons of an address of version 6 are within brackets.
+        // The colons of an IPv6 address are within brackets.
         Some((name, port)) if !port.ends_with(']') => (name, Some(port)),
         _ => (host, None),
     };
@@ -165,7 +166,7 @@ async fn socket(
         .max_message_size(LONGEST_WIRE)
         .max_frame_size(LONGEST_WIRE)
         .read_buffer_size(AT_ONCE)
-        // Every message is sent at once.
+        // Every message is sent immediately.
         .write_buffer_size(0)
         .on_upgrade(move |socket| client::serve(socket, hub, seat))
 }
@@ -227,7 +228,7 @@ fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
         "scene.toml" => return Ok(of_text(recorded.scene.clone())),
         _ => return Ok(of_text(recorded.hand_csv())),
     };
-    // That of ten minutes is hundreds of megabytes: it is read as it is sent.
+    // A recording of ten minutes has hundreds of megabytes: it is read as it is sent.
     let length = file.metadata().map_err(|error| error.to_string())?.len();
     let bytes = ReaderStream::new(tokio::fs::File::from_std(file));
     Ok((Body::from_stream(bytes), length))
@@ -238,7 +239,7 @@ fn of_text(text: String) -> (Body, u64) {
     (text.into(), length)
 }
 
-/// An answer that says what is wrong.
+/// An answer that reports an error.
 pub(super) fn problem(status: StatusCode, text: &str) -> Response {
     let body = json!({"message": text}).to_string();
     let kind = [(header::CONTENT_TYPE, "application/json")];
@@ -282,10 +283,10 @@ mod tests {
         // A picture or a script of another page, and a link in it.
         assert!(!fetched("cross-site", "no-cors") && !fetched("same-site", "no-cors"));
         assert!(fetched("cross-site", "navigate") && fetched("same-origin", "cors"));
-        // A name that was made to mean this computer.
+        // A foreign name that was made to resolve to this computer.
         assert!(!own("example.org:8405", Some("http://example.org:8405")));
         assert!(!own("example.org", None));
-        // What would be another part of the policy.
+        // Text that would be another part of the policy.
         assert!(!own("127.0.0.1:80; script-src *", None) && !own("[::1]:x", None));
         assert!(!own("[127.0.0.1]", None) && !own("127.0.0.1:", None));
     }

@@ -1,5 +1,5 @@
-//! The folder of recordings: a new one gets a name that is free, and the newest one is found again when the program starts, which
-//! tells how many there are.
+//! The folder of recordings: a new one receives a free name; when the program starts, it finds the newest one and reports their
+//! number.
 
 use std::ffi::OsStr;
 use std::fs::{self, Metadata};
@@ -12,7 +12,7 @@ use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
 use crate::record::Run;
 use crate::recording::{Head, LiveWriter, is_being_written};
 
-/// The longest part of a name that is of the scene, in characters.
+/// The longest part of a file name that comes from the scene, in characters.
 const TITLE: usize = 60;
 
 /// The folder of recordings.
@@ -20,8 +20,8 @@ const TITLE: usize = 60;
 pub(super) struct Shelf(PathBuf);
 
 impl Shelf {
-    /// The folder that was given, or that of this program where the system keeps data of programs; without such a place, where the
-    /// program was started.
+    /// Returns the given folder, or that of this program in the system's folder for application data; if there is none, the
+    /// folder in which the program was started.
     pub(super) fn new(given: Option<PathBuf>) -> Self {
         let folder = given.unwrap_or_else(|| match choose_native_strategy() {
             Ok(place) => place.data_dir().join("stiction").join("recordings"),
@@ -33,7 +33,7 @@ impl Shelf {
     /// Begins a recording of a scene under a name that is free.
     ///
     /// # Errors
-    /// The folder cannot be written to.
+    /// Fails if the folder cannot be written to.
     pub(super) fn begin(&self, head: &Head, run: &Run) -> Result<LiveWriter, String> {
         let refused = |error: &io::Error| {
             format!(
@@ -62,7 +62,7 @@ impl Shelf {
         files.map(|(about, place)| (place, about))
     }
 
-    /// What is there, where anything is: nothing of it is ever deleted by this program.
+    /// Describes the recordings, if there are any: this program never deletes one.
     pub(super) fn stock(&self) -> Option<String> {
         let lengths = self.files().map(|(_, about)| about.len());
         let (count, bytes) = lengths.fold((0, 0), |(n, sum), length| (n + 1, sum + length));
@@ -72,7 +72,7 @@ impl Shelf {
         })
     }
 
-    /// The recordings, the one that was written last before all others; without those that are being written.
+    /// The recordings, the last written one first; without those that are being written.
     pub(super) fn newest_first(&self) -> Vec<PathBuf> {
         let dated = self.files().map(|(place, about)| {
             let written = about.modified();
@@ -86,7 +86,7 @@ impl Shelf {
     }
 }
 
-/// A title as a part of a file's name.
+/// Converts a title to a part of a file name.
 fn named(title: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || c == '-' || c == '_' {

@@ -1,4 +1,5 @@
-//! A path that a client sends: taken piece by piece, each within a time and few paths at once, read, and given to the solver.
+//! Receives a path from a client piece by piece, with a time limit for each and few paths in parallel, reads it, and sends it to
+//! the solver.
 
 use std::path::Path as FilePath;
 use std::sync::Arc;
@@ -25,28 +26,29 @@ use stiction_live::replay::Way;
 
 /// The largest path (bytes).
 const LARGEST: usize = 16 << 20;
-/// Paths that are taken and read at once; who comes later waits. One has up to 16 MiB of text, and as records six times that.
+/// Number of paths that are received and read in parallel; others wait. One has up to 16 MiB of text, and six times that as
+/// records.
 const AT_ONCE: usize = 2;
-/// A whole path comes within this: the largest one at 2.3 Mbit/s.
+/// Time limit for a whole path: the largest one at 2.3 Mbit/s.
 const WHOLE: Duration = Duration::from_secs(60);
 /// The longest name of a path, in characters.
 const NAME: usize = 100;
 
-/// What a client is told where its path is not taken.
+/// The answer to a client whose path is refused.
 pub(super) type Refusal = (StatusCode, String);
 
-/// The places for paths that are taken and read.
+/// The places for paths that are received and read.
 pub(super) fn places() -> Arc<Semaphore> {
     Arc::new(Semaphore::new(AT_ONCE))
 }
 
-/// What a file that is sent is called.
+/// The name of an uploaded file.
 #[derive(Deserialize)]
 pub(super) struct Name {
     pub(super) name: String,
 }
 
-/// Takes a path.
+/// Receives a path.
 pub(super) async fn upload(
     State(hub): State<Arc<Hub>>,
     name: Result<Query<Name>, QueryRejection>,
@@ -58,7 +60,7 @@ pub(super) async fn upload(
     })
 }
 
-/// The response to a file that was sent.
+/// The response to an uploaded file.
 pub(super) fn answered(result: Result<String, Refusal>) -> Response {
     match result {
         Ok(answer) => ([(header::CONTENT_TYPE, "application/json")], answer).into_response(),
@@ -66,7 +68,7 @@ pub(super) fn answered(result: Result<String, Refusal>) -> Response {
     }
 }
 
-/// A file that has no name.
+/// A file without a name.
 pub(super) fn nameless() -> Refusal {
     let text = "`name` is missing, allowed: the name of the file";
     (StatusCode::BAD_REQUEST, text.to_owned())
@@ -76,7 +78,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
     let busy = |text: &str| (StatusCode::SERVICE_UNAVAILABLE, text.to_owned());
     let refused = |text: String| (StatusCode::BAD_REQUEST, text);
     let (place, bytes) = received(&hub.uploads, body, LARGEST).await?;
-    // The name of a file, whatever stands before it.
+    // The name of a file, without its folders.
     let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let name: String = name.chars().take(NAME).collect();
     let latest = |latest: &Latest| Arc::clone(&latest.scene);
@@ -84,7 +86,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
     let scene = scene.ok_or_else(|| busy("there is no scene yet"))?;
     let called = name.clone();
     let read = spawn_blocking(move || {
-        // Whoever has gone meanwhile keeps the place until its path is read.
+        // If the client has gone meanwhile, the place remains taken until its path is read.
         let _place = place;
         let source = Source::of_bytes(FilePath::new(&called), bytes)?;
         let path = HandPath::parse(&source, &scene.hand.placement)?;
@@ -101,7 +103,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
     }
 }
 
-/// A body of so many bytes at most, and the place that it has until it is read.
+/// Receives a body of at most `largest` bytes, and the place that it holds until it is read.
 pub(super) async fn received(
     places: &Arc<Semaphore>,
     body: Body,
@@ -117,7 +119,7 @@ pub(super) async fn received(
     Ok((place, bytes))
 }
 
-/// All pieces.
+/// Receives all pieces.
 async fn gathered(body: Body, largest: usize) -> Result<Vec<u8>, Refusal> {
     let (mut bytes, mut pieces) = (Vec::new(), body.into_data_stream());
     loop {
@@ -141,7 +143,7 @@ fn late() -> Refusal {
     (StatusCode::REQUEST_TIMEOUT, text)
 }
 
-/// A path that is not too long, with the answer to it.
+/// Checks that a path is not too long, and creates the answer to it.
 fn checked(path: HandPath, source: &Source) -> Result<(Arc<HandPath>, String), InputError> {
     let (records, path) = (path.count(), Arc::new(path));
     let way = Way::Path(Arc::clone(&path));

@@ -1,5 +1,5 @@
-//! A thread that goes before all others, where the system lets it: on Linux for root, and for whom a limit of real-time
-//! priority is set.
+//! Gives a thread priority over all others, if the system permits it: on Linux for root, and for users with a limit of real-time
+//! priority.
 
 use thread_priority::ThreadPriority;
 #[cfg(unix)]
@@ -8,16 +8,16 @@ use thread_priority::unix::{
     thread_native_id,
 };
 
-/// From now on this thread goes before others.
+/// Gives this thread priority over others from now on.
 #[cfg(unix)]
 pub(super) fn hurry() {
-    // The least of them is before all that are not.
+    // The lowest of these priorities is above all ordinary ones.
     let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
     // Without it, ticks are late more often under load.
     let _ = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Min, policy);
 }
 
-/// From now on this thread goes before others.
+/// Gives this thread priority over others from now on.
 #[cfg(not(unix))]
 pub(super) fn hurry() {
     // Without it, ticks are late more often under load.

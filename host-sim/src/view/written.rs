@@ -1,5 +1,5 @@
-//! Scenes that clients write: a whole file or what is changed in the scene that is shown, read and given to the solver; and the text
-//! of the scene that is shown.
+//! Scenes that clients write: a whole file or the changes to the present scene, read and sent to the solver; and the text of the
+//! present scene.
 
 use std::sync::Arc;
 
@@ -20,10 +20,10 @@ use super::orders::Order;
 use super::server::{Hub, problem};
 use super::upload::{Name, Refusal, answered, nameless, received};
 
-/// The largest scene (bytes), as of a file.
+/// The largest scene (bytes), the same as for a file.
 const LARGEST: usize = 1 << 20;
 
-/// Takes the text of a scene file.
+/// Receives the text of a scene file.
 pub(super) async fn scene(
     State(hub): State<Arc<Hub>>,
     name: Result<Query<Name>, QueryRejection>,
@@ -36,7 +36,7 @@ pub(super) async fn scene(
     answered(taken(&hub, name, body, read).await)
 }
 
-/// Takes what is changed in the scene that is shown.
+/// Receives the changes to the present scene.
 pub(super) async fn edit(
     State(hub): State<Arc<Hub>>,
     name: Result<Query<Name>, QueryRejection>,
@@ -48,7 +48,7 @@ pub(super) async fn edit(
     answered(taken(&hub, name, body, read).await)
 }
 
-/// Receives what a client sends, makes a scene of it by `read`, and has it shown.
+/// Receives a client's data, converts it to a scene by `read`, and shows the scene.
 async fn taken(
     hub: &Hub,
     name: Result<Query<Name>, QueryRejection>,
@@ -61,7 +61,7 @@ async fn taken(
     let (place, bytes) = received(&hub.scene_places, body, LARGEST).await?;
     let latest = hub.feed.read().latest.clone().ok_or_else(gone)?;
     let stage = spawn_blocking(move || {
-        // Whoever has gone meanwhile keeps the place until the scene is read.
+        // If the client has gone meanwhile, the place remains taken until the scene is read.
         let _place = place;
         read(&latest, &name, bytes)
     });
@@ -78,7 +78,7 @@ async fn taken(
     Ok(answer)
 }
 
-/// The scene that is shown, as a file that can be run.
+/// The present scene, as a file that can be run.
 pub(super) async fn text(State(hub): State<Arc<Hub>>) -> Response {
     let latest = hub.feed.read().latest.clone();
     let Some(latest) = latest else {
