@@ -54,7 +54,7 @@ fn malformed_messages_are_answered_and_dropped() {
     let state = other.state(|_| true);
     assert_eq!(
         state["parameters"],
-        json!({"stiffness_translation": 500.0, "stiffness_rotation": 0.5, "static": 0.5, "dynamic": 0.3, "memory": null})
+        json!({"stiffness_translation": 500.0, "stiffness_rotation": 0.5, "static": 0.5, "dynamic": 0.3, "memory": null, "weight": 0.0})
     );
     client.done(json!({"type": "reset"}));
 }

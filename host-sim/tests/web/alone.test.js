@@ -107,7 +107,7 @@ aloneTest("the address shows another page the same scene, parameters and window"
 for (const file of [false, true]) {
   const where = file ? "in one file" : "from a web host";
   aloneTest(`${where} the scene of the address is shown in motion until a key is pressed, and every scene has its picture`, async (live, open) => {
-    assert.equal(await live.page.locator(".card").count(), await live.page.locator(".card svg").count());
+    await live.seesAllCards();
     const other = await open("#scene=ladder&weight=1.5", "no-preference");
     await other.until(() => window.stiction.state?.replay?.demonstration && (window.stiction.frame?.position ?? 0) > 0.5);
     const { scene, parameters } = await other.state();

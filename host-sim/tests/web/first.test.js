@@ -53,9 +53,9 @@ for (const viewport of WINDOWS) {
       const stage = await live.page.locator("#stage").boundingBox();
       assert.ok(stage && viewport.height - stage.y > stage.height / 2, JSON.stringify(stage));
     }
-    // As in `look.test.js`: no column is wider than the window, and the pictures are loaded.
+    // As in `look.test.js`: no column is wider than the window. The pictures are loaded as they come into view.
     assert.ok(await live.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
-    await live.until(() => [...document.querySelectorAll(".card")].every((card) => card.querySelector("svg")));
+    await live.seesAllCards();
     assert.match(await live.text("#story"), /^A box lies flat on the floor .*\.$/);
     assert.ok(await live.page.locator("#demonstration").isVisible());
   });

@@ -248,6 +248,16 @@ export class Live {
     return (await this.page.waitForFunction(/** @type {any} */ (what), arg, { timeout: PATIENCE })).jsonValue();
   }
 
+  /** Scrolls through the gallery: every scene has its picture. */
+  async seesAllCards() {
+    const cards = await this.page.locator(".card").all();
+    assert.ok(cards.length > 0);
+    for (const card of cards) {
+      await card.scrollIntoViewIfNeeded();
+      await card.locator("svg").waitFor({ state: "attached" });
+    }
+  }
+
   /** Waits for a text. @param {string} selector @param {RegExp} pattern */
   async reads(selector, pattern) {
     await this.until(
