@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use stiction_live::thumbnail::thumbnail;
-use stiction_scene::{InputError, Source};
+use stiction_scene::{InputError, Source, story};
 use stiction_tools::files::write;
 
 use crate::files::WriteError;
@@ -53,8 +53,7 @@ fn list(width: Option<usize>) -> String {
     let column = names.max().unwrap_or(0) + 2;
     let mut text = String::new();
     for (name, source) in scenes::ALL {
-        let source = Source::new(*name, *source);
-        let story = source.story().unwrap_or_default();
+        let story = story(source).unwrap_or_default();
         let begin = format!("{name:<column$}");
         let indent = " ".repeat(column);
         let options = textwrap::Options::new(width.unwrap_or(usize::MAX))

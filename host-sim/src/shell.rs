@@ -11,7 +11,7 @@ use clap_complete::engine::{
     ArgValueCompleter, CompletionCandidate, PathCompleter, ValueCompleter,
 };
 use clap_complete::env::{CompleteEnv, Shells};
-use stiction_scene::Source;
+use stiction_scene::story;
 
 use crate::command::described;
 use crate::files::WriteError;
@@ -83,8 +83,7 @@ pub(crate) fn scene_completer() -> ArgValueCompleter {
             .filter(|(name, _)| name.starts_with(&*begun_text));
         let mut candidates: Vec<_> = fits
             .map(|(name, text)| {
-                let source = Source::new(*name, *text);
-                let story = source.story().map(|story| story.to_owned().into());
+                let story = story(text).map(|story| story.to_owned().into());
                 CompletionCandidate::new(*name).help(story)
             })
             .collect();

@@ -252,13 +252,13 @@ impl Live {
     pub fn offers(&self, with_obstacles: bool) -> Vec<Offer> {
         let is_own = |name: &str| self.own.iter().any(|own| own.scene.title == name);
         let own = self.own.iter();
-        let own = own.map(|own| Offer::new(own.scene.title.clone(), own.scene.source()));
+        let own = own.map(|own| Offer::new(own.scene.title.clone(), own.scene.source().text()));
         let bundled = Offer::bundled(with_obstacles).filter(|offer| !is_own(&offer.name));
         own.chain(bundled).collect()
     }
 
     /// Returns their names.
-    pub fn scene_names(&self, with_obstacles: bool) -> Vec<String> {
+    fn scene_names(&self, with_obstacles: bool) -> Vec<String> {
         let offers = self.offers(with_obstacles).into_iter();
         offers.map(|offer| offer.name).collect()
     }
@@ -270,8 +270,9 @@ impl Live {
         self.changed = false;
     }
 
-    /// Returns the part of the state about time, hand and clients, without recordings.
-    pub fn status(&self) -> Status {
+    /// Returns the part of the state about time, hand, clients and scenes, without recordings; `with_obstacles`: scenes with
+    /// obstacles can be shown.
+    pub fn status(&self, with_obstacles: bool) -> Status {
         let hand = match (&self.replay, self.holder.source()) {
             (Some(_), _) => By {
                 by: Some("replay"),
@@ -296,7 +297,7 @@ impl Live {
             replay,
             hand,
             clients: self.clients,
-            scenes: self.scene_names(true),
+            scenes: self.scene_names(with_obstacles),
             scene_problem: self.scene_problem.clone(),
         }
     }

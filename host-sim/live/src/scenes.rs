@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::Source;
+use stiction_scene::{Source, story};
 use stiction_text::nearest;
 
 /// The scene of `stiction board` if none is named.
@@ -61,11 +61,11 @@ pub struct Offer {
 }
 
 impl Offer {
-    /// Returns a scene file under a name.
-    pub fn new(name: impl Into<String>, source: &Source) -> Self {
+    /// Returns the scene file with this text under a name.
+    pub fn new(name: impl Into<String>, text: &str) -> Self {
         Self {
             name: name.into(),
-            story: source.story().map(str::to_owned),
+            story: story(text).map(str::to_owned),
         }
     }
 
@@ -73,7 +73,7 @@ impl Offer {
     pub fn bundled(with_obstacles: bool) -> impl Iterator<Item = Self> {
         let shown = move |scene: &&(&str, &str)| with_obstacles || !has_obstacles(scene);
         let scenes = ALL.iter().filter(shown);
-        scenes.map(|&(name, text)| Self::new(name, &Source::new(name, text)))
+        scenes.map(|&(name, text)| Self::new(name, text))
     }
 }
 

@@ -44,7 +44,7 @@ pub use host_model::{Among, HostModel};
 pub use model::{ObstacleRoom, SceneModel};
 pub use obstacle::ObstacleInfo;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
-pub use source::{InputError, Source};
+pub use source::{InputError, Source, story};
 pub use stiction_core::frame::NumberType;
 pub use surface::SurfaceInfo;
 pub use written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};

@@ -116,6 +116,12 @@ fn brackets(key: &str, allowed: &str) -> Option<String> {
     }
 }
 
+/// The story of a scene file with this text; see [`Source::story`].
+pub fn story(text: &str) -> Option<&str> {
+    let story = text.lines().next()?.strip_prefix('#')?.trim();
+    (!story.is_empty()).then_some(story)
+}
+
 /// A text file with its name.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -165,8 +171,7 @@ impl Source {
 
     /// A one-line description of what to observe in the scene: the comment in the first line. `None` if the file begins with something else.
     pub fn story(&self) -> Option<&str> {
-        let story = self.text.lines().next()?.strip_prefix('#')?.trim();
-        (!story.is_empty()).then_some(story)
+        story(&self.text)
     }
 
     /// The file parsed as TOML.

@@ -40,8 +40,7 @@ impl Engine {
             recording: self.recording.as_ref().map(Recording::seconds),
             recording_file: file,
             recorded,
-            scenes: self.live.scene_names(self.board.is_none()),
-            ..self.live.status()
+            ..self.live.status(self.board.is_none())
         }
     }
 }

@@ -198,7 +198,7 @@ impl Page {
 
     fn publish(&mut self) {
         if self.live.changed {
-            let status = self.live.status();
+            let status = self.live.status(true);
             self.live.tell(&status);
         }
         if !self.live.pending.is_shown() {
