@@ -52,8 +52,7 @@ fn a_scene_that_is_sent_is_shown_and_stays_among_those_to_choose_from() {
             .expect("a list")
             .contains(&json!("rod"))
     );
-    let frame = client.frame(|frame| frame["frame"]["held"] == true);
-    assert_eq!(frame["counts"]["missed"], 0);
+    client.frame(|frame| frame["frame"]["held"] == true);
     assert_eq!(run_shown(&view), ROD);
     client.done(json!({"type": "scene", "name": "ladder"}));
     client.done(json!({"type": "scene", "name": "rod"}));
