@@ -43,35 +43,36 @@ if [ -n "$quick" ]; then
   exit
 fi
 
-boards=()
+stage 'core and firmware on bare metal'
+# One cargo for all targets keeps all cores busy.
+has_target() { rustup target list --installed 2>/dev/null | grep -qx "$1"; }
+boards=() targets=()
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
-  stage "core and firmware on $target"
-  if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
-    cargo build -p stiction-core --profile device --locked --target "$target"
-    [ "$target" != wasm32-unknown-unknown ] || continue
-    boards+=(--target "$target")
-    cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
-    pico=
-    case $target in
-      thumbv7em-none-eabihf) board=olimex-stm32-h405 ;;
-      thumbv6m-none-eabi) board=microbit pico=pico ;;
-      thumbv8m.main-none-eabihf) board=mps2-an505 pico=pico2 ;;
-      *) continue ;;
-    esac
-    for device in ${pico:+none knob pantograph}; do
-      cargo clippy -p "stiction-$pico" --features "${device#none}" --locked --target "$target" -- -D warnings
-    done
-    for log in '' rtt semihosting; do
-      # This board's only log is that of its emulator.
-      [ "$board-$log" != mps2-an505-rtt ] || continue
-      cargo clippy -p "stiction-$board" --no-default-features --features "$log" --locked --target "$target" -- -D warnings
-    done
-    [ "$board" != olimex-stm32-h405 ] ||
-      cargo clippy -p "stiction-$board" --features pantograph --locked --target "$target" -- -D warnings
+  if has_target "$target" || rustup target add "$target"; then
+    targets+=(--target "$target")
+    [ "$target" = wasm32-unknown-unknown ] || boards+=(--target "$target")
   else
     missing "target $target" "rustup target add $target"
   fi
 done
+[ ${#targets[@]} = 0 ] || cargo build -p stiction-core --profile device --locked "${targets[@]}"
+[ ${#boards[@]} = 0 ] || cargo clippy -p stiction-firmware --features board --locked "${boards[@]}" -- -D warnings
+
+# on TARGET PACKAGE FEATURES...: the lints of a board's program, once with each set of features, `none` included.
+on() {
+  local target=$1 package=$2 features
+  shift 2
+  has_target "$target" || return 0
+  for features in "$@"; do
+    cargo clippy -p "stiction-$package" --no-default-features --features "${features#none}" --locked --target "$target" -- -D warnings
+  done
+}
+on thumbv7em-none-eabihf olimex-stm32-h405 none rtt semihosting rtt,pantograph
+on thumbv6m-none-eabi microbit none rtt semihosting
+on thumbv6m-none-eabi pico none rtt rtt,knob rtt,pantograph
+# This board's only log is that of its emulator.
+on thumbv8m.main-none-eabihf mps2-an505 none semihosting
+on thumbv8m.main-none-eabihf pico2 none rtt rtt,knob rtt,pantograph
 
 stage 'emulators and interpreters'
 # QEMU supports both boards since version 10, which Debian 12 has in its backports: on the mirror from which the machine takes
@@ -148,7 +149,9 @@ installs=$!
 stage 'tests'
 # The tests run with debug assertions and overflow checks. Some of them check, by the bits of all answers, that a release build computes
 # the same; the nightly run repeats the tests in a release build. Examples are not built here: no test runs them, and the lints have
-# checked them.
+# checked them. One build of all programs and tests shares every dependency; a package built alone would need some of them with other features.
+cargo build --workspace --exclude stiction-bench --locked --lib --bins --tests --example walk
+built=${CARGO_TARGET_DIR:-target}/debug
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --lib --bins --tests
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --doc
 
@@ -166,7 +169,7 @@ wait "$installs" || true
 others() {
   if has_fuzz; then tests/fuzz/run.sh build; fi
   oldest_checks
-  cargo run --release --locked -p stiction-tests --example walk -- 10000000
+  "$built/examples/walk" 10000000
 }
 beside others others
 others=$!
@@ -193,7 +196,7 @@ else
   npm run --prefix host-sim/tests/web check
   # The page without a server and the npm package, which the tests below examine.
   if rustup target add wasm32-unknown-unknown; then
-    cargo run --release --locked -p stiction-page -- --out "${CARGO_TARGET_DIR:-target}/page" --npm "${CARGO_TARGET_DIR:-target}/npm"
+    "$built/stiction-page" --out "${CARGO_TARGET_DIR:-target}/page" --npm "${CARGO_TARGET_DIR:-target}/npm"
     cargo build --release --locked -p stiction-live --features obstacles --example bits
   else
     missing 'the target wasm32-unknown-unknown' 'rustup target add wasm32-unknown-unknown'

@@ -29,7 +29,7 @@ use stiction_core::{Description, Evolution, Hand, Scene, Solver, SurfaceDescript
 const RATE: u32 = 48_000;
 /// The pin as a block: its width and height (m). Small, as f32 resolves 1e-7 of it.
 const PIN: [f32; 2] = [0.010, 0.006];
-/// Over so much sliding the contact renews (m): much less than the slips, or it would not stick again.
+/// Sliding distance over which the contact renews itself (m): much less than the slips, or it would not stick again.
 const MEMORY: f32 = 0.5e-6;
 /// Opening and closing: how long (s), and the largest speed of the pin's surface (m/s).
 const SWINGS: [(f64, f64); 2] = [(2.6, 0.009), (1.8, -0.006)];

@@ -1,7 +1,7 @@
 // The fixed parts: grid, surfaces with hatching, and scales of length and force.
 
 import { prefixed } from "./dom.js";
-import { LINE } from "./labels.js";
+import { LINE, covers } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Spacing of the hatching and its depth (px). */
@@ -117,16 +117,19 @@ function drawBorder(ctx, view, surface, surfaces) {
 }
 
 /**
- * Writes the surface's name behind its border, near the window's edge.
+ * Writes the surface's name behind its border, as near the window's edge as no other text and no button is.
  * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
  * @param {import("./labels.js").Label[]} labels
  */
 function nameSurface(ctx, view, surface, surfaces, labels) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
+  const length = ctx.measureText(surface.name).width;
+  const [width, height] = [length * Math.abs(tx) + LINE * Math.abs(ty), length * Math.abs(ty) + LINE * Math.abs(tx)];
   for (let s = reach; s > -reach; s -= 12) {
     const x = px + s * tx - 27 * nx, y = py + s * ty - 27 * ny;
     const inside = x > 60 && x < view.width - 60 && y > view.top + 24 && y < view.height - 24;
-    if (!inside || buried(view, x, y, surface, surfaces)) continue;
+    const box = { left: x - width / 2, top: y - height / 2, width, height };
+    if (!inside || buried(view, x, y, surface, surfaces) || labels.some((other) => covers(other, box))) continue;
     ctx.save();
     ctx.translate(x, y);
     let angle = Math.atan2(ty, tx);
@@ -137,9 +140,7 @@ function nameSurface(ctx, view, surface, surfaces, labels) {
     ctx.textBaseline = "middle";
     ctx.fillText(surface.name, 0, 0);
     ctx.restore();
-    const length = ctx.measureText(surface.name).width;
-    const [width, height] = [length * Math.abs(tx) + LINE * Math.abs(ty), length * Math.abs(ty) + LINE * Math.abs(tx)];
-    labels.push({ left: x - width / 2, top: y - height / 2, width, height });
+    labels.push(box);
     return;
   }
 }

@@ -8,11 +8,14 @@ export const LINE = 14;
 const SCALES = 40;
 const MARGIN = 4;
 
-/** The box of a text (px). @typedef {{left: number, top: number, width: number, height: number}} Label */
+/**
+ * The box of a text, or of buttons of the page over the drawing (px).
+ * @typedef {{left: number, top: number, width: number, height: number, buttons?: true}} Label
+ */
 
 /**
- * Writes a text with a halo of paper, to the right or left of a position; moves it up or down by the least distance that avoids
- * other texts, within the window.
+ * Writes a text with a halo of paper, to the right or left of a position and to the left of buttons; moves it up or down by the
+ * least distance that avoids other texts, within the window.
  * @param {Ink} ctx @param {{text: string, x: number, y: number}} place @param {number} toward
  * @param {string} color @param {Label[]} labels existing labels
  */
@@ -22,8 +25,10 @@ export function label(ctx, { text, x, y }, toward, color, labels) {
   const { a: ratio } = ctx.getTransform();
   const [right, bottom] = [canvas.width / ratio - MARGIN - width, canvas.height / ratio - SCALES - LINE];
   const wanted = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
-  const left = Math.max(MARGIN, Math.min(right, wanted));
-  const top = freeRow(labels, { left, top: y - LINE / 2, width, height: LINE }, bottom);
+  const box = { left: Math.min(right, wanted), top: y - LINE / 2, width, height: LINE };
+  const buttons = labels.find((other) => other.buttons && covers(other, box));
+  const left = Math.max(MARGIN, buttons ? buttons.left - MARGIN - width : box.left);
+  const top = freeRow(labels, { ...box, left }, bottom);
   labels.push({ left, top, width, height: LINE });
   ctx.textAlign = "left";
   ctx.textBaseline = "middle";
@@ -50,5 +55,5 @@ function freeRow(labels, box, bottom) {
 }
 
 /** Returns true if two labels overlap. @param {Label} a @param {Label} b */
-const covers = (a, b) => a.left < b.left + b.width && b.left < a.left + a.width
+export const covers = (a, b) => a.left < b.left + b.width && b.left < a.left + a.width
   && a.top < b.top + b.height && b.top < a.top + a.height;

@@ -56,6 +56,8 @@ export class Stage {
     this.magnify = 1;
     /** Screen pixels per pixel of the drawing. */
     this.ratio = 1;
+    /** The boxes of the buttons and hints over the drawing, which texts avoid. @type {import("./labels.js").Label[]} */
+    this.buttons = [];
     this.framesDrawn = 0;
     this.drawTimes = new Samples(2000);
     this.latencies = new Samples(2000);
@@ -77,8 +79,20 @@ export class Stage {
     this.canvas.height = Math.round(height * ratio);
     this.view.width = width / this.magnify;
     this.view.height = height / this.magnify;
+    this.buttons = this.buttonBoxes();
     if (!this.adjusted) this.fitted = false;
     this.draw();
+  }
+
+  /** @returns {import("./labels.js").Label[]} */
+  buttonBoxes() {
+    const canvas = this.canvas.getBoundingClientRect();
+    const groups = this.canvas.parentElement?.querySelectorAll(".tools > div, .foot") ?? [];
+    return [...groups].map((group) => {
+      const { left, top, width, height } = group.getBoundingClientRect();
+      const [x, y, w, h] = [left - canvas.left, top - canvas.top, width, height].map((length) => length / this.magnify);
+      return { left: x, top: y, width: w, height: h, buttons: true };
+    });
   }
 
   /** Returns the position of a pointer or wheel in the drawing. @param {MouseEvent} event */
@@ -209,7 +223,7 @@ export class Stage {
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     /** @type {import("./labels.js").Label[]} */
-    const labels = [];
+    const labels = [...this.buttons];
     drawGrid(ctx, view);
     obstacles?.drawObstacles(ctx, view, scene, labels);
     drawSurfaces(ctx, view, scene.surfaces, labels);

@@ -126,9 +126,8 @@ impl Pair {
         self.setting = setting.clone();
         self.meter = meter_of(setting);
         let reference = setting.reference().carry(&self.body.present());
-        self.reference = reference.map_err(|why| {
-            format!("the board has changed, the reference beside it has not: {why}")
-        })?;
+        self.reference = reference
+            .map_err(|why| format!("the board has changed, the reference has not: {why}"))?;
         self.comparison = Comparison::default();
         self.look(false);
         Ok(())

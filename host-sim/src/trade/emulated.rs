@@ -1,6 +1,7 @@
 //! The cost of settings on emulated chips: the bundled scenes of the suite through every setting that is useful on the chip. From
 //! scenes to the instructions or cycles of a frame, the stack, the state, and the flash, all of the same solver.
 
+use rayon::prelude::*;
 use stiction_core::{Evolution, Hand};
 use stiction_scene::{NumberType, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
@@ -37,7 +38,8 @@ impl Count {
     }
 }
 
-/// The number types of a chip.
+/// A number type on a chip.
+#[derive(Clone, Copy)]
 struct Build {
     chip: Chip,
     number: NumberType,
@@ -119,38 +121,40 @@ pub(super) fn extent() -> usize {
     settings.sum::<usize>() * RATES.len()
 }
 
-/// Counts on all chips; `done` is called for every setting at a rate. All figures of a setting are those of one solver, which has
-/// everything that the scenes need.
+/// Counts on all chips, as many at the same time as this computer has cores; `done` is called for every setting at a rate. All
+/// figures of a setting are those of one solver, which has everything that the scenes need.
 ///
 /// # Errors
 /// Fails if the emulator or a target is missing, or an image cannot be built or run.
 pub(super) fn count(
     suite: &Suite,
-    mut done: impl FnMut(&str),
+    done: impl Fn(&str) + Sync,
 ) -> Result<Vec<Count>, EmulatorError> {
     let bundled = suite
         .cases
         .iter()
         .filter(|case| case.group == Group::Bundled);
     let cases: Vec<&Case> = bundled.collect();
-    let mut counts = Vec::new();
-    for build in Build::all() {
-        for evolution in Evolution::ALL {
-            let solver = build.solver(&cases, evolution)?;
-            let settings = build.settings();
-            for setting in settings.filter(|setting| setting.evolution == evolution) {
-                for rate in RATES {
-                    let cost = solver.count(&cases, (setting, rate))?;
-                    done(build.chip.name());
-                    counts.push(Count {
-                        chip: build.chip,
-                        setting,
-                        rate,
-                        cost,
-                    });
-                }
+    let solvers: Vec<_> = Build::all()
+        .flat_map(|build| Evolution::ALL.map(|evolution| (build, evolution)))
+        .collect();
+    let counts = solvers.par_iter().map(|(build, evolution)| {
+        let solver = build.solver(&cases, *evolution)?;
+        let mut counts = Vec::new();
+        for setting in build.settings().filter(|s| s.evolution == *evolution) {
+            for rate in RATES {
+                let cost = solver.count(&cases, (setting, rate))?;
+                done(build.chip.name());
+                counts.push(Count {
+                    chip: build.chip,
+                    setting,
+                    rate,
+                    cost,
+                });
             }
         }
-    }
-    Ok(counts)
+        Ok(counts)
+    });
+    let counts: Result<Vec<_>, EmulatorError> = counts.collect();
+    Ok(counts?.into_iter().flatten().collect())
 }

@@ -158,7 +158,7 @@ liveTest("an object that is let go stays, and the page says why; weight adds to 
   await live.grab();
   await page.mouse.up();
   await released.waitFor({ state: "visible" });
-  assert.match(await released.innerText(), /^Released: it stays where it is, because statics knows no fall\./);
+  assert.match(await released.innerText(), /^Released: it stays where it is, because nothing falls in statics\./);
   await picture(live, "released");
   const { pose } = (await live.frame()).frame;
   await live.fresh();

@@ -11,12 +11,12 @@ import { recordsOf, transitionsOf } from "./trace.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** Keeps the texts of the newest drawing of the scene in `window.written`. @param {Live} live */
+/** Keeps the texts of the newest drawing of the scene, and their boxes (CSS px), in `window.written`. @param {Live} live */
 const keepTexts = (live) =>
   live.page.evaluate(() => {
     const { prototype } = CanvasRenderingContext2D;
     const { fillText, fillRect } = prototype;
-    /** @type {string[]} */
+    /** @type {{text: string, left: number, top: number, right: number, bottom: number}[]} */
     let now = [];
     prototype.fillRect = function (x, y, width, height) {
       // A drawing begins with its background.
@@ -24,14 +24,21 @@ const keepTexts = (live) =>
       fillRect.call(this, x, y, width, height);
     };
     prototype.fillText = function (text, x, y) {
-      if (this.canvas.id === "stage") now.push(text);
+      if (this.canvas.id === "stage") {
+        const { width } = this.measureText(text), from = this.textAlign === "center" ? x - width / 2 : x;
+        const corners = [[from, y - 6], [from + width, y - 6], [from, y + 6], [from + width, y + 6]].map(([px, py]) =>
+          this.getTransform().transformPoint({ x: px, y: py }));
+        const canvas = this.canvas.getBoundingClientRect(), ratio = window.devicePixelRatio;
+        const xs = corners.map((corner) => canvas.left + corner.x / ratio), ys = corners.map((corner) => canvas.top + corner.y / ratio);
+        now.push({ text, left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) });
+      }
       fillText.call(this, text, x, y);
     };
   });
 
 /** Returns what a page shows of forces and slips. @param {Live} live */
 async function shownOf(live) {
-  const texts = await live.page.evaluate(() => /** @type {any} */ (window).written);
+  const texts = await live.page.evaluate(() => /** @type {any} */ (window).written.map((/** @type {any} */ { text }) => text));
   const [normal, friction, slip] = [
     await live.painted("normal"),
     await live.painted("friction"),
@@ -94,6 +101,54 @@ liveTest("what is below 1e-6 of the scene's force and length is neither drawn no
   const soft = await shownOf(live);
   assert.equal(soft.values.length, 4);
   assert.match(soft.words[0], /^N 0\.0291 mN$/);
+});
+
+liveTest("no button covers a value or a name", async (bench) => {
+  const { live, said } = await openSaid(bench, { viewport: { width: 360, height: 740 } });
+  await keepTexts(live);
+  /** @type {Surface} */
+  const wall = { name: "a wall behind the buttons", normal: [-1, 0], offset: -0.03, static: 0.5, dynamic: 0.3, memory: null };
+  said.state({ title: "box at a wall", surfaces: [wall] });
+  await said.frame(pressed(20, 0, [0, 0, 0]));
+  const buttons = await Promise.all((await live.page.locator(".tools > div").all()).map((group) => group.boundingBox()));
+  const [origin, unit] = [await live.pixel(0, 0), await live.pixel(1, 1)];
+  let near = 0;
+  for (const group of buttons) {
+    assert.ok(group);
+    for (const part of [0, 0.25, 0.5, 0.75, 1]) {
+      const message = pressed(20, 0, [0, 0, 0]);
+      const y = (group.y + part * group.height - origin.y) / (unit.y - origin.y);
+      const x = (group.x + group.width / 2 - origin.x) / (unit.x - origin.x);
+      message.frame.contacts.forEach((contact, i) => {
+        Object.assign(contact, { surface: wall.name, point: [x - 0.01 * i, y] });
+      });
+      await said.frame(message);
+      const texts = await live.page.evaluate(() => /** @type {any} */ (window).written);
+      assert.equal(texts.filter((/** @type {any} */ { text }) => /^[NT] /.test(text)).length, 4);
+      for (const { text, left, top, right, bottom } of texts) {
+        near += Number(right > group.x - 60 && top < group.y + group.height && group.y < bottom);
+        for (const other of buttons) {
+          const covers = other && left < other.x + other.width && other.x < right && top < other.y + other.height && other.y < bottom;
+          assert.ok(!covers, `“${text}” is behind the buttons at ${other?.y} px`);
+        }
+      }
+    }
+  }
+  assert.ok(near > 20, `${near}`);
+});
+
+liveTest("no hint covers the name of the floor", async (bench) => {
+  for (const [width, height] of [[1280, 800], [1920, 1080]]) {
+    const { live, said } = await openSaid(bench, { viewport: { width, height } });
+    await keepTexts(live);
+    await said.frame(restingFrame());
+    const hints = await live.page.locator(".foot").boundingBox();
+    const texts = await live.page.evaluate(() => /** @type {any} */ (window).written);
+    const floor = texts.find((/** @type {any} */ { text }) => text === "floor");
+    assert.ok(hints && floor && hints.width > 300);
+    assert.ok(floor.right <= hints.x || floor.bottom <= hints.y, `the floor's name ends at ${floor.right}, ${floor.bottom} px`);
+    await live.page.close();
+  }
 });
 
 /** Returns the positions of all elements that must not move (px). @param {Live} live */
