@@ -2,7 +2,13 @@
 
 mod common;
 
+use std::sync::{Mutex, PoisonError};
+
 use common::{Folder, SCENE, text};
+
+/// Held by a test that starts programs. A program that a test writes can be started only when no process has it open for writing, and
+/// a process that another test starts meanwhile inherits the open file for a moment.
+static STARTS: Mutex<()> = Mutex::new(());
 
 /// A message is read at a glance (lines that are not empty).
 const LONGEST: usize = 6;
@@ -170,6 +176,7 @@ fn refused(folder: &Folder, typed: &str, parts: &[&str]) {
 
 #[test]
 fn every_mistake_is_named_with_what_to_type() {
+    let _alone = STARTS.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     folder.write("trace.jsonl", "");
@@ -192,6 +199,7 @@ fn every_mistake_is_named_with_what_to_type() {
 fn a_program_away_from_its_sources_says_what_it_needs() {
     use std::os::unix::fs::PermissionsExt;
 
+    let _alone = STARTS.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Folder::new();
     let program = folder.file("stiction");
     let built = env!("CARGO_BIN_EXE_stiction");
