@@ -121,7 +121,7 @@ export class Program {
 
 /**
  * Connects a client of the socket that requests all frames repeatedly and reads none: a client that sends nothing is
- * disconnected.
+ * disconnected. The program disconnects this one, too, when nothing has been read for half a minute.
  * @param {Program} program
  */
 export async function stalled(program) {
@@ -143,6 +143,7 @@ export async function stalled(program) {
   };
   ask();
   const again = setInterval(ask, 5000);
+  socket.on("error", () => {});
   socket.once("close", () => clearInterval(again));
   return socket;
 }
