@@ -148,8 +148,9 @@ installs=$!
 
 stage 'tests'
 # The tests run with debug assertions and overflow checks. Some of them check, by the bits of all answers, that a release build computes
-# the same; the nightly run repeats the tests in a release build. Examples are not built here: no test runs them, and the lints have
-# checked them. One build of all programs and tests shares every dependency; a package built alone would need some of them with other features.
+# the same; the nightly run repeats the tests in a release build. Of the examples only the walk is built, which runs below; the lints have
+# checked the others. One build of all programs and tests shares every dependency; a package built alone would need some of them
+# with other features.
 cargo build --workspace --exclude stiction-bench --locked --lib --bins --tests --example walk
 built=${CARGO_TARGET_DIR:-target}/debug
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --lib --bins --tests

@@ -84,7 +84,7 @@ export class Stage {
     this.draw();
   }
 
-  /** @returns {import("./labels.js").Label[]} */
+  /** Returns the boxes of the buttons and hints over the drawing, in its pixels. @returns {import("./labels.js").Label[]} */
   buttonBoxes() {
     const canvas = this.canvas.getBoundingClientRect();
     const groups = this.canvas.parentElement?.querySelectorAll(".tools > div, .foot") ?? [];

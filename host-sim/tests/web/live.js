@@ -143,6 +143,7 @@ export async function stalled(program) {
   };
   ask();
   const again = setInterval(ask, 5000);
+  // The disconnection may come while a request is on its way.
   socket.on("error", () => {});
   socket.once("close", () => clearInterval(again));
   return socket;
