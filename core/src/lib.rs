@@ -12,8 +12,8 @@
 )]
 //! Contact of an object held in the hand, computed by statics alone: no inertia, no velocities, no time step. At every
 //! pose of the hand the object sits where forces and moments balance; it sticks, slips to a new balance, tips, lands on an
-//! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate, the format of frames in
-//! `FRAME.md`; the documentation cites their sections and numbers, as (E3) or STATICS 3.2.
+//! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate; the documentation cites its
+//! sections and numbers, as (E3) or STATICS 3.2.
 //!
 //! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails. The crate uses no
 //! heap and no `unsafe`, and does not panic. The same input gives the same bits on every machine:
@@ -69,7 +69,7 @@
 //! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
 //! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
 //! | run without a floating-point unit, or leave code out | [`Fixed`], [`Model`] |
-//! | communicate with a board | [`frame`] |
+//! | communicate with a board | the package `stiction-wire` |
 //!
 //! # Contact states
 //!
@@ -87,9 +87,6 @@
 //!                                |  4 settle.rs      (state, trigger) -> state, to rest
 //!                                v
 //!                              Output                pose, events, status; forces on demand
-//!                                |  6 frame.rs       to bytes and back, board and client
-//!                                v
-//!                              frame::Report
 //! ```
 //!
 //! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
@@ -112,7 +109,6 @@ mod falls;
 #[cfg(test)]
 mod fixtures;
 mod forces;
-pub mod frame;
 mod friction;
 mod geometry;
 mod grip;

@@ -4,13 +4,13 @@
 
 use core::fmt::Debug;
 use heapless::Vec;
-use stiction_core::frame::{
-    Command, CommandAmong, ContactAmong, Forces, List, Message, ObstacleList, Parameters, Report,
-    ReportAmong, Room, obstacle_bytes,
-};
 use stiction_core::{
     Description, MAX_CONTACTS, Model, ObstacleDescription, Parameter, Parts, Real, Scene,
     SceneError, Solver, State, WithObstacles,
+};
+use stiction_wire::{
+    Command, CommandAmong, ContactAmong, Forces, List, Message, ObstacleList, Parameters, Report,
+    ReportAmong, Room, obstacle_bytes,
 };
 
 /// The model of a board's solver.

@@ -41,11 +41,11 @@ use command::Next;
 use intake::Intake;
 use outbox::Outbox;
 use report::Told;
-use stiction_core::frame::{
+use stiction_core::{Real, Wrench};
+use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping,
     frame_bytes, scene_bytes,
 };
-use stiction_core::{Real, Wrench};
 
 /// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it accepts.
 #[derive(Debug)]

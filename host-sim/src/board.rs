@@ -1,5 +1,5 @@
 //! `stiction board` and `stiction info`: send a hand's motion in real time to a board on a serial port, behind a socket or in an
-//! emulator. The wire format is that of `core/FRAME.md`.
+//! emulator. The wire format is that of `core/wire/FRAME.md`.
 //!
 //! ```text
 //! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace, recording

@@ -7,8 +7,8 @@ use super::refusal::Refusal;
 use super::settings::Settings;
 use super::store::Described;
 use crate::model::BoardModel;
-use stiction_core::frame::Parameters;
 use stiction_core::{Description, Evolution, Hand, Output, Real, Solver, State, Wrench};
+use stiction_wire::Parameters;
 
 /// The rounding of the position of a hold, as a fraction of the body size.
 const ROUNDING: f32 = 1e-4;

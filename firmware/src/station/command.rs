@@ -5,11 +5,11 @@ use super::refusal::Trouble;
 use super::{Desk, Link, Told};
 use crate::device::{Controller, Placement};
 use crate::model::BoardModel;
-use stiction_core::frame::{
+use stiction_core::{Output, Real, SurfaceDescription};
+use stiction_wire::{
     Command, Frame, Mode, Parameters, Pong, Reason, Reference, Reply, Report, Reset, SceneAmong,
     SceneCommand,
 };
-use stiction_core::{Output, Real, SurfaceDescription};
 
 /// How to continue after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,10 +4,10 @@
 use super::{Desk, Link};
 use crate::device::Turn;
 use crate::model::BoardModel;
-use stiction_core::frame::{
+use stiction_core::{Output, Real, Status};
+use stiction_wire::{
     Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
 };
-use stiction_core::{Output, Real, Status};
 
 /// The version of the firmware.
 const VERSION: [u8; 3] = [

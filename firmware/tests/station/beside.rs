@@ -1,10 +1,10 @@
 //! The solver of the board's scene on this machine, to compare the bits of the board's poses.
 
 use crate::common::BOX;
-use stiction_core::frame::{Mode, Pose};
 use stiction_core::{
     Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
 };
+use stiction_wire::{Mode, Pose};
 
 /// The solver of the board's scene, run in parallel to the board.
 pub(crate) struct Beside<R: Real, const V: usize = 8, const S: usize = 4, M: Model = Full> {

@@ -3,8 +3,8 @@
 use crate::beside::{Beside, assert_same};
 use crate::client::{Said, hand_path};
 use crate::rig::Rig;
-use stiction_core::frame::{Command, Mode, Pose, Stepping};
 use stiction_core::{Event, Evolution, Fixed, Full, Hand, Real};
+use stiction_wire::{Command, Mode, Pose, Stepping};
 
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     const SAMPLES: u32 = 3_000;

@@ -2,11 +2,11 @@
 //! and those on emulated boards.
 
 use std::collections::VecDeque;
-use stiction_core::frame::{
+use stiction_core::{Contact, Description, Event, Hand, Wrench};
+use stiction_wire::{
     Command, ContactAmong, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType,
     Pose, Reason, Reference, Reply, Report, ReportAmong, Room, SceneCommand, Subject,
 };
-use stiction_core::{Contact, Description, Event, Hand, Wrench};
 
 /// Reports of a board that own their data.
 #[derive(Clone, Debug, PartialEq)]

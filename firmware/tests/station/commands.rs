@@ -4,11 +4,11 @@ use crate::beside::{Beside, assert_same};
 use crate::client::{Known, Said, scene};
 use crate::rig::{Rig, driven, setup};
 use crate::scenes::TRIANGLE;
-use stiction_core::frame::{
-    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
-};
 use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
 use stiction_firmware::station::Setup;
+use stiction_wire::{
+    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
+};
 
 pub(crate) const PARAMETERS: Parameters = Parameters {
     stiffness_translation: 400.0,

@@ -7,7 +7,7 @@ use crate::random::{Random, garbled};
 use crate::rig::Rig;
 use std::collections::HashMap;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Mode, Stepping};
+use stiction_wire::{Command, Mode, Stepping};
 
 /// The number of a sample returns as the depth of its pose: so every accepted pose can be identified.
 fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {

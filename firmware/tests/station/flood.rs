@@ -2,8 +2,8 @@
 
 use crate::client::Said;
 use crate::rig::Rig;
-use stiction_core::frame::{Command, Mode, Stepping};
 use stiction_core::{Hand, Wrench};
+use stiction_wire::{Command, Mode, Stepping};
 
 /// What 921600 baud transfer within 1 ms, twice, and one sample.
 const BOUND: usize = 2 * 92 + 64;

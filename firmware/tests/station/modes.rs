@@ -3,9 +3,9 @@
 use crate::beside::{Beside, assert_same};
 use crate::client::Said;
 use crate::rig::{Rig, setup};
-use stiction_core::frame::{Command, Mode, Reason, Reset, Stepping, Subject};
 use stiction_core::{Hand, Status};
 use stiction_firmware::station::Setup;
+use stiction_wire::{Command, Mode, Reason, Reset, Stepping, Subject};
 
 fn refused(rig: &mut Rig, mode: Mode, expected: (Reason, Subject, f32, f32)) {
     let before = rig.info().mode;

@@ -2,7 +2,7 @@
 
 use crate::client::Said;
 use crate::rig::Rig;
-use stiction_core::frame::{Reason, VERSION};
+use stiction_wire::{Reason, VERSION};
 
 #[test]
 fn undamaged_frames_that_are_no_commands_are_answered() {

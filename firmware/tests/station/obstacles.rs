@@ -5,13 +5,13 @@ use crate::beside::{Beside, assert_same};
 use crate::client::{Heard, Said, scene};
 use crate::common::{BOX, FLOOR};
 use crate::rig::{Nothing, Rig, S, V};
-use stiction_core::frame::{
-    Command, ContactAmong, Mode, Parameters, Reason, Reset, Room, SceneAmong, Stepping, Subject,
-    frame_bytes, obstacle_bytes, scene_bytes,
-};
 use stiction_core::{
     Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene, Solver,
     State, StateKind, Touch, WithObstacles,
+};
+use stiction_wire::{
+    Command, ContactAmong, Mode, Parameters, Reason, Reset, Room, SceneAmong, Stepping, Subject,
+    frame_bytes, obstacle_bytes, scene_bytes,
 };
 
 const LONGEST: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(4, 16));

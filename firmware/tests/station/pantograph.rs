@@ -5,8 +5,8 @@ use crate::client::Said;
 use crate::example::{GEOMETRY, MOTORS};
 use crate::reference::{reference, transposed};
 use std::f64::consts::TAU;
-use stiction_core::frame::{Command, Drive, Mode, Parameters, Reason, Reset, Subject};
 use stiction_core::{Hand, Status, Wrench};
+use stiction_wire::{Command, Drive, Mode, Parameters, Reason, Reset, Subject};
 
 /// 5 mm below where the held box would be on the floor: 2.5 N.
 const DEEP: [f64; 3] = [0.0, 0.045, 0.0];

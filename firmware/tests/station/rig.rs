@@ -3,15 +3,15 @@
 use crate::client::{Answer, Client, Heard, Known, Said};
 use crate::common::BOX;
 use std::collections::VecDeque;
-use stiction_core::frame::{
-    Command, CommandAmong, Health, Message, Mode, NumberType, Pose, Reason, SceneAmong,
-    frame_bytes, scene_bytes,
-};
 use stiction_core::{Full, Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_wire::{
+    Command, CommandAmong, Health, Message, Mode, NumberType, Pose, Reason, SceneAmong,
+    frame_bytes, scene_bytes,
+};
 
 pub(crate) const V: usize = 8;
 pub(crate) const S: usize = 4;

@@ -5,9 +5,9 @@ use crate::client::scene;
 use crate::commands::{PARAMETERS, deep, refused, seen};
 use crate::common::{BOX, FLOOR};
 use crate::rig::{Rig, setup};
-use stiction_core::frame::{Command, Reason, SceneCommand, Subject};
 use stiction_core::{Bare, Description, Hand, Parameter, Status, SurfaceDescription};
 use stiction_firmware::station::Setup;
+use stiction_wire::{Command, Reason, SceneCommand, Subject};
 
 const WALL: SurfaceDescription<f32> = SurfaceDescription {
     normal: [1.0, 0.0],

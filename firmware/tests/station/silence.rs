@@ -2,9 +2,9 @@
 
 use crate::client::Said;
 use crate::rig::{Rig, driven};
-use stiction_core::frame::{Command, Drive, Mode, Reason, Reset};
 use stiction_core::{Full, Hand, Status, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, Outage};
+use stiction_wire::{Command, Drive, Mode, Reason, Reset};
 
 const DEEP: Hand<f32> = Hand {
     position: [0.0, 0.045],

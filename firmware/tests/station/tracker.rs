@@ -2,8 +2,8 @@
 
 use crate::client::hand_path;
 use crate::rig::Rig;
-use stiction_core::frame::{Command, Mode, Pose, Reset};
 use stiction_core::{Axis, Hand, TrackerSample};
+use stiction_wire::{Command, Mode, Pose, Reset};
 
 type Vector = [f32; 3];
 

@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::Pose;
 use stiction_core::{Hand, Status};
 use stiction_scene::Sample;
+use stiction_wire::Pose;
 
 use super::verify::Expected;
 

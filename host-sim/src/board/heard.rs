@@ -2,11 +2,11 @@
 
 use std::time::Instant;
 
-use stiction_core::frame::{
+use stiction_core::{Contact, Event, Touch, Wrench};
+use stiction_wire::{
     ContactAmong, Health, Info, Mode, NumberType, Pose, Reason, Reference, Reply, Report,
     ReportAmong, Room, Subject,
 };
-use stiction_core::{Contact, Event, Touch, Wrench};
 
 /// A frame from the board.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub(super) enum Said {
     Pong,
 }
 
-/// [`stiction_core::frame::Forces`] without the wrench that the board applies to the hand, which depends on its limits.
+/// [`stiction_wire::Forces`] without the wrench that the board applies to the hand, which depends on its limits.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Forces {
     pub(super) wrench: Wrench<f32>,
@@ -83,7 +83,7 @@ impl From<ContactAmong> for Touched {
     }
 }
 
-/// [`stiction_core::frame::Events`].
+/// [`stiction_wire::Events`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Events {
     pub(super) slips: u32,
@@ -101,7 +101,7 @@ impl Events {
     }
 }
 
-/// [`stiction_core::frame::Reply`].
+/// [`stiction_wire::Reply`].
 #[derive(Clone, Debug)]
 pub(super) struct Answer {
     pub(super) command: Reference,
@@ -112,7 +112,7 @@ pub(super) struct Answer {
     pub(super) allowed: String,
 }
 
-/// [`stiction_core::frame::Info`], and the room that was reported before it.
+/// [`stiction_wire::Info`], and the room that was reported before it.
 #[derive(Clone, Debug)]
 pub(super) struct About {
     pub(super) name: String,

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use stiction_core::frame::{
+use stiction_wire::{
     CommandAmong, Decoder, FaultKind, Faults, Frame, ReportAmong, Sequence, frame_bytes,
     obstacle_bytes, scene_bytes, wire_bytes,
 };

@@ -1,7 +1,7 @@
 //! Describes in words what a board refuses.
 
 use stiction_core::Parameter;
-use stiction_core::frame::{Reason, Subject};
+use stiction_wire::{Reason, Subject};
 
 use super::heard::Answer;
 use crate::record::Names;
@@ -107,7 +107,7 @@ const fn unit(subject: Subject) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stiction_core::frame::Reference;
+    use stiction_wire::Reference;
 
     fn answer(reason: Reason, subject: Subject, value: f32, limit: f32, allowed: &str) -> Answer {
         Answer {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::{Command, CommandAmong, FaultKind, Health, Reason, Room};
+use stiction_wire::{Command, CommandAmong, FaultKind, Health, Reason, Room};
 
 use super::address::Address;
 use super::error::BoardError;

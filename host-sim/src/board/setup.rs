@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use stiction_core::frame::{
-    Command, CommandAmong, Mode, NumberType, Parameters, Reason, SceneAmong, SceneCommand,
-    Stepping, Subject, frame_bytes, obstacle_bytes, scene_bytes,
-};
 use stiction_core::{Description, Evolution, Fixed, ObstacleDescription};
 use stiction_firmware::station::SLOWEST_TICK;
 use stiction_scene::{Indices, ObstacleInfo, SceneFile, SurfaceInfo};
+use stiction_wire::{
+    Command, CommandAmong, Mode, NumberType, Parameters, Reason, SceneAmong, SceneCommand,
+    Stepping, Subject, frame_bytes, obstacle_bytes, scene_bytes,
+};
 
 use super::error::BoardError;
 use super::heard::{About, Answer};
@@ -279,7 +279,7 @@ fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
         0 => format!(
             "{scene}, allowed on this board: none; an image of the feature `obstacles` has room for some, and speaks version {} of \
              the wire format",
-            stiction_core::frame::VERSION_AMONG
+            stiction_wire::VERSION_AMONG
         ),
         count => format!(
             "{scene}, allowed on this board: {count} with {} in all",
@@ -318,7 +318,7 @@ fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stiction_core::frame::Reference;
+    use stiction_wire::Reference;
 
     fn refusal(subject: Subject, value: f32, limit: f32) -> Answer {
         Answer {

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Instant;
 
-use stiction_core::frame::{EventSet, Pose};
+use stiction_wire::{EventSet, Pose};
 
 use super::heard::{Events, Forces, Heard, Said};
 

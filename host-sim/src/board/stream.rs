@@ -2,9 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::{Command, Reason};
 use stiction_core::narrow_hand;
 use stiction_scene::{Indices, Sample};
+use stiction_wire::{Command, Reason};
 
 use super::address::{Address, ConnectArgs};
 use super::audience::Audience;

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use stiction_core::frame::{ContactAmong, EventSet, NumberType};
 use stiction_core::{Fixed, Hand, Output, Parts, Real, SiFloat, State, Wrench};
 use stiction_scene::{Among, HostModel, HostSolver, InputError, SceneFile};
+use stiction_wire::{ContactAmong, EventSet, NumberType};
 
 use super::heard::{About, Touched};
 use super::steps::Step;

@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::{
+use stiction_core::{Hand, Real, Scene, SceneError, Solver, State, SurfaceDescription};
+use stiction_wire::{
     Command, Decoder, EventSet, Events, Forces, Frame, Health, List, Mode, Pong, Pose, Reason,
     Reference, Reply, Report, SceneCommand, Subject, Text, frame_bytes, scene_bytes, wire_bytes,
 };
-use stiction_core::{Hand, Real, Scene, SceneError, Solver, State, SurfaceDescription};
 
 use crate::made::{info, of_version};
 

@@ -1,7 +1,7 @@
 //! What the board of a test says about itself, and frames of another version.
 
 use stiction_core::Real;
-use stiction_core::frame::{Info, Mode, NumberType, Text};
+use stiction_wire::{Info, Mode, NumberType, Text};
 
 use crate::fake::{FASTEST, LONGEST, SURFACES, VERTICES};
 

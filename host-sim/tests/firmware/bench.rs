@@ -2,8 +2,8 @@
 
 use crate::chip as board;
 use crate::client::{Client, Known, Said};
-use stiction_core::frame::{Command, Health, Reason};
 use stiction_tools::image::flashed;
+use stiction_wire::{Command, Health, Reason};
 
 /// A chip whose time goes on when it is asked to.
 pub(crate) trait Clocked: std::fmt::Debug {

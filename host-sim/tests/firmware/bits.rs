@@ -5,8 +5,8 @@ use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::{Said, hand_path};
 use crate::talks::Talks;
-use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
+use stiction_wire::{Command, Mode, NumberType, Pose, Reset, Stepping};
 
 pub(crate) const SAMPLES: u32 = 3_000;
 /// Samples sent before their answers have come.

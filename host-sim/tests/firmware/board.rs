@@ -6,9 +6,9 @@ use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stiction_core::frame::{Command, Health};
 use stiction_host_sim::emulator::Chip as Processor;
 use stiction_tools::board::Emulator;
+use stiction_wire::{Command, Health};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -142,7 +142,7 @@ impl Board {
             }
             _ => None,
         });
-        assert_eq!(reason, stiction_core::frame::Reason::Done, "{allowed}");
+        assert_eq!(reason, stiction_wire::Reason::Done, "{allowed}");
     }
 
     /// What it says of itself.

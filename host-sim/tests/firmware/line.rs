@@ -7,9 +7,9 @@ use crate::client::{Client, Said, hand_path};
 use crate::random::{Random, garbled};
 use crate::silence::{alone, deep, fallen_silent, last_sample, pressed};
 use std::collections::HashMap;
-use stiction_core::frame::{Command, Drive, Mode, Pose, Stepping};
 use stiction_core::{Fixed, Hand, Real, Wrench};
 use stiction_firmware::safety::Limits;
+use stiction_wire::{Command, Drive, Mode, Pose, Stepping};
 
 /// How large a force is (N).
 fn size(wrench: &Wrench<f32>) -> f32 {

@@ -10,7 +10,7 @@ use crate::session::Session;
 use std::fs;
 use std::path::Path;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Reset};
+use stiction_wire::{Command, Reset};
 
 /// The counts of a second.
 const COUNTS: &str = "ticks: ";

@@ -8,7 +8,7 @@ use crate::chip::PANTOGRAPH;
 use crate::client::Said;
 use std::collections::HashMap;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Drive, Mode, Reason};
+use stiction_wire::{Command, Drive, Mode, Reason};
 
 #[test]
 fn the_f405_with_a_pantograph_steps_by_itself() {

@@ -6,9 +6,9 @@ use crate::budgets::Budget;
 use crate::chip::{self as board, Image, PICO, PICO_FLASHED};
 use crate::client::{Client, Said};
 use crate::drags;
-use stiction_core::frame::{Command, Drive, Health, SceneCommand};
 use stiction_core::{Hand, narrow_hand};
 use stiction_host_sim::trade::Case;
+use stiction_wire::{Command, Drive, Health, SceneCommand};
 
 impl Bench<Pico> {
     /// The hand presses until the board gives force.

@@ -6,7 +6,7 @@ use crate::chip::PICO2;
 use crate::client::{Said, hand_path};
 use crate::rp2350::Chip;
 use crate::silence::silence_of;
-use stiction_core::frame::{Command, NumberType};
+use stiction_wire::{Command, NumberType};
 
 /// So many poses in each evolution.
 fn same_bits(samples: u32) {

@@ -6,8 +6,8 @@ use crate::bench::Clocked;
 use crate::chip::PICO2;
 use crate::client::{Client, Said};
 use crate::rp2350::*;
-use stiction_core::frame::Mode;
 use stiction_tools::image::flashed;
+use stiction_wire::Mode;
 
 /// Of the crystal, the processor and USB (Hz).
 const CRYSTAL: u32 = 12_000_000;

@@ -3,7 +3,7 @@
 use crate::bench::{Bench, Clocked};
 use crate::board::{AGAIN, Board};
 use crate::client::{Known, Said};
-use stiction_core::frame::{Command, Health};
+use stiction_wire::{Command, Health};
 
 pub(crate) trait Talks {
     fn send(&mut self, command: Command<'_>);

@@ -136,8 +136,8 @@ fn crc(bytes: &[u8]) -> u32 {
 #[test]
 fn a_pico_that_is_flashed_with_the_file_runs_its_scene() {
     use crate::client::{Client, Said};
-    use stiction_core::frame::Command;
     use stiction_emulated_pico::{Chip, MEGAHERTZ};
+    use stiction_wire::Command;
 
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

@@ -9,11 +9,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
 use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_wire::{Mode, NumberType, frame_bytes, scene_bytes};
 
 const V: usize = 8;
 const S: usize = 2;

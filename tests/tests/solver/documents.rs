@@ -136,9 +136,10 @@ fn anchor(heading: &str) -> String {
 }
 
 /// Folders with documents.
-const FOLDERS: [&str; 6] = [
+const FOLDERS: [&str; 7] = [
     ".",
     "core",
+    "core/wire",
     "firmware",
     "host-sim",
     "host-sim/bench",

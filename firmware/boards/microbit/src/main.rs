@@ -34,11 +34,11 @@ mod app {
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
     use nrf51_hal::pac::Interrupt;
     use stiction_core::Evolution;
-    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
     use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
+    use stiction_wire::Mode;
 
     /// Ticks per second.
     const RATE: u16 = 200;

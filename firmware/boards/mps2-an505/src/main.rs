@@ -38,10 +38,10 @@ mod app {
     use crate::board::{self, Board, Uart};
     use crate::speed;
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
-    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{SceneType, Setup};
+    use stiction_wire::Mode;
 
     static SETUP: Setup = Setup {
         name: "mps2-an505",

@@ -45,10 +45,10 @@ mod app {
     use crate::board::{self, Board, Uart};
     use crate::device::{LIMITS, PASSIVITY};
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
-    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
+    use stiction_wire::Mode;
     use stm32f4xx_hal::pac::Interrupt;
 
     /// Units of work per second; an eighth of the time is reserved for the interrupts of the line.

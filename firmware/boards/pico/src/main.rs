@@ -47,10 +47,10 @@ mod app {
     use crate::rp::usb::{self, Bus, Usb};
     use crate::rp::{LIMITS, PASSIVITY};
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
-    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
+    use stiction_wire::Mode;
 
     /// Units of work per second; a quarter of the time is reserved for the interrupts of two lines and the rest of a tick.
     const WORK_RATE: u32 = Processor::CORTEX_M0_PLUS.work_rate(board::CLOCK, 6);

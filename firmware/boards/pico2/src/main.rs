@@ -49,9 +49,9 @@ mod app {
     use crate::rp::{LIMITS, PASSIVITY};
     use crate::speed;
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
-    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::station::{SceneType, Setup};
+    use stiction_wire::Mode;
 
     static SETUP: Setup = Setup {
         name: "pico2",

@@ -1,10 +1,8 @@
 //! The pose on the wire (FRAME 5.1): 33 bytes including all framing, with the bits of the solver.
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink, at, index_of, require};
-use crate::event::{Event, StateKind, Status};
-use crate::geometry::Angle;
-use crate::output::Output;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink, at, index_of, require};
+use stiction_core::{Angle, Event, Output, StateKind, Status};
 
 /// A set of events: a bit for each one, in the order of [`Event::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -74,7 +72,7 @@ pub struct Pose {
     pub status: Status,
     /// The hand holds the body.
     pub held: bool,
-    /// The board outputs no force to the hand; [`Health::drive`](super::Health::drive) has the reason.
+    /// The board outputs no force to the hand; [`Health::drive`](crate::Health::drive) has the reason.
     pub force_off: bool,
     /// What happened since the last pose that was sent.
     pub events: EventSet,
@@ -114,7 +112,7 @@ impl Pose {
     ///
     /// ```
     /// use stiction_core::Angle;
-    /// use stiction_core::frame::Pose;
+    /// use stiction_wire::Pose;
     ///
     /// let pose = Pose { rest: -3.1, turns: 1, ..Pose::default() };
     /// let before = Angle { turns: 8, rest: 3.1 };
@@ -134,13 +132,13 @@ impl Pose {
     }
 
     /// The lower bits of the type.
-    pub(super) fn state_code(&self) -> u8 {
+    pub(crate) fn state_code(&self) -> u8 {
         index_of(&StateKind::ALL, &self.state)
     }
 
-    pub(super) const BYTES: usize = 20;
+    pub(crate) const BYTES: usize = 20;
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         sink.f32s(&self.position);
         sink.f32(self.rest);
         sink.f32(self.depth);
@@ -153,7 +151,7 @@ impl Pose {
 
     /// Reads the payload of a pose (FRAME 5.1) whose type has the state in its lower bits; fails if the length is wrong or a bit is set
     /// that must be 0.
-    pub(super) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         let [x, y, rest, depth] = fields.f32s();
         let (flags, happened, sample) = (fields.u8(), fields.u16(), fields.u8());

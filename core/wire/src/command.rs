@@ -1,20 +1,19 @@
 //! Messages to the board (FRAME 4).
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
-use super::message::Wire;
-use super::mode::Mode;
-use super::scene::SceneCommand;
-use crate::geometry::Angle;
-use crate::hand::{Hand, TrackerSample};
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
+use crate::message::Wire;
+use crate::mode::Mode;
+use crate::scene::SceneCommand;
+use stiction_core::{Angle, Hand, TrackerSample};
 
 /// A message to the board. Each one except the samples of the hand is answered: [`Command::Hello`] by
-/// [`Report::Info`](super::Report::Info), [`Command::Ping`] by [`Report::Pong`](super::Report::Pong), the others by
-/// [`Report::Reply`](super::Report::Reply).
+/// [`Report::Info`](crate::Report::Info), [`Command::Ping`] by [`Report::Pong`](crate::Report::Pong), the others by
+/// [`Report::Reply`](crate::Report::Reply).
 ///
 /// ```
 /// use stiction_core::Hand;
-/// use stiction_core::frame::{Command, Decoder, Frame, frame_bytes};
+/// use stiction_wire::{Command, Decoder, Frame, frame_bytes};
 ///
 /// let sample = Frame { sequence: 1, time: 0, message: Command::Hand(Hand::new(0.1, 0.2, 7.0)) };
 /// let mut wire = [0; 64];
@@ -56,7 +55,7 @@ pub struct Parameters {
     pub friction_static: f32,
     /// Dynamic friction mu_d >= 0.
     pub friction_dynamic: f32,
-    /// Memory length (m) >= 0, see [`SurfaceDescription::memory`](crate::SurfaceDescription::memory); `None`: L / 4096.
+    /// Memory length (m) >= 0, see [`SurfaceDescription::memory`](stiction_core::SurfaceDescription::memory); `None`: L / 4096.
     pub memory: Option<f32>,
 }
 

@@ -1,17 +1,17 @@
 //! The messages about obstacles between a board and its client (FRAME 8): all messages of [`Command`] and [`Report`], and those that a
 //! scene with obstacles needs in addition.
 
-use super::command::Command;
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
-use super::forces::Forces;
-use super::list::Item;
-use super::message::Wire;
-use super::obstacles::SceneAmong;
-use super::reply::{Reply, is_of_obstacles};
-use super::report::{LONGEST_REPORT, REPLY, Report};
-use super::{VERSION, VERSION_AMONG};
-use crate::forces::{Contact, Touch, Touching};
+use crate::command::Command;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
+use crate::forces::Forces;
+use crate::list::Item;
+use crate::message::Wire;
+use crate::obstacles::SceneAmong;
+use crate::reply::{Reply, is_of_obstacles};
+use crate::report::{LONGEST_REPORT, REPLY, Report};
+use crate::{VERSION, VERSION_AMONG};
+use stiction_core::{Contact, Touch, Touching};
 
 /// A message to a board with room for obstacles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ pub struct ContactAmong {
 }
 
 impl ContactAmong {
-    /// From a contact of a state and the corresponding item of [`Solver::touches`](crate::Solver::touches).
+    /// From a contact of a state and the corresponding item of [`Solver::touches`](stiction_core::Solver::touches).
     pub const fn new(contact: &Contact<f32>, touching: &Touching<f32>) -> Self {
         Self {
             touch: touching.touch,

@@ -1,6 +1,6 @@
 //! The faults of frames that are not accepted, and their counts (FRAME 6).
 
-use super::Reference;
+use crate::Reference;
 
 /// Why the bytes between two delimiters are not a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -86,10 +86,10 @@ impl Faults {
         counts.fold(0, |sum: u32, &n| sum.saturating_add(n))
     }
     /// The counts in the order of [`FaultKind::ALL`].
-    pub(super) const fn counts(&self) -> [u32; FaultKind::ALL.len()] {
+    pub(crate) const fn counts(&self) -> [u32; FaultKind::ALL.len()] {
         self.counts
     }
-    pub(super) const fn from_counts(counts: [u32; FaultKind::ALL.len()]) -> Self {
+    pub(crate) const fn from_counts(counts: [u32; FaultKind::ALL.len()]) -> Self {
         Self { counts }
     }
     fn pairs(&mut self) -> impl Iterator<Item = (FaultKind, &mut u32)> {

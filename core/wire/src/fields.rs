@@ -1,6 +1,6 @@
 //! The fields of a payload, one after the other, little-endian (FRAME 3).
 
-use super::fault::FaultKind;
+use crate::fault::FaultKind;
 
 /// Reads the fields of a payload. The length is checked first; beyond the end every field would be 0.
 #[derive(Clone, Copy, Debug)]
@@ -9,18 +9,18 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    pub(super) const fn new(bytes: &'a [u8]) -> Self {
+    pub(crate) const fn new(bytes: &'a [u8]) -> Self {
         Self { rest: bytes }
     }
     /// Checks that exactly this many bytes are left.
-    pub(super) fn exactly(&self, bytes: usize) -> Result<(), FaultKind> {
+    pub(crate) fn exactly(&self, bytes: usize) -> Result<(), FaultKind> {
         require(self.rest.len() == bytes, FaultKind::Length)
     }
     /// Checks that at least this many bytes are left.
-    pub(super) fn at_least(&self, bytes: usize) -> Result<(), FaultKind> {
+    pub(crate) fn at_least(&self, bytes: usize) -> Result<(), FaultKind> {
         require(self.rest.len() >= bytes, FaultKind::Length)
     }
-    pub(super) fn take<const N: usize>(&mut self) -> [u8; N] {
+    pub(crate) fn take<const N: usize>(&mut self) -> [u8; N] {
         match self.rest.split_first_chunk() {
             Some((field, rest)) => {
                 self.rest = rest;
@@ -30,7 +30,7 @@ impl<'a> Fields<'a> {
         }
     }
     /// The next `count` bytes, or as many as there are.
-    pub(super) fn bytes(&mut self, count: usize) -> &'a [u8] {
+    pub(crate) fn bytes(&mut self, count: usize) -> &'a [u8] {
         let (bytes, rest) = self
             .rest
             .split_at_checked(count)
@@ -39,31 +39,31 @@ impl<'a> Fields<'a> {
         bytes
     }
     /// All remaining bytes.
-    pub(super) fn remaining(&mut self) -> &'a [u8] {
+    pub(crate) fn remaining(&mut self) -> &'a [u8] {
         self.bytes(self.rest.len())
     }
-    pub(super) fn u8(&mut self) -> u8 {
+    pub(crate) fn u8(&mut self) -> u8 {
         let [value] = self.take();
         value
     }
-    pub(super) fn u16(&mut self) -> u16 {
+    pub(crate) fn u16(&mut self) -> u16 {
         u16::from_le_bytes(self.take())
     }
-    pub(super) fn u32(&mut self) -> u32 {
+    pub(crate) fn u32(&mut self) -> u32 {
         u32::from_le_bytes(self.take())
     }
-    pub(super) fn i32(&mut self) -> i32 {
+    pub(crate) fn i32(&mut self) -> i32 {
         i32::from_le_bytes(self.take())
     }
     /// The bits of an f32, unchanged.
-    pub(super) fn f32(&mut self) -> f32 {
+    pub(crate) fn f32(&mut self) -> f32 {
         f32::from_le_bytes(self.take())
     }
-    pub(super) fn f32s<const N: usize>(&mut self) -> [f32; N] {
+    pub(crate) fn f32s<const N: usize>(&mut self) -> [f32; N] {
         core::array::from_fn(|_| self.f32())
     }
     /// 0 or 1.
-    pub(super) fn flag(&mut self) -> Result<bool, FaultKind> {
+    pub(crate) fn flag(&mut self) -> Result<bool, FaultKind> {
         match self.u8() {
             0 => Ok(false),
             1 => Ok(true),
@@ -71,13 +71,13 @@ impl<'a> Fields<'a> {
         }
     }
     /// A flag and a number, which is meaningless if the flag is 0.
-    pub(super) fn option(&mut self) -> Result<Option<f32>, FaultKind> {
+    pub(crate) fn option(&mut self) -> Result<Option<f32>, FaultKind> {
         let given = self.flag()?;
         let value = self.f32();
         Ok(given.then_some(value))
     }
     /// The entry of a table at the index that follows.
-    pub(super) fn code<T: Copy>(&mut self, table: &[T]) -> Result<T, FaultKind> {
+    pub(crate) fn code<T: Copy>(&mut self, table: &[T]) -> Result<T, FaultKind> {
         at(table, self.u8())
     }
 }
@@ -138,12 +138,12 @@ pub trait Sink {
 }
 
 /// Fails with a fault unless `holds`.
-pub(super) const fn require(holds: bool, fault: FaultKind) -> Result<(), FaultKind> {
+pub(crate) const fn require(holds: bool, fault: FaultKind) -> Result<(), FaultKind> {
     if holds { Ok(()) } else { Err(fault) }
 }
 
 /// The entry of a table at a code.
-pub(super) fn at<T: Copy>(table: &[T], code: u8) -> Result<T, FaultKind> {
+pub(crate) fn at<T: Copy>(table: &[T], code: u8) -> Result<T, FaultKind> {
     table
         .get(usize::from(code))
         .copied()
@@ -151,7 +151,7 @@ pub(super) fn at<T: Copy>(table: &[T], code: u8) -> Result<T, FaultKind> {
 }
 
 /// The code of an entry of a table.
-pub(super) fn index_of<T: PartialEq>(table: &[T], entry: &T) -> u8 {
+pub(crate) fn index_of<T: PartialEq>(table: &[T], entry: &T) -> u8 {
     let index = table.iter().position(|one| one == entry);
     index.and_then(|i| u8::try_from(i).ok()).unwrap_or(u8::MAX)
 }

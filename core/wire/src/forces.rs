@@ -1,11 +1,9 @@
 //! Forces and events of a step on the wire (FRAME 5.2, 5.3).
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink, at, index_of};
-use super::list::{Item, List};
-use crate::contact::MAX_CONTACTS;
-use crate::event::{Event, MAX_EVENTS};
-use crate::forces::{Contact, Wrench};
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink, at, index_of};
+use crate::list::{Item, List};
+use stiction_core::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Wrench};
 
 /// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +15,7 @@ pub struct Forces<'a, C: Item = Contact<f32>> {
     pub feedback: Wrench<f32>,
     /// The whole turns of theta.
     pub turns: i32,
-    /// The contacts, with their reactions (N); a board sends at most [`MAX_CONTACTS`](crate::MAX_CONTACTS), 8.
+    /// The contacts, with their reactions (N); a board sends at most [`MAX_CONTACTS`](stiction_core::MAX_CONTACTS), 8.
     pub contacts: List<'a, C>,
 }
 
@@ -28,16 +26,16 @@ pub struct Events<'a> {
     pub slips: u32,
     /// The longest of them (m) >= 0; 0 without a slip.
     pub longest_slip: f32,
-    /// The events in order; a board sends at most [`MAX_EVENTS`](crate::MAX_EVENTS), 16.
+    /// The events in order; a board sends at most [`MAX_EVENTS`](stiction_core::MAX_EVENTS), 16.
     pub list: List<'a, Event>,
 }
 
 impl<'a, C: Item> Forces<'a, C> {
     const HEAD_BYTES: usize = 29;
     /// With the most contacts that a state has.
-    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * C::BYTES;
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * C::BYTES;
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         for wrench in [self.wrench, self.feedback] {
             sink.f32s(&wrench.force);
             sink.f32(wrench.moment);
@@ -48,7 +46,7 @@ impl<'a, C: Item> Forces<'a, C> {
     }
 
     /// Reads the payload of forces (FRAME 5.2); fails if its length does not match the number of contacts.
-    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let wrench = |fields: &mut Fields<'_>| Wrench {
             force: fields.f32s(),
@@ -69,16 +67,16 @@ impl<'a, C: Item> Forces<'a, C> {
 impl<'a> Events<'a> {
     const HEAD_BYTES: usize = 9;
     /// With the most events that a step reports.
-    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_EVENTS * Event::BYTES;
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + MAX_EVENTS * Event::BYTES;
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         sink.u32(self.slips);
         sink.f32(self.longest_slip);
         sink.count(self.list.len());
         self.list.write(sink);
     }
 
-    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let (slips, longest_slip) = (fields.u32(), fields.f32());
         let count = usize::from(fields.u8());

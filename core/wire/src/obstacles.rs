@@ -1,11 +1,11 @@
 //! The obstacles of a scene on the wire (FRAME 4.9): a list of them, each with the number of its corners, followed by the corners of all.
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink, require};
-use super::list::{Item, List};
-use super::scene::{HEAD_BYTES, SceneCommand, copied, scene_bytes};
-use crate::scene::{Description, ObstacleDescription, Parameter, SceneError};
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink, require};
+use crate::list::{Item, List};
+use crate::scene::{HEAD_BYTES, SceneCommand, copied, scene_bytes};
 use core::fmt;
+use stiction_core::{Description, ObstacleDescription, Parameter, SceneError};
 
 /// The bytes that this many obstacles with this many corners together add to the payload of the same scene without them, [`scene_bytes`].
 pub const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
@@ -21,7 +21,7 @@ const COUNTS: usize = 2;
 ///
 /// ```
 /// use stiction_core::{Description, ObstacleDescription, Scene, WithObstacles};
-/// use stiction_core::frame::SceneAmong;
+/// use stiction_wire::SceneAmong;
 ///
 /// let table = ObstacleDescription {
 ///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
@@ -83,7 +83,7 @@ struct Row {
 }
 
 impl<'a> SceneAmong<'a> {
-    /// From the arguments of [`Scene::among`](crate::Scene::among).
+    /// From the arguments of [`Scene::among`](stiction_core::Scene::among).
     pub fn new(
         description: &Description<'a, f32>,
         obstacles: &'a [ObstacleDescription<'a, f32>],
@@ -94,7 +94,7 @@ impl<'a> SceneAmong<'a> {
         }
     }
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.scene.write_head(sink);
         sink.count(self.obstacles.len());
         sink.count(self.obstacles.corner_count());
@@ -103,7 +103,7 @@ impl<'a> SceneAmong<'a> {
     }
 
     /// Reads the payload of scene-among (FRAME 4.9); fails if its length does not match its counts.
-    pub(super) fn read(fields: &Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(HEAD_BYTES.saturating_add(COUNTS))?;
         let mut lists = *fields;
         let mut head = Fields::new(lists.bytes(HEAD_BYTES));
@@ -145,7 +145,7 @@ impl<'a> ObstacleList<'a> {
         }
     }
 
-    /// As descriptions, copied into the given slices. The numbers are not checked: [`Scene::among`](crate::Scene::among) does that.
+    /// As descriptions, copied into the given slices. The numbers are not checked: [`Scene::among`](stiction_core::Scene::among) does that.
     ///
     /// # Errors
     /// More obstacles or corners than the slices hold.

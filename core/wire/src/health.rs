@@ -1,7 +1,7 @@
 //! The condition of a board, on the wire (FRAME 5.6).
 
-use super::fault::{FaultKind, Faults};
-use super::fields::{Fields, Sink};
+use crate::fault::{FaultKind, Faults};
+use crate::fields::{Fields, Sink};
 
 /// Whether a board outputs force to the hand, and if not, why.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -11,7 +11,7 @@ pub enum Drive {
     On,
     /// No fresh sample of the hand: no force until samples return.
     Silent,
-    /// A fault: no force until [`Reset::Everything`](super::Reset::Everything).
+    /// A fault: no force until [`Reset::Everything`](crate::Reset::Everything).
     Latched,
 }
 
@@ -29,7 +29,7 @@ impl Drive {
     }
 }
 
-/// The condition of a board. Counts begin at power-up or [`Reset::Everything`](super::Reset::Everything) and saturate.
+/// The condition of a board. Counts begin at power-up or [`Reset::Everything`](crate::Reset::Everything) and saturate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Health {
     /// Force to the hand.
@@ -55,10 +55,10 @@ pub struct Health {
 }
 
 impl Health {
-    pub(super) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
+    pub(crate) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
 
     /// Writes the payload of health (FRAME 5.6).
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Drive::ALL, &self.drive);
         let counts = [
             self.ticks,
@@ -76,7 +76,7 @@ impl Health {
     }
 
     /// Reads the payload of health (FRAME 5.6); fails if its length is wrong or the code of the drive has no meaning.
-    pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         Ok(Self {
             drive: fields.code(&Drive::ALL)?,

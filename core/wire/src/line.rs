@@ -1,9 +1,9 @@
 //! Frames on the line: head, payload and checksum, COBS-framed, ended by a 0 byte (FRAME 2); and back, byte by byte.
 
-use super::fault::{Fault, FaultKind, Faults};
-use super::fields::{Fields, Sink};
-use super::message::Message;
-use super::{Frame, Reference, VERSION};
+use crate::fault::{Fault, FaultKind, Faults};
+use crate::fields::{Fields, Sink};
+use crate::message::Message;
+use crate::{Frame, Reference, VERSION};
 use cobs::{DecodeResult, DecoderState, EncoderState, PushResult};
 use crc::{CRC_32_ISO_HDLC, Crc, Digest};
 
@@ -121,7 +121,7 @@ impl Sink for Line<'_> {
 /// next delimiter is found. It has room for frames of N bytes before COBS, see [`frame_bytes`].
 ///
 /// ```
-/// use stiction_core::frame::{Command, Decoder, FaultKind, Frame};
+/// use stiction_wire::{Command, Decoder, FaultKind, Frame};
 ///
 /// let mut wire = [0; 32];
 /// let ping = Frame { sequence: 7, time: 1_000_000, message: Command::Ping };

@@ -1,22 +1,22 @@
 //! Messages from the board (FRAME 5).
 
-use super::Reference;
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
-use super::forces::{Events, Forces};
-use super::health::Health;
-use super::info::Info;
-use super::message::Wire;
-use super::pose::Pose;
-use super::reply::Reply;
-use crate::forces::Contact;
+use crate::Reference;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
+use crate::forces::{Events, Forces};
+use crate::health::Health;
+use crate::info::Info;
+use crate::message::Wire;
+use crate::pose::Pose;
+use crate::reply::Reply;
+use stiction_core::Contact;
 
 /// A message from the board. Poses, forces and events of one step have the same time.
 ///
 /// ```
 /// use stiction_core::{Evolution, Hand, Scene, Solver, State};
 /// # use stiction_core::{Description, SurfaceDescription};
-/// use stiction_core::frame::{EventSet, Frame, Pose, Report};
+/// use stiction_wire::{EventSet, Frame, Pose, Report};
 ///
 /// # let scene: Scene<f32, 1, 1> = Scene::new(&Description {
 /// #     vertices: &[[0.0, 0.0]], start: [0.0; 3], weight: 0.0, holding_point: Some([0.0; 2]), reach: 0.0,
@@ -49,7 +49,7 @@ pub enum Report<'a> {
     Pong(Pong),
 }
 
-/// The answer to [`Command::Ping`](super::Command::Ping). The time in its header shows the difference of the clocks.
+/// The answer to [`Command::Ping`](crate::Command::Ping). The time in its header shows the difference of the clocks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pong {
     /// Sequence number of the ping.
@@ -58,7 +58,7 @@ pub struct Pong {
     pub time: u32,
 }
 
-/// The longest payload that a board sends (bytes): [`wire_bytes`](super::wire_bytes) of it is the room that the board needs to encode its
+/// The longest payload that a board sends (bytes): [`wire_bytes`](crate::wire_bytes) of it is the room that the board needs to encode its
 /// reports.
 pub const LONGEST_REPORT: usize = {
     let others = [
@@ -82,7 +82,7 @@ pub const LONGEST_REPORT: usize = {
 const POSE: u8 = 0x80;
 const FORCES: u8 = 0x90;
 const EVENTS: u8 = 0x91;
-pub(super) const REPLY: u8 = 0x92;
+pub(crate) const REPLY: u8 = 0x92;
 const INFO: u8 = 0x93;
 const HEALTH: u8 = 0x94;
 const PONG: u8 = 0x95;
@@ -155,11 +155,11 @@ impl<'a> Wire<'a> for Report<'a> {
 }
 
 impl Reference {
-    pub(super) fn write(self, sink: &mut impl Sink) {
+    pub(crate) fn write(self, sink: &mut impl Sink) {
         sink.byte(self.code);
         sink.byte(self.sequence);
     }
-    pub(super) fn read(fields: &mut Fields<'_>) -> Self {
+    pub(crate) fn read(fields: &mut Fields<'_>) -> Self {
         let [code, sequence] = fields.take();
         Self { code, sequence }
     }

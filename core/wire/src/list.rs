@@ -1,7 +1,7 @@
 //! Lists within a payload: on one side the sender's items, on the other the bytes as received, without copying.
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink, require};
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink, require};
 use core::fmt;
 
 /// An item of a list: a fixed number of bytes.
@@ -21,7 +21,7 @@ pub trait Item: Copy {
 /// A list in a message. One that was received points into the receiver's buffer.
 ///
 /// ```
-/// use stiction_core::frame::List;
+/// use stiction_wire::List;
 ///
 /// let vertices = List::from(&[[0.0, 0.0], [1.0, 0.0]]);
 /// assert_eq!(vertices.len(), 2);
@@ -40,7 +40,7 @@ enum Items<'a, T> {
 
 impl<'a, T: Item> List<'a, T> {
     /// The next `count` items of a payload; fails if it is too short.
-    pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
+    pub(crate) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
         let bytes = fields.bytes(count.saturating_mul(T::BYTES));
         require(bytes.chunks(T::BYTES).all(T::valid), FaultKind::Value)?;
         Ok(Self {
@@ -74,7 +74,7 @@ impl<'a, T: Item> List<'a, T> {
         let list = *self;
         (0..list.len()).filter_map(move |i| list.get(i))
     }
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         for item in self.iter() {
             item.put(sink);
         }
@@ -127,7 +127,7 @@ impl<'a> Text<'a> {
         }
     }
     /// `None` if there are characters other than printable ASCII.
-    pub(super) fn read(bytes: &'a [u8]) -> Option<Self> {
+    pub(crate) fn read(bytes: &'a [u8]) -> Option<Self> {
         let valid = bytes.iter().all(|byte| PRINTABLE.contains(byte));
         valid.then_some(Self { bytes })
     }
@@ -141,7 +141,7 @@ impl<'a> Text<'a> {
         };
         self.bytes.iter().take(Self::LONGEST).map(printable)
     }
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         for byte in self.characters() {
             sink.byte(byte);
         }

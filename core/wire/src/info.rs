@@ -1,9 +1,9 @@
 //! What a board is, on the wire (FRAME 5.5).
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
-use super::list::Text;
-use super::mode::Mode;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
+use crate::list::Text;
+use crate::mode::Mode;
 
 /// The number type of a board's solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -11,7 +11,7 @@ pub enum NumberType {
     /// `f32`.
     #[default]
     F32,
-    /// [`Fixed`](crate::Fixed).
+    /// [`Fixed`](stiction_core::Fixed).
     Fixed,
 }
 
@@ -49,7 +49,7 @@ pub struct Info<'a> {
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
-    /// The budget of a step in units of work, see [`Solver::with_budget`](crate::Solver::with_budget): it follows from the tick.
+    /// The budget of a step in units of work, see [`Solver::with_budget`](stiction_core::Solver::with_budget): it follows from the tick.
     pub budget: u32,
     /// Below these k_h (N/m) and k_theta (N·m/rad) its haptic device is passive at its tick rate; infinite without actuators.
     pub stiffest: [f32; 2],
@@ -68,10 +68,10 @@ pub struct Info<'a> {
 impl<'a> Info<'a> {
     const HEAD_BYTES: usize = 44 + Mode::BYTES;
     /// With the longest name.
-    pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     /// Writes the payload of info (FRAME 5.5).
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         sink.put(&self.version);
         sink.code(&NumberType::ALL, &self.number);
         sink.put(&[self.vertices, self.surfaces]);
@@ -90,7 +90,7 @@ impl<'a> Info<'a> {
     }
 
     /// Reads the payload of info (FRAME 5.5); fails if it is too short, or if a code, a bit or a character is not permitted.
-    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let version = fields.take();
         let number = fields.code(&NumberType::ALL)?;

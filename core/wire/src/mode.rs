@@ -1,9 +1,8 @@
 //! The operating mode of a board: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink, require};
-use crate::hand::Axis;
-use crate::solver::Evolution;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink, require};
+use stiction_core::{Axis, Evolution};
 
 /// When a board makes a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -33,7 +32,7 @@ impl Stepping {
 ///
 /// ```
 /// use stiction_core::Evolution;
-/// use stiction_core::frame::{Command, Decoder, Frame, Mode};
+/// use stiction_wire::{Command, Decoder, Frame, Mode};
 ///
 /// // The paper's evolution, with a pose every 2 steps and forces every 10.
 /// let mode = Mode {
@@ -61,9 +60,9 @@ pub struct Mode {
     pub stepping: Stepping,
     /// The tracker's axes that become x and y of the scene; two different ones of 0, 1, 2.
     pub plane: [Axis; 2],
-    /// [`Report::Events`](super::Report::Events) is sent when something happened.
+    /// [`Report::Events`](crate::Report::Events) is sent when something happened.
     pub events: bool,
-    /// Ticks per second (Hz), 100 to [`Info::fastest_tick`](super::Info::fastest_tick).
+    /// Ticks per second (Hz), 100 to [`Info::fastest_tick`](crate::Info::fastest_tick).
     pub tick_rate: u16,
     /// Steps per pose; 0: no poses.
     pub pose_every: u16,
@@ -95,10 +94,10 @@ impl Mode {
         health_every: 1000,
     };
 
-    pub(super) const BYTES: usize = 13;
+    pub(crate) const BYTES: usize = 13;
 
     /// Writes the payload of mode (FRAME 4.5); refuses an axis other than 0, 1, 2.
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Evolution::ALL, &self.evolution);
         sink.code(&Stepping::ALL, &self.stepping);
         for axis in self.plane {
@@ -116,7 +115,7 @@ impl Mode {
     }
 
     /// Reads the payload of mode (FRAME 4.5); fails if a code or flag has no meaning, or if both axes are the same.
-    pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         let evolution = fields.code(&Evolution::ALL)?;
         let stepping = fields.code(&Stepping::ALL)?;
         let plane = [axis(fields.u8())?, axis(fields.u8())?];

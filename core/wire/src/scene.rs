@@ -1,12 +1,12 @@
 //! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board require.
 
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
-use super::list::{Item, List};
-use crate::scene::{Description, Parameter, SceneError, SurfaceDescription};
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
+use crate::list::{Item, List};
+use stiction_core::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// Bytes before the vertices.
-pub(super) const HEAD_BYTES: usize = 39;
+pub(crate) const HEAD_BYTES: usize = 39;
 
 /// The bytes of the payload of a scene with these numbers of vertices and surfaces.
 pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
@@ -19,7 +19,7 @@ pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
 ///
 /// ```
 /// use stiction_core::{Description, Scene, SurfaceDescription};
-/// use stiction_core::frame::SceneCommand;
+/// use stiction_wire::SceneCommand;
 ///
 /// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3, memory: None };
 /// let described = Description {
@@ -76,7 +76,7 @@ impl<'a> From<&Description<'a, f32>> for SceneCommand<'a> {
 }
 
 impl<'a> SceneCommand<'a> {
-    /// As a description, with its lists copied into the given slices. Its numbers are not checked: [`Scene::new`](crate::Scene::new) does
+    /// As a description, with its lists copied into the given slices. Its numbers are not checked: [`Scene::new`](stiction_core::Scene::new) does
     /// that.
     ///
     /// # Errors
@@ -100,13 +100,13 @@ impl<'a> SceneCommand<'a> {
         })
     }
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.write_head(sink);
         self.write_lists(sink);
     }
 
     /// Writes everything except the lists, with their lengths.
-    pub(super) fn write_head(&self, sink: &mut impl Sink) {
+    pub(crate) fn write_head(&self, sink: &mut impl Sink) {
         sink.count(self.vertices.len());
         sink.count(self.surfaces.len());
         sink.byte(u8::from(self.holding_point.is_some()));
@@ -120,12 +120,12 @@ impl<'a> SceneCommand<'a> {
         ]);
     }
 
-    pub(super) fn write_lists(&self, sink: &mut impl Sink) {
+    pub(crate) fn write_lists(&self, sink: &mut impl Sink) {
         self.vertices.write(sink);
         self.surfaces.write(sink);
     }
 
-    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(HEAD_BYTES)?;
         let whole = *fields;
         let counts = fields.take().map(usize::from);
@@ -136,7 +136,7 @@ impl<'a> SceneCommand<'a> {
 
     /// Reads what follows the lengths of the lists, without the lists.
     #[inline(always)]
-    pub(super) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         let given = fields.flag()?;
         let (start, weight) = (fields.f32s(), fields.f32());
         let holding_point = fields.f32s();
@@ -155,7 +155,7 @@ impl<'a> SceneCommand<'a> {
 
     /// With these numbers of vertices and surfaces, which follow.
     #[inline(always)]
-    pub(super) fn take_lists(
+    pub(crate) fn take_lists(
         self,
         fields: &mut Fields<'a>,
         [vertices, surfaces]: [usize; 2],
@@ -169,7 +169,7 @@ impl<'a> SceneCommand<'a> {
 }
 
 /// The items of a list, copied; fails if there are more than fit.
-pub(super) fn copied<T>(
+pub(crate) fn copied<T>(
     items: impl Iterator<Item = T>,
     (count, parameter): (usize, Parameter),
     places: &mut [T],

@@ -1,10 +1,10 @@
 //! What both directions have in common: a message has a type and a payload.
 
-use super::VERSION;
-use super::fault::FaultKind;
-use super::fields::{Fields, Sink};
+use crate::VERSION;
+use crate::fault::FaultKind;
+use crate::fields::{Fields, Sink};
 
-/// A message of one direction: [`Command`](super::Command), to the board, or [`Report`](super::Report), from it.
+/// A message of one direction: [`Command`](crate::Command), to the board, or [`Report`](crate::Report), from it.
 pub trait Message<'a>: Wire<'a> {}
 
 impl<'a, T: Wire<'a>> Message<'a> for T {}

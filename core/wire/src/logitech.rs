@@ -10,8 +10,7 @@
 //! 10..15  pitch, yaw, roll: 14 bits each, the high ones first, in 1/40 degree; R = R_y(yaw) R_x(pitch) R_z(roll)
 //! ```
 
-use crate::hand::TrackerSample;
-use crate::real::Real;
+use stiction_core::{Real, TrackerSample};
 
 /// Asks the tracker for one record.
 pub const REQUEST: [u8; 2] = *b"*d";
@@ -41,7 +40,7 @@ pub struct LogitechRecord {
 }
 
 impl LogitechRecord {
-    /// The sample for a [`Projection`](crate::Projection); the hand holds while one of the buttons of `hold` is pressed. `None` if the
+    /// The sample for a [`Projection`](stiction_core::Projection); the hand holds while one of the buttons of `hold` is pressed. `None` if the
     /// tracker is out of range.
     pub fn sample(&self, hold: u8) -> Option<TrackerSample<f32>> {
         (!self.out_of_range).then_some(TrackerSample {
@@ -115,7 +114,7 @@ fn quaternion(pitch: [u8; 2], yaw: [u8; 2], roll: [u8; 2]) -> [f32; 4] {
 /// Finds the records in the bytes of a tracker. Total: whatever came before, a record is found at the next start byte.
 ///
 /// ```
-/// use stiction_core::frame::LogitechDecoder;
+/// use stiction_wire::LogitechDecoder;
 ///
 /// let record = [0x84, 0, 7, 0x68, 0, 0, 0, 0x7f, 0x7f, 0x7f, 0, 0, 0, 0, 0x1c, 0x10];
 /// let mut decoder = LogitechDecoder::new();

@@ -1,5 +1,18 @@
-//! 6: output -> bytes and back: the messages between a board and its client on a serial line. The format is in `FRAME.md` next to this
-//! crate; the code cites its sections. Both directions accept any bytes: invalid messages are counted and skipped.
+#![no_std]
+#![forbid(unsafe_code)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects
+    )
+)]
+//! The messages between a board and its client on a serial line, to bytes and back. The format is in `FRAME.md` among the sources of
+//! this crate; the code cites its sections. Both directions accept any bytes: invalid messages are counted and skipped. The crate uses
+//! no heap and no `unsafe`, and does not panic.
 //!
 //! ```text
 //! Command --Frame::encode--> bytes --line--> Decoder::push::<Command> --> the board
@@ -10,7 +23,7 @@
 //! point into the buffer of the receiver.
 //!
 //! ```
-//! use stiction_core::frame::{Decoder, Drive, Frame, Health, Report};
+//! use stiction_wire::{Decoder, Drive, Frame, Health, Report};
 //!
 //! let health = Health { ticks: 1000, drive: Drive::Silent, ..Health::default() };
 //! let mut wire = [0; 128];
@@ -88,7 +101,7 @@ pub struct Reference {
 /// Follows the sequence numbers of received frames and counts how many were lost between them.
 ///
 /// ```
-/// let mut line = stiction_core::frame::Sequence::new();
+/// let mut line = stiction_wire::Sequence::new();
 /// assert_eq!(line.lost_before(254), 0, "the first one");
 /// assert_eq!(line.lost_before(255), 0);
 /// assert_eq!(line.lost_before(2), 2, "0 and 1 did not come");

@@ -1,10 +1,10 @@
 //! The answer to a command on the wire (FRAME 5.4): done, or the reason why not.
 
-use super::Reference;
-use super::fault::{Fault, FaultKind};
-use super::fields::{Fields, Sink};
-use super::list::Text;
-use crate::scene::{Parameter, SceneError};
+use crate::Reference;
+use crate::fault::{Fault, FaultKind};
+use crate::fields::{Fields, Sink};
+use crate::list::Text;
+use stiction_core::{Parameter, SceneError};
 
 /// Done, or the reason why not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -78,7 +78,7 @@ pub enum Subject {
 ///
 /// ```
 /// use stiction_core::{Parameter, SceneError};
-/// use stiction_core::frame::{Reason, Reference, Reply};
+/// use stiction_wire::{Reason, Reference, Reply};
 ///
 /// let command = Reference { code: 0x03, sequence: 9 };
 /// let error = SceneError { parameter: Parameter::StiffnessTranslation, value: -1.0, allowed: "more than 0" };
@@ -155,14 +155,14 @@ impl<'a> Reply<'a> {
 
     const HEAD_BYTES: usize = 14;
     /// With the longest text.
-    pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
-    pub(super) fn write(&self, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.write_about(subject_code, sink);
     }
 
     /// Like [`Self::write`], for a board with room for obstacles.
-    pub(super) fn write_among(&self, sink: &mut impl Sink) {
+    pub(crate) fn write_among(&self, sink: &mut impl Sink) {
         self.write_about(
             |subject| obstacle_code(subject).unwrap_or(subject_code(subject)),
             sink,
@@ -180,12 +180,12 @@ impl<'a> Reply<'a> {
         self.allowed.write(sink);
     }
 
-    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         Self::read_about(fields, subject)
     }
 
     /// Like [`Self::read`], for a board with room for obstacles.
-    pub(super) fn read_among(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+    pub(crate) fn read_among(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         Self::read_about(fields, |about| match obstacle_subject(about) {
             Some(parameter) => Ok(Subject::Scene(parameter)),
             None => subject(about),
@@ -272,7 +272,7 @@ fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
 }
 
 /// The refusal is about an obstacle.
-pub(super) const fn is_of_obstacles(subject: Subject) -> bool {
+pub(crate) const fn is_of_obstacles(subject: Subject) -> bool {
     obstacle_code(subject).is_some()
 }
 
