@@ -1,6 +1,8 @@
 //! The output files of commands: they never replace an input, and no two have the same place. Those that a run writes frame by
 //! frame, a trace and a recording if requested, appear in their places when everything is written, or not at all.
 
+pub(crate) mod whole;
+
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -11,12 +11,12 @@ use std::path::{Path, PathBuf};
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use stiction_scene::{InputError, SceneFile};
-use stiction_tools::board::{Board, OBSTACLES};
-use stiction_tools::files::write;
-use stiction_tools::image::{Contents, parts};
-use stiction_tools::process::EmulatorError;
-use stiction_tools::table::thousands;
-use stiction_tools::uf2::{Family, blocks, uf2};
+use crate::firmware::board::{Board, OBSTACLES};
+use crate::files::whole::write;
+use crate::firmware::image::{Contents, parts};
+use crate::firmware::process::EmulatorError;
+use crate::columns::thousands;
+use crate::firmware::uf2::{Family, blocks, uf2};
 
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};

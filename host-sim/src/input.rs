@@ -11,7 +11,7 @@ use crate::number::Number;
 use crate::scenes;
 
 /// A scene file, or the bundled scene of a name.
-pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+pub fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     if name.exists() {
         return SceneFile::read(name, number.limit());
     }

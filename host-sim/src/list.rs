@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use stiction_live::thumbnail::thumbnail;
 use stiction_scene::{InputError, Source, story};
-use stiction_tools::files::write;
+use crate::files::whole::write;
 
 use crate::files::WriteError;
 use crate::{report, scenes};

@@ -27,7 +27,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use stiction_tools::files;
+use crate::files::whole as files;
 
 use crate::record::Run;
 

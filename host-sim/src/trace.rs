@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use stiction_live::trace::Record;
 use stiction_live::trace::{ContactEntry, InsertionEntry, Value};
-use stiction_tools::files::part;
+use crate::files::whole::part;
 use tempfile::NamedTempFile;
 
 use crate::record::{Frame, Run, Scenery};

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Folder, text};
-use stiction_tools::process::may_skip;
+use stiction_host_sim::firmware::process::may_skip;
 
 /// The folder's program with an emulated board, patient with a slow machine: what it prints; nothing where something is
 /// missing.

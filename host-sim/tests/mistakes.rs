@@ -228,7 +228,6 @@ fn a_program_away_from_its_sources_says_what_it_needs() {
         "image pico",
         "board --emulate",
         "view --emulate",
-        "footprint ladder",
     ] {
         let nowhere = said(typed, "tools", None);
         assert!(

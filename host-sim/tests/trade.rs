@@ -1,11 +1,11 @@
-//! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, a README.
+//! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, the costs on chips.
 
 mod common;
 
 use common::{Folder, text};
 use serde_json::Value;
+use stiction_host_sim::trade::counts::counted;
 use stiction_host_sim::trade::{Memory, RATES, Setting};
-use stiction_tools::process::may_skip;
 
 /// Three number types, two evolutions, and all scenes with their three groups.
 const ROWS: usize = 3 * 2 * Memory::ALL.len() * RATES.len() * 4;
@@ -20,39 +20,12 @@ fn column(rows: &[csv::StringRecord], header: &csv::StringRecord, name: &str) ->
 #[test]
 fn every_combination_is_measured_against_a_reference_without_error() {
     let folder = Folder::new();
-    folder.write(
-        "README.md",
-        "before\n<!-- trade: begin -->\n<!-- trade: end -->\nafter\n",
-    );
-    // Without pictures it may stand anywhere.
-    std::fs::create_dir(folder.file("elsewhere")).expect("a folder");
-    folder.write(
-        "elsewhere/short.md",
-        "<!-- settings: begin -->\n<!-- settings: end -->\n",
-    );
-    let arguments =
-        "trade --quick --table --out figures/trade --readme README.md --readme elsewhere/short.md";
+    let arguments = "trade --quick --table --out figures/trade";
     let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
     assert!(output.status.success(), "{}", text(&output.stderr));
     rows(&folder);
     report(&folder);
     pictures(&folder);
-    let readme = folder.read("README.md");
-    for part in [
-        "before\n",
-        "| f64 | path | 2^-12 | 1000 |",
-        "| f32 | path | 2^-8 | 1000 |",
-        "| fixed | frame | 0 | 31 |",
-        "(figures/trade/host.svg)",
-        "take ",
-        "\nafter\n",
-    ] {
-        assert!(readme.contains(part), "{part}: {readme}");
-    }
-    let short = folder.read("elsewhere/short.md");
-    let named = |row: &&str| row.starts_with("| f") && row.contains("| path |");
-    assert_eq!(short.lines().filter(named).count(), 3, "{short}");
-    assert!(short.contains("\n| fixed | frame |"), "{short}");
     // First what to take, in a few lines; then the table that was asked for.
     let printed = text(&output.stdout);
     let table = printed.find("\nMeasured on").expect("the table");
@@ -167,18 +140,11 @@ fn pictures(folder: &Folder) {
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
 }
 
-/// Counting needs QEMU and two targets. What is not installed is skipped with the command that installs it; with CI=true it
-/// must be there.
 #[test]
-fn chips_are_counted_in_emulation() {
+fn what_was_counted_on_chips_is_added() {
     let folder = Folder::new();
     let output = folder.stiction(&["trade", "--quick", "--emulated", "--table"]);
     let message = text(&output.stderr);
-    if may_skip(&message) {
-        assert!(message.contains("to install it: "), "{message}");
-        assert_eq!(folder.names(), ["trade"]);
-        return;
-    }
     assert!(output.status.success(), "{message}");
     let report: Value = serde_json::from_str(&folder.read("trade/trade.json")).expect("JSON");
     let rows = report["rows"].as_array().expect("rows");
@@ -194,8 +160,7 @@ fn chips_are_counted_in_emulation() {
         for (chip, unit, time, numbers) in chips {
             let value = |name: &str| row[format!("{chip}_{name}")].as_f64();
             let is_short = row["memory"] == "0";
-            let is_here = chip != "cortex_m0plus" || cfg!(feature = "cycles");
-            if !is_here || !is_counted || is_short || !numbers.contains(&number) {
+            if !is_counted || is_short || !numbers.contains(&number) {
                 assert_eq!(value(unit), None, "{row}");
                 continue;
             }
@@ -214,7 +179,6 @@ fn chips_are_counted_in_emulation() {
             assert!((500.0..10_000.0).contains(&value("stack_bytes")), "{row}");
         }
     }
-    a_long_memory_and_the_frame_evolution_cost_less(rows);
     for file in ["cortex_m4f.svg", "cortex_m0.png"] {
         assert!(folder.file("trade").join(file).exists(), "{file}");
     }
@@ -230,18 +194,19 @@ fn chips_are_counted_in_emulation() {
 }
 
 /// At the slowest rate, where a frame has most to do: the more the shorter slips may be.
-fn a_long_memory_and_the_frame_evolution_cost_less(rows: &[Value]) {
-    for (chip, number) in [("cortex_m4f", "f32"), ("cortex_m0", "fixed")] {
+#[test]
+fn a_long_memory_and_the_frame_evolution_cost_less() {
+    let counts = counted().expect("counts");
+    for (chip, number) in [("Cortex-M4F", "f32"), ("Cortex-M0", "fixed")] {
         let mean = |evolution: &str, memory: &str| {
-            let wanted = [number, evolution, memory, "all"];
-            let row = rows.iter().find(|row| {
-                ["number", "evolution", "memory", "scenes"].map(|name| &row[name]) == wanted
-                    && row["rate_hz"] == RATES[0]
+            let wanted = [chip, number, evolution, memory];
+            let found = counts.iter().find(|count| {
+                let setting = &count.setting;
+                let (number, evolution) = (setting.number.name(), setting.evolution.name());
+                [count.chip.name(), number, evolution, setting.memory.name] == wanted
+                    && count.rate == RATES[0]
             });
-            let row = row.unwrap_or_else(|| panic!("no row {wanted:?}"));
-            row[format!("{chip}_instructions")]
-                .as_f64()
-                .expect("a mean")
+            found.unwrap_or_else(|| panic!("no {wanted:?}")).cost.mean
         };
         assert!(mean("path", "2^-8") < mean("path", "2^-14"));
         assert!(mean("frame", "2^-12") < mean("path", "2^-12"));
@@ -266,7 +231,6 @@ fn a_recorded_hand_takes_the_place_of_the_synthetic_one() {
 fn what_cannot_be_used_is_refused_before_anything_is_measured() {
     let folder = Folder::new();
     folder.write("file", "a file");
-    folder.write("bare.md", "no section");
     folder.write("bad.csv", "t,x,y\n0,0,0\n");
     folder.write("long.csv", "t,x,y,phi\n0,0,0,0\n1000,1,0,0\n");
     let cases: &[(&[&str], &[&str])] = &[
@@ -274,11 +238,6 @@ fn what_cannot_be_used_is_refused_before_anything_is_measured() {
         (
             &["--out", "file/below"],
             &["file/below", "cannot be written"],
-        ),
-        (&["--readme", "absent.md"], &["absent.md"]),
-        (
-            &["--readme", "bare.md"],
-            &["bare.md", "<!-- trade: begin -->"],
         ),
         (&["--hand", "bad.csv"], &["bad.csv", "line 1", "header"]),
         (&["--hand", "long.csv"], &["long.csv", "1000 s", "600 s"]),

@@ -33,6 +33,7 @@ pub mod record;
 pub mod replay;
 pub mod say;
 pub mod scenes;
+pub mod script;
 pub mod session;
 pub mod simulate;
 pub mod stage;

@@ -5,8 +5,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use stiction_tools::board::{Board, Emulator as Started, OBSTACLES};
-use stiction_tools::process::EmulatorError;
+use crate::firmware::board::{Board, Emulator as Started, OBSTACLES};
+use crate::firmware::process::EmulatorError;
 
 use super::link::Link;
 use crate::progress::Activity;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use stiction_scene::InputError;
-use stiction_tools::process::EmulatorError;
 use stiction_wire::{VERSION, VERSION_AMONG};
+use crate::firmware::process::EmulatorError;
 
 use crate::files::WriteError;
 

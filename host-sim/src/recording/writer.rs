@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use fs4::{FileExt, TryLockError};
 use stiction_scene::Sample;
-use stiction_tools::files::part;
+use crate::files::whole::part;
 use tempfile::NamedTempFile;
 
 use super::line::{ChangeLine, End, LineOut, Written};

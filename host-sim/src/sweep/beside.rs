@@ -6,7 +6,7 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
-use stiction_tools::files;
+use crate::files::whole as files;
 
 use super::output::{OutputError, length_of, write_error};
 

@@ -12,7 +12,7 @@ use super::reference::{Reference, Truth};
 use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
-use crate::emulator::Chip;
+use super::chip::Chip;
 use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;

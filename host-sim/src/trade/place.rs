@@ -2,7 +2,7 @@
 
 use super::cost::Cost;
 use super::measure::Row;
-use crate::emulator::Chip;
+use super::chip::Chip;
 
 /// The place where a cost is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

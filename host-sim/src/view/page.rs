@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::sync::{LazyLock, OnceLock};
 
 use flate2::{Compression, write::GzEncoder};
-use stiction_tools::script::without_comments;
+use stiction_live::script::without_comments;
 
 /// A file of the page.
 struct File {

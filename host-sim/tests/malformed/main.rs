@@ -354,7 +354,7 @@ fn places_where_nothing_can_be_written_are_refused() {
 #[test]
 fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
     let folder = Folder::new();
-    for command in ["run", "footprint"] {
+    for command in ["run", "code"] {
         let output = folder.stiction(&[command, "absent.toml"]);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
@@ -365,18 +365,4 @@ fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
         let output = folder.stiction(&[command]);
         assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
     }
-}
-
-#[test]
-fn a_footprint_for_a_file_without_its_section_is_refused_before_anything_is_built() {
-    let folder = Folder::new();
-    folder.write("README.md", "no section");
-    let output = folder.stiction(&["footprint", "ladder", "--readme", "README.md"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        output.stdout.is_empty() && message.contains("README.md: cannot be written"),
-        "{message}"
-    );
-    assert_eq!(folder.read("README.md"), "no section");
 }

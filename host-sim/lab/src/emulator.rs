@@ -1,0 +1,317 @@
+//! The solver on emulated boards: from a scene and the hand's samples to the instructions of every frame and to the stack
+//! ([`Counter`]), from a number of frames to the hash of all bits (`bits`), from a scene to the flash of its solver.
+//!
+//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which counts instructions. The image of the
+//! Pico runs in [`pico`](crate::pico), which counts cycles. Both transfer files by semihosting.
+
+mod bits;
+mod estimate;
+mod image;
+mod semihosting;
+
+pub use bits::{Machine, Place};
+pub use image::{Profile, footprint};
+
+use std::convert::Infallible;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use stiction_core::{Evolution, Hand};
+use stiction_firmware::job::{self, Frame, Results, Totals};
+use stiction_host_sim::firmware::image::flashed;
+use stiction_host_sim::firmware::needs::{Need, require};
+use stiction_host_sim::firmware::process::{EmulatorError, output_of, require_qemu_arm};
+use stiction_host_sim::trade::chip::Chip;
+use stiction_scene::{NumberType, SceneFile, WrittenScene};
+
+use image::Image;
+
+/// QEMU for boards with an ARM processor.
+const QEMU_ARM: &str = "qemu-system-arm";
+
+/// An emulated board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Board {
+    /// STM32F405 (Netduino Plus 2): Cortex-M4 with a floating point unit, 1 MB flash, 128 KB RAM.
+    Stm32F405,
+    /// nRF51822 (micro:bit): Cortex-M0, 256 KB flash, 16 KB RAM.
+    Nrf51822,
+    /// QEMU's RISC-V machine, RV32IMC.
+    RiscV,
+    /// Arm MPS2+ with the FPGA image AN505: Cortex-M33 with a floating point unit.
+    An505,
+    /// RP2040 (Raspberry Pi Pico): Cortex-M0+, 2 MB flash, 264 KB RAM. The count is of cycles, not of instructions.
+    Rp2040,
+}
+
+impl Board {
+    /// All boards.
+    pub const ALL: [Self; 5] = [
+        Self::Stm32F405,
+        Self::Nrf51822,
+        Self::RiscV,
+        Self::An505,
+        Self::Rp2040,
+    ];
+
+    /// The board with a chip.
+    pub const fn of(chip: Chip) -> Self {
+        match chip {
+            Chip::CortexM4F => Self::Stm32F405,
+            Chip::CortexM33 => Self::An505,
+            Chip::CortexM0 => Self::Nrf51822,
+            Chip::CortexM0Plus => Self::Rp2040,
+        }
+    }
+
+    /// The board on which the flash of a chip is measured: chips of one instruction set run the same code.
+    pub const fn with_flash_of(chip: Chip) -> Self {
+        match chip {
+            Chip::CortexM4F => Self::Stm32F405,
+            Chip::CortexM33 => Self::An505,
+            Chip::CortexM0 | Chip::CortexM0Plus => Self::Nrf51822,
+        }
+    }
+
+    /// The name for a reader.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stm32F405 => "Cortex-M4F (STM32F405)",
+            Self::Nrf51822 => "Cortex-M0 (nRF51822)",
+            Self::RiscV => "RISC-V (RV32IMC)",
+            Self::An505 => "Cortex-M33 (AN505)",
+            Self::Rp2040 => "Cortex-M0+ (RP2040)",
+        }
+    }
+
+    const fn target(self) -> &'static str {
+        match self {
+            Self::Stm32F405 => "thumbv7em-none-eabihf",
+            Self::Nrf51822 | Self::Rp2040 => "thumbv6m-none-eabi",
+            Self::An505 => "thumbv8m.main-none-eabihf",
+            Self::RiscV => "riscv32imc-unknown-none-elf",
+        }
+    }
+
+    /// Checks that the tools that build and run the images of all these boards are available.
+    ///
+    /// # Errors
+    /// Fails if a tool is missing; the error names all that are.
+    pub fn require_all(boards: &[Self]) -> Result<(), EmulatorError> {
+        let mut needs = vec![Need::Build];
+        for board in boards {
+            let qemu = board.qemu().filter(|qemu| qemu.program == QEMU_ARM);
+            let emulator = qemu.map(|_| Need::QemuArm);
+            for need in [Some(Need::Target(board.target())), emulator] {
+                needs.extend(need.filter(|need| !needs.contains(need)));
+            }
+        }
+        require(needs)
+    }
+
+    /// The start of the flash of a board whose cycles can be estimated.
+    const fn estimated(self) -> Option<u32> {
+        match self {
+            Self::Stm32F405 => Some(0x0800_0000),
+            Self::An505 => Some(0x1000_0000),
+            Self::Nrf51822 | Self::RiscV | Self::Rp2040 => None,
+        }
+    }
+
+    /// Runs an image with a command line, its files in a folder; `counting` instructions, if the emulator can. Returns its
+    /// output.
+    fn run(
+        self,
+        image: &Image,
+        (folder, line): (&Path, &[&str]),
+        counting: bool,
+    ) -> Result<String, EmulatorError> {
+        match self.qemu() {
+            Some(qemu) => qemu.run(image, (folder, line), counting),
+            None => semihosting::run(image.path(), folder, line),
+        }
+    }
+
+    /// QEMU for this board; none if it is emulated in this process.
+    fn qemu(self) -> Option<Qemu> {
+        let (program, machine, shift): (_, &[_], _) = match self {
+            Self::Stm32F405 => (QEMU_ARM, &["netduinoplus2"], 5),
+            Self::Nrf51822 => (QEMU_ARM, &["microbit"], 8),
+            Self::An505 => (QEMU_ARM, &["mps2-an505"], 8),
+            Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"], 0),
+            Self::Rp2040 => return None,
+        };
+        Some(Qemu {
+            program,
+            machine,
+            shift,
+        })
+    }
+}
+
+/// An emulator in a process of its own.
+struct Qemu {
+    program: &'static str,
+    machine: &'static [&'static str],
+    /// Each instruction takes 2^N ns of the emulated clock: N as the program `count` of this board expects it.
+    shift: u8,
+}
+
+impl Qemu {
+    /// See [`Board::run`].
+    fn run(
+        &self,
+        image: &Image,
+        files: (&Path, &[&str]),
+        counting: bool,
+    ) -> Result<String, EmulatorError> {
+        output_of(self.command(image, files, counting))
+    }
+
+    fn command(&self, image: &Image, (folder, line): (&Path, &[&str]), counting: bool) -> Command {
+        let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
+        let mut command = Command::new(self.program);
+        command
+            .current_dir(folder)
+            .arg("-machine")
+            .args(self.machine)
+            .args(["-nographic", "-monitor", "none", "-serial", "none"])
+            .arg("-semihosting-config")
+            .arg(format!("enable=on,target=native{line}"))
+            .arg("-kernel")
+            .arg(image.path());
+        if counting {
+            command.arg("-icount").arg(format!("shift={}", self.shift));
+        }
+        command
+    }
+}
+
+/// The results of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counted {
+    /// The frames; the first one is the start.
+    pub frames: Vec<Frame>,
+    /// Stack and sizes.
+    pub totals: Totals,
+}
+
+impl Counted {
+    /// The frames without the start.
+    pub fn steps(&self) -> &[Frame] {
+        self.frames.get(1..).unwrap_or_default()
+    }
+}
+
+/// A job for a [`Counter`]: the scene, the budget of a step, and a hand sample for every frame.
+pub fn job(
+    scene: &SceneFile,
+    (evolution, budget): (Evolution, u32),
+    hands: &[Hand<f64>],
+) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
+    scene.described(|description| {
+        WrittenScene::described_obstacles(&scene.obstacles, |obstacles| {
+            let asked = (samples, budget);
+            // A sink that stores everything does not fail.
+            let _ = job::write_scene((description, obstacles), evolution, asked, |part| {
+                bytes.extend_from_slice(part);
+                Ok::<_, Infallible>(())
+            });
+        });
+    });
+    bytes.extend(hands.iter().flat_map(job::encode_sample));
+    bytes
+}
+
+/// The instruction bench of a board, built once for many jobs.
+pub struct Counter {
+    board: Board,
+    image: Image,
+}
+
+impl Counter {
+    /// Builds it.
+    ///
+    /// # Errors
+    /// Fails if cargo or the target is missing, or the image cannot be built.
+    pub fn new(board: Board, number: NumberType, profile: Profile) -> Result<Self, EmulatorError> {
+        let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
+        Ok(Self { board, image })
+    }
+
+    /// Builds one with f32 for scenes among obstacles, of at most 4 vertices, one half-plane and 17 obstacles of 4 corners.
+    ///
+    /// # Errors
+    /// Fails if cargo or the target is missing, or the image cannot be built.
+    pub fn among(board: Board, profile: Profile) -> Result<Self, EmulatorError> {
+        let image = Image::of_board(board, "count_among", profile)?;
+        Ok(Self { board, image })
+    }
+
+    /// Builds one with the number type, V, S, the model and the evolution of `scene`, which is Rust code, see
+    /// [`rust_source`](stiction_scene::rust_source): for jobs whose scenes run in them.
+    ///
+    /// # Errors
+    /// Fails if cargo or the target is missing, or the image cannot be built.
+    pub fn of_model(board: Board, profile: Profile, scene: &str) -> Result<Self, EmulatorError> {
+        let image = Image::of_scene(board, "count_scene", profile, scene)?;
+        Ok(Self { board, image })
+    }
+
+    /// Runs a job: the instructions of every frame. Without a model of its own, it has room for 8 vertices and 4 surfaces.
+    ///
+    /// # Errors
+    /// Fails if the emulator is missing, or the job ends with an error.
+    pub fn count(&self, job: &[u8]) -> Result<Counted, EmulatorError> {
+        let folder = tempfile::tempdir()?;
+        fs::write(folder.path().join("job"), job)?;
+        let line = ["count", "job", "results"];
+        self.board.run(&self.image, (folder.path(), &line), true)?;
+        let bytes = fs::read(folder.path().join("results"))?;
+        let unread = |error| EmulatorError::Output(format!("the results of the board: {error}"));
+        let results = Results::read(&bytes).map_err(unread)?;
+        Ok(Counted {
+            frames: results.frames().collect::<Result<_, _>>().map_err(unread)?,
+            totals: results.totals,
+        })
+    }
+
+    /// Runs a job on a board with the instructions of a Cortex-M4F, in QEMU: the average number of cycles per instruction of a
+    /// step, an upper estimate from the cycles that Arm specifies.
+    ///
+    /// # Errors
+    /// The errors of [`Counter::count`]; also fails for any other board.
+    pub fn estimate(&self, job: &[u8]) -> Result<f64, EmulatorError> {
+        let (Some(qemu), Some(flash)) = (self.board.qemu(), self.board.estimated()) else {
+            let what = format!("no cycles are known of a {}", self.board.name());
+            return Err(EmulatorError::Output(what));
+        };
+        require_qemu_arm()?;
+        let folder = tempfile::tempdir()?;
+        fs::write(folder.path().join("job"), job)?;
+        let line = ["count", "job", "results"];
+        let mut command = qemu.command(&self.image, (folder.path(), &line), true);
+        // Each instruction is executed separately, with a line of standard error for each.
+        command.args(["-accel", "tcg,one-insn-per-tb=on", "-d", "exec,nochain"]);
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+        let mut child = command.stderr(Stdio::piped()).spawn()?;
+        let contents = flashed(self.image.path(), flash)?;
+        let taken = child
+            .stderr
+            .take()
+            .map(|log| estimate::read(log, (&contents, flash)));
+        let status = child.wait()?;
+        match taken {
+            Some(taken) if status.success() => {
+                let taken = taken?;
+                Ok(taken.cycles as f64 / taken.instructions as f64)
+            }
+            _ => Err(EmulatorError::Output(format!(
+                "the emulator ends with {status}"
+            ))),
+        }
+    }
+}
