@@ -8,15 +8,15 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::columns::thousands;
+use crate::files::whole::write;
+use crate::firmware::board::{Board, OBSTACLES};
+use crate::firmware::image::{Contents, parts};
+use crate::firmware::process::EmulatorError;
+use crate::firmware::uf2::{Family, blocks, uf2};
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use stiction_scene::{InputError, SceneFile};
-use crate::firmware::board::{Board, OBSTACLES};
-use crate::files::whole::write;
-use crate::firmware::image::{Contents, parts};
-use crate::firmware::process::EmulatorError;
-use crate::columns::thousands;
-use crate::firmware::uf2::{Family, blocks, uf2};
 
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};

@@ -4,10 +4,10 @@ use std::fs;
 use std::io::{self, ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::write;
 use clap::Args;
 use stiction_live::thumbnail::thumbnail;
 use stiction_scene::{InputError, Source, story};
-use crate::files::whole::write;
 
 use crate::files::WriteError;
 use crate::{report, scenes};

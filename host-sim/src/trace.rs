@@ -6,9 +6,9 @@ mod table;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::part;
 pub(crate) use stiction_live::trace::Record;
 use stiction_live::trace::{ContactEntry, InsertionEntry, Value};
-use crate::files::whole::part;
 use tempfile::NamedTempFile;
 
 use crate::record::{Frame, Run, Scenery};

@@ -224,11 +224,7 @@ fn a_program_away_from_its_sources_says_what_it_needs() {
         assert_eq!(output.status.code(), Some(2), "{typed}");
         text(&output.stderr)
     };
-    for typed in [
-        "image pico",
-        "board --emulate",
-        "view --emulate",
-    ] {
+    for typed in ["image pico", "board --emulate", "view --emulate"] {
         let nowhere = said(typed, "tools", None);
         assert!(
             nowhere.contains("the sources of stiction"),

@@ -1,6 +1,7 @@
 //! Scenes of ordinary haptic use: convex bodies of 3 to 8 vertices on floors, walls and wedges, moved by a hand at 1 kHz that
 //! touches obliquely, presses, drags, turns, lifts and returns. They are the same in every run. SI units, world frame.
 
+pub mod measures;
 mod places;
 mod strokes;
 

@@ -53,7 +53,7 @@ fn counted(
     let ride = |case: &&Case| {
         let samples = case.path.frames(Some(f64::from(rate(chip))));
         let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
-        Ok(counter.count(&job(&case.scene, (evolution, budget), &hands))?)
+        Ok(counter.count(&job(&case.scene, evolution, &hands), budget)?)
     };
     drags.iter().map(ride).collect()
 }
@@ -105,7 +105,7 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
         let long = steps().filter(|step| step.work >= least);
         long.map(of_unit).fold(0.0, f64::max)
     };
-    let is_behind = |step: &Frame| step.status == Status::Behind;
+    let is_behind = |step: &Frame| step.pose.status == Status::Behind;
     let runs = drags
         .iter()
         .flat_map(|drag| drag.steps().split(|step| !is_behind(step)));

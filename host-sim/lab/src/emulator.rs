@@ -12,18 +12,20 @@ mod semihosting;
 pub use bits::{Machine, Place};
 pub use image::{Profile, footprint};
 
-use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use stiction_core::{Evolution, Hand};
-use stiction_firmware::job::{self, Frame, Results, Totals};
+use stiction_core::{Evolution, Hand, narrow_hand};
+use stiction_firmware::count::Totals;
 use stiction_host_sim::firmware::image::flashed;
 use stiction_host_sim::firmware::needs::{Need, require};
 use stiction_host_sim::firmware::process::{EmulatorError, output_of, require_qemu_arm};
 use stiction_host_sim::trade::chip::Chip;
 use stiction_scene::{NumberType, SceneFile, WrittenScene};
+use stiction_wire::{
+    Command as Told, CommandAmong, Decoder, Mode, Pose, Report, SceneAmong, SceneCommand,
+};
 
 use image::Image;
 
@@ -188,6 +190,19 @@ impl Qemu {
     }
 }
 
+/// A frame of a job.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Instructions or cycles of the step, including its call; `u32::MAX` if there were more than can be counted.
+    pub instructions: u32,
+    /// The pose of the body.
+    pub pose: Pose,
+    /// Slips that ended in this frame.
+    pub slips: u32,
+    /// The units of work that the step took.
+    pub work: u32,
+}
+
 /// The results of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counted {
@@ -202,28 +217,80 @@ impl Counted {
     pub fn steps(&self) -> &[Frame] {
         self.frames.get(1..).unwrap_or_default()
     }
+
+    /// From the reports of a board, and the totals that it prints.
+    fn read(reports: &[u8], printed: &str) -> Result<Self, EmulatorError> {
+        let unread =
+            |what: &str| EmulatorError::Output(format!("the results of the board: {what}"));
+        let mut decoder = Decoder::<256>::new();
+        let mut frames: Vec<Frame> = Vec::new();
+        for &byte in reports {
+            let Some(received) = decoder.push::<Report<'_>>(byte) else {
+                continue;
+            };
+            let received = received.map_err(|fault| unread(fault.kind.name()))?;
+            if let Report::Pose(pose) = received.message {
+                frames.push(Frame {
+                    instructions: received.time,
+                    pose,
+                    ..Frame::default()
+                });
+            } else if let (Report::Events(events), Some(last)) =
+                (received.message, frames.last_mut())
+            {
+                (last.slips, last.work) = (events.slips, received.time);
+            } else {
+                return Err(unread("a report that is none"));
+            }
+        }
+        let numbers = printed.split_whitespace().map(str::parse);
+        let numbers: Result<Vec<u32>, _> = numbers.collect();
+        match numbers.as_deref() {
+            Ok(&[stack, solver, state]) => Ok(Self {
+                frames,
+                totals: Totals {
+                    stack,
+                    solver,
+                    state,
+                },
+            }),
+            _ => Err(unread(printed)),
+        }
+    }
 }
 
-/// A job for a [`Counter`]: the scene, the budget of a step, and a hand sample for every frame.
-pub fn job(
-    scene: &SceneFile,
-    (evolution, budget): (Evolution, u32),
-    hands: &[Hand<f64>],
-) -> Vec<u8> {
+/// A job for a [`Counter`]: the scene, the evolution, and a hand sample for every frame, as messages to a board.
+pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     scene.described(|description| {
         WrittenScene::described_obstacles(&scene.obstacles, |obstacles| {
-            let asked = (samples, budget);
-            // A sink that stores everything does not fail.
-            let _ = job::write_scene((description, obstacles), evolution, asked, |part| {
-                bytes.extend_from_slice(part);
-                Ok::<_, Infallible>(())
-            });
+            let scene = match obstacles {
+                [] => CommandAmong::Common(Told::Scene(SceneCommand::from(description))),
+                _ => CommandAmong::SceneAmong(SceneAmong::new(description, obstacles)),
+            };
+            add(&mut bytes, scene);
         });
     });
-    bytes.extend(hands.iter().flat_map(job::encode_sample));
+    let mode = Mode {
+        evolution,
+        ..Mode::DEFAULT
+    };
+    add(&mut bytes, CommandAmong::Common(Told::Mode(mode)));
+    for hand in hands {
+        let hand = Told::Hand(narrow_hand(hand));
+        add(&mut bytes, CommandAmong::Common(hand));
+    }
     bytes
+}
+
+/// Adds a message. One that is too long is left out, and the board refuses the job.
+fn add(bytes: &mut Vec<u8>, message: CommandAmong<'_>) {
+    let frame = stiction_wire::Frame {
+        sequence: 0,
+        time: 0,
+        message,
+    };
+    bytes.extend_from_slice(frame.encode(&mut [0; 1024]).unwrap_or_default());
 }
 
 /// The instruction bench of a board, built once for many jobs.
@@ -261,22 +328,18 @@ impl Counter {
         Ok(Self { board, image })
     }
 
-    /// Runs a job: the instructions of every frame. Without a model of its own, it has room for 8 vertices and 4 surfaces.
+    /// Runs a job, with a budget for each step: the instructions of every frame. Without a model of its own, it has room for 8 vertices and
+    /// 4 surfaces.
     ///
     /// # Errors
     /// Fails if the emulator is missing, or the job ends with an error.
-    pub fn count(&self, job: &[u8]) -> Result<Counted, EmulatorError> {
+    pub fn count(&self, job: &[u8], budget: u32) -> Result<Counted, EmulatorError> {
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("job"), job)?;
-        let line = ["count", "job", "results"];
-        self.board.run(&self.image, (folder.path(), &line), true)?;
-        let bytes = fs::read(folder.path().join("results"))?;
-        let unread = |error| EmulatorError::Output(format!("the results of the board: {error}"));
-        let results = Results::read(&bytes).map_err(unread)?;
-        Ok(Counted {
-            frames: results.frames().collect::<Result<_, _>>().map_err(unread)?,
-            totals: results.totals,
-        })
+        let budget = budget.to_string();
+        let line = ["count", "job", "results", &budget];
+        let printed = self.board.run(&self.image, (folder.path(), &line), true)?;
+        Counted::read(&fs::read(folder.path().join("results"))?, &printed)
     }
 
     /// Runs a job on a board with the instructions of a Cortex-M4F, in QEMU: the average number of cycles per instruction of a
@@ -292,7 +355,7 @@ impl Counter {
         require_qemu_arm()?;
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("job"), job)?;
-        let line = ["count", "job", "results"];
+        let line = ["count", "job", "results", "4294967295"];
         let mut command = qemu.command(&self.image, (folder.path(), &line), true);
         // Each instruction is executed separately, with a line of standard error for each.
         command.args(["-accel", "tcg,one-insn-per-tb=on", "-d", "exec,nochain"]);

@@ -89,7 +89,9 @@ pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dy
         rows.extend(measured(case, &evolutions)?);
     }
     let table = table(&rows);
-    let text = format!("Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table:#}");
+    let text = format!(
+        "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table:#}"
+    );
     let write = output.write && args.scene.is_none() && args.evolution.is_none();
     Ok(Destination { write }.put("host-sim/README.md", "footprint", &text)?)
 }

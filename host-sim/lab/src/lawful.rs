@@ -6,13 +6,13 @@ use std::path::Path;
 
 use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
 use stiction_host_sim::check;
-use stiction_live::number::Number;
-use stiction_live::record::Run;
-use stiction_live::simulate::simulate;
+use stiction_host_sim::columns::thousands;
 use stiction_host_sim::trace::{Format, TraceWriter};
 use stiction_host_sim::trade::{Case, FINEST, Suite};
 use stiction_judge::{Scene, Survey, Trace};
-use stiction_host_sim::columns::thousands;
+use stiction_live::number::Number;
+use stiction_live::record::Run;
+use stiction_live::simulate::simulate;
 
 use crate::markdown::Destination;
 

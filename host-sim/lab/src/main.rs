@@ -70,8 +70,8 @@ fn run(command: Command, output: Destination) -> Result<(), Box<dyn Error>> {
         Command::Budget { drags } => budget::budget(drags, output),
         Command::Obstacles => obstacles::obstacles(output),
         Command::Lawful { hand } => lawful::lawful(hand.as_deref(), output),
-        Command::Measure => measure::measure(output),
-        Command::Worst { scenes } => worst::worst(scenes, output),
+        Command::Measure => Ok(measure::measure(output)?),
+        Command::Worst { scenes } => Ok(worst::worst(scenes, output)?),
         Command::Pictures => pictures::pictures(),
     }
 }

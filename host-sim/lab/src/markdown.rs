@@ -68,7 +68,11 @@ impl fmt::Display for Table {
             writeln!(f, "| {} |", cells.join(" | "))?;
             if i == 0 {
                 let rule = cells.iter().zip(&self.is_number).map(|(cell, is_number)| {
-                    let width = if f.alternate() { cell.chars().count() + 1 } else { 2 };
+                    let width = if f.alternate() {
+                        cell.chars().count() + 1
+                    } else {
+                        2
+                    };
                     let end = if *is_number { ":" } else { "-" };
                     format!("{}{end}|", "-".repeat(width))
                 });

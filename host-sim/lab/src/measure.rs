@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 use std::io;
 use std::time::Instant;
 use stiction_core::{Evolution, Fixed, Status};
+use stiction_host_sim::trade::machine::processor;
 use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
 use stiction_tests::{Number, Scenario, scenes};
-use stiction_host_sim::trade::machine::processor;
 
 use crate::markdown::{Destination, Table};
 
@@ -63,7 +63,11 @@ fn drags(text: &mut String) {
             ] {
                 let evolution = evolution.name().to_owned();
                 let words = [(*name).to_owned(), number.to_owned(), evolution];
-                let figures = [format!("{time:.0}"), slips.to_string(), format!("{length:.3}")];
+                let figures = [
+                    format!("{time:.0}"),
+                    slips.to_string(),
+                    format!("{length:.3}"),
+                ];
                 table.row(words.into_iter().chain(figures));
             }
         }

@@ -59,8 +59,8 @@ impl Case {
     }
 
     fn count(&self, counter: &Counter, budget: u32) -> Result<Counted, Box<dyn Error>> {
-        let job = job(&self.scene, (Evolution::Path, budget), &self.hands);
-        Ok(counter.count(&job)?)
+        let job = job(&self.scene, Evolution::Path, &self.hands);
+        Ok(counter.count(&job, budget)?)
     }
 }
 
@@ -92,7 +92,7 @@ fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error
         most_work(&free).unwrap_or(0).to_string(),
         thousands(worst(&bound).into()),
         most_work(&bound).unwrap_or(0).to_string(),
-        of(&bound, |step| step.status == Status::Behind).to_string(),
+        of(&bound, |step| step.pose.status == Status::Behind).to_string(),
         of(&bound, |step| step.work > LEAST).to_string(),
     ])
 }

@@ -5,8 +5,8 @@ use std::error::Error;
 use std::fs;
 
 use clap::Parser;
-use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::firmware::workspace;
+use stiction_host_sim::run::{RunArgs, run};
 use stiction_live::scenes;
 
 /// The options of the command line.

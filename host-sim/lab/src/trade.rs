@@ -47,7 +47,8 @@ fn markdown(table: table::Table) -> Table {
 /// All tables, the pictures and the advice.
 pub fn whole(report: &Report) -> String {
     let caption = report.caption();
-    let mut text = format!("Written by `cargo run --release -p stiction-lab -- trade --write`. {caption}\n");
+    let mut text =
+        format!("Written by `cargo run --release -p stiction-lab -- trade --write`. {caption}\n");
     for (heading, table) in report.tables() {
         if let Some(heading) = heading {
             text += &format!("\n{heading}:\n");

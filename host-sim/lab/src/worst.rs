@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use std::io;
 
 use stiction_core::{Evolution, Full, Solver, StateKind};
+use stiction_host_sim::columns::thousands;
 use stiction_tests::counted::{Counted, counted};
+use stiction_tests::haptic::measures::Samples;
 use stiction_tests::haptic::{Kind, scenes};
 use stiction_tests::run::planar;
 use stiction_tests::setup::{SURFACES, VERTICES};
-use stiction_host_sim::columns::thousands;
 
 use crate::markdown::{Destination, Table};
 
@@ -64,12 +65,6 @@ fn dearest(costs: &[Cost], above: u64) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// What so large a part of sorted numbers does not exceed.
-fn quantile(sorted: &[u64], part: f64) -> u64 {
-    let last = (part * sorted.len() as f64).ceil() as usize;
-    sorted.get(last.saturating_sub(1)).copied().unwrap_or(0)
-}
-
 /// Measures so many scenes of each kind.
 ///
 /// # Errors
@@ -81,17 +76,18 @@ pub fn worst(count: usize, output: Destination) -> io::Result<()> {
     for kind in Kind::ALL {
         for evolution in Evolution::ALL {
             let costs = costs(kind, evolution, count);
-            let mut sorted: Vec<u64> = costs.iter().map(|cost| cost.operations).collect();
-            sorted.sort_unstable();
-            let mean = sorted.iter().sum::<u64>() as f64 / sorted.len().max(1) as f64;
+            let mut samples = Samples::default();
+            for cost in &costs {
+                samples.add(cost.operations as f64);
+            }
             let mut cells = vec![
                 kind.name().to_owned(),
                 evolution.name().to_owned(),
                 thousands(costs.len() as u64),
-                format!("{mean:.0}"),
+                format!("{:.0}", samples.mean()),
             ];
-            cells.extend(QUANTILES.map(|part| thousands(quantile(&sorted, part))));
-            cells.push(dearest(&costs, quantile(&sorted, DEAREST)));
+            cells.extend(QUANTILES.map(|part| thousands(samples.quantile(part) as u64)));
+            cells.push(dearest(&costs, samples.quantile(DEAREST) as u64));
             table.row(cells);
         }
     }

@@ -1,17 +1,20 @@
 //! The solver on emulated boards against the solver on this machine. What is not installed is skipped with the command
 //! that installs it; with CI=true it must be there.
 
-use stiction_core::{Evolution, Fixed, Full, Hand, Output, Real, SiFloat, Solver, narrow_hand};
+use stiction_core::{Evolution, Fixed, Full, Hand, Output, Real, Solver, narrow_hand};
 use stiction_firmware::bits::{Among, Walk, of_walk};
-use stiction_firmware::job::Frame;
-use stiction_host_sim::emulator::{
-    Board, Chip, Counted, Counter, Machine, Place, Profile, footprint, job,
+use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
+use stiction_host_sim::trade::chip::Chip;
+use stiction_host_sim::trade::counts::counted;
+use stiction_host_sim::trade::{Group, Memory, RATES, Suite};
+use stiction_lab::emulator::{
+    Board, Counted, Counter, Frame, Machine, Place, Profile, footprint, job,
 };
+use stiction_lab::trade::{Build, count};
 use stiction_live::number::Number;
 use stiction_live::scenes;
-use stiction_host_sim::trade::{Group, Suite};
 use stiction_scene::{HostSolver, Motion, NumberType, SceneFile, SceneModel, rust_source};
-use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
+use stiction_wire::{EventSet, Pose};
 
 fn scene() -> SceneFile {
     bundled(scenes::DEFAULT)
@@ -23,11 +26,11 @@ fn bundled(name: &str) -> SceneFile {
 }
 
 /// The answers of the solver on this machine.
-fn outputs<R: Real<Si: SiFloat>>(
+fn outputs<R: Real<Si = f32>>(
     scene: &SceneFile,
     evolution: Evolution,
     hands: &[Hand<f64>],
-) -> Vec<Output<R::Si>> {
+) -> Vec<Output<f32>> {
     let solver: HostSolver<R> = Solver::new(scene.scene().unwrap(), evolution);
     let (mut state, first) = solver.start(narrow_hand(&hands[0]));
     let rest = hands[1..].iter();
@@ -41,17 +44,23 @@ fn counts<R: Real<Si = f32>>(number: NumberType) {
     let hands: Vec<Hand<f64>> = (0..500).map(|_| walk.sample()).collect();
     for evolution in Evolution::ALL {
         let outputs = outputs::<R>(&scene, evolution, &hands);
-        let job = job(&scene, (evolution, u32::MAX), &hands);
+        let job = job(&scene, evolution, &hands);
         for board in Board::ALL {
             let counted = Counter::new(board, number, Profile::Device)
-                .and_then(|counter| counter.count(&job));
+                .and_then(|counter| counter.count(&job, u32::MAX));
             let Some(counted) = if_installed(counted) else {
                 continue;
             };
             let case = format!("{} {} {evolution:?}", board.name(), number.name());
             assert_eq!(counted.frames.len(), outputs.len(), "{case}");
             for (i, (frame, output)) in counted.frames.iter().zip(&outputs).enumerate() {
-                assert_eq!(*frame, Frame::new(frame.instructions, output), "{case} {i}");
+                let expected = Frame {
+                    instructions: frame.instructions,
+                    pose: Pose::new(output, EventSet::of(output.events()), i as u8),
+                    slips: output.slips,
+                    work: output.work,
+                };
+                assert_eq!(*frame, expected, "{case} {i}");
                 assert!((50..10_000_000).contains(&frame.instructions), "{case} {i}");
             }
             assert!((500..10_000).contains(&counted.totals.stack), "{case}");
@@ -111,9 +120,9 @@ fn an_instruction_takes_no_more_cycles_than_is_said() {
         .filter(|case| case.group == Group::Random);
     let drag = drags.next().unwrap();
     let hands: Vec<_> = drag.path.frames(Some(100.0)).map(|s| s.hand).collect();
-    let job = job(&drag.scene, (Evolution::Path, u32::MAX), &hands);
+    let job = job(&drag.scene, Evolution::Path, &hands);
     for chip in [Chip::CortexM4F, Chip::CortexM33] {
-        let estimate = Counter::new(chip.board(), chip.number(), Profile::Device)
+        let estimate = Counter::new(Board::of(chip), chip.number(), Profile::Device)
             .and_then(|counter| counter.estimate(&job));
         let Some(estimate) = if_installed(estimate) else {
             continue;
@@ -157,7 +166,7 @@ fn of_model(
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
     let code = rust_source(scene, model, number, evolution);
     let counter = Counter::of_model(board, Profile::Device, &code)?;
-    let mut counted = counter.count(&job(scene, (evolution, u32::MAX), &hands))?;
+    let mut counted = counter.count(&job(scene, evolution, &hands), u32::MAX)?;
     for frame in &mut counted.frames {
         assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");
         frame.instructions = 0;
@@ -172,13 +181,14 @@ fn assert_same_answer(small: &Frame, full: &Frame, name: &str) {
         assert_eq!(small, full, "{name}");
         return;
     }
+    let (slips, (small, full)) = (small.slips, (small.pose, full.pose));
     let apart = small.position.iter().zip(full.position);
-    let apart = apart.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-    let turned = (small.angle.radians() - full.angle.radians()).abs();
+    let apart = apart.fold(0.0_f32, |most, (a, b)| most.max((a - b).abs()));
+    let turned = (small.rest - full.rest).abs();
     assert!(apart < 1e-6 && turned < 1e-5, "{name}: {small:?} {full:?}");
-    let answer = |frame: &Frame| (frame.state, frame.status);
+    let answer = |pose: Pose| (pose.state, pose.status);
     assert_eq!(answer(small), answer(full), "{name}");
-    assert_eq!(small.slips, 0, "{name}");
+    assert_eq!(slips, 0, "{name}");
 }
 
 #[test]
@@ -209,5 +219,55 @@ fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
         }
         assert!(smallest.0.totals.solver < full.0.totals.solver, "{name}");
         assert!(smallest.1 < full.1, "{name}: {} {}", smallest.1, full.1);
+    }
+}
+
+/// The table that `stiction trade --emulated` reads: what it says of the chips, at the slowest rate, is what the solver takes now. Compilers
+/// differ a little.
+#[test]
+fn the_table_of_the_chips_is_up_to_date() {
+    let suite = Suite::new(None, false).unwrap();
+    let table = counted().unwrap();
+    let builds = [
+        (Chip::CortexM4F, NumberType::F32),
+        (Chip::CortexM0, NumberType::Fixed),
+    ];
+    let builds = builds.map(|(chip, number)| Build { chip, number });
+    let counts = count(&suite, &builds, |setting, rate| {
+        setting.evolution == Evolution::Path
+            && setting.memory == Memory::DEFAULT
+            && rate == RATES[0]
+    });
+    let Some(counts) = if_installed(counts) else {
+        return;
+    };
+    assert_eq!(counts.len(), builds.len());
+    for now in counts {
+        let same = |known: &&_| {
+            let known: &stiction_host_sim::trade::counts::Count = known;
+            (known.chip, known.setting, known.rate) == (now.chip, now.setting, now.rate)
+        };
+        let known = table.iter().find(same).expect("a line");
+        let [was, is] = [known.cost, now.cost];
+        let case = format!("{was:?}, now {is:?}: `lab trade --write` writes it");
+        assert!((is.mean / was.mean - 1.0).abs() < 0.1, "{case}");
+        assert!(
+            (is.flash as f64 / was.flash as f64 - 1.0).abs() < 0.1,
+            "{case}"
+        );
+        assert_eq!(is.state, was.state, "{case}");
+    }
+}
+
+/// A million frames by walls and among obstacles.
+#[test]
+#[ignore = "takes an hour"]
+fn a_million_frames_have_the_same_bits_on_every_machine() {
+    for number in NumberType::ALL {
+        for place in Place::ALL {
+            let of = |machine: Machine| if_installed(machine.bits(number, place, 1_000_000));
+            let hashes: Vec<_> = Machine::ALL.into_iter().filter_map(of).collect();
+            assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:x?}");
+        }
     }
 }

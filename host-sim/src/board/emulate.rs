@@ -4,9 +4,9 @@ use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use clap::ValueEnum;
 use crate::firmware::board::{Board, Emulator as Started, OBSTACLES};
 use crate::firmware::process::EmulatorError;
+use clap::ValueEnum;
 
 use super::link::Link;
 use crate::progress::Activity;

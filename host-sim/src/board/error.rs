@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::firmware::process::EmulatorError;
 use stiction_scene::InputError;
 use stiction_wire::{VERSION, VERSION_AMONG};
-use crate::firmware::process::EmulatorError;
 
 use crate::files::WriteError;
 

@@ -5,9 +5,9 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, LineWriter, Write};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::part;
 use fs4::{FileExt, TryLockError};
 use stiction_scene::Sample;
-use crate::files::whole::part;
 use tempfile::NamedTempFile;
 
 use super::line::{ChangeLine, End, LineOut, Written};

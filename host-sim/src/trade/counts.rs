@@ -16,7 +16,16 @@ use crate::number::{Number, named};
 const TABLE: &str = include_str!("../../trade/chips.csv");
 
 const HEADER: [&str; 10] = [
-    "chip", "number", "evolution", "memory", "rate_hz", "mean", "worst", "flash_bytes", "state_bytes", "stack_bytes",
+    "chip",
+    "number",
+    "evolution",
+    "memory",
+    "rate_hz",
+    "mean",
+    "worst",
+    "flash_bytes",
+    "state_bytes",
+    "stack_bytes",
 ];
 
 /// The cost of a setting on a chip, at a rate.

@@ -7,12 +7,12 @@ use stiction_core::{Fixed, Hand, Real, SiFloat, Solver, narrow_hand};
 use stiction_scene::InputError;
 
 use super::accuracy::{Accuracy, Errors};
+use super::chip::Chip;
 use super::cost::{self, Cost};
 use super::reference::{Reference, Truth};
 use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
-use super::chip::Chip;
 use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;

@@ -4,12 +4,12 @@ use std::io;
 
 use serde_json::{Map, Value, json};
 
+use super::chip::Chip;
 use super::cost::REPEATS;
 use super::measure::Row;
 use super::place::Place;
 use super::setting::FINEST;
 use super::table::Table;
-use super::chip::Chip;
 
 /// The reference of the errors.
 fn reference() -> String {
@@ -118,9 +118,11 @@ impl Report {
     pub fn tables(&self) -> Vec<(Option<String>, Table)> {
         let rows = self.overall();
         let chips = Chip::ALL.iter().enumerate();
-        let chips = chips
-            .filter_map(|(k, chip)| Some((Some(chip.timing()), Table::of_chip(&rows, k)?)));
-        std::iter::once((None, Table::of(&rows))).chain(chips).collect()
+        let chips =
+            chips.filter_map(|(k, chip)| Some((Some(chip.timing()), Table::of_chip(&rows, k)?)));
+        std::iter::once((None, Table::of(&rows)))
+            .chain(chips)
+            .collect()
     }
 
     /// The cost of each number type and evolution, in a few rows.

@@ -3,9 +3,9 @@
 use crate::columns::aligned;
 
 use super::accuracy::Spread;
+use super::chip::Chip;
 use super::measure::Row;
 use super::setting::{FINEST, Memory};
-use super::chip::Chip;
 
 /// A table.
 #[derive(Clone, Debug, PartialEq, Eq)]

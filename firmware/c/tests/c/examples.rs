@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::process::Command;
 
-use stiction_scene::NumberType;
+use stiction_host_sim::columns::thousands;
 use stiction_host_sim::firmware::image::Contents;
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed, output_of};
 use stiction_lab::markdown::Section;
-use stiction_host_sim::columns::thousands;
+use stiction_scene::NumberType;
 
 use crate::library::{Library, folder};
 use crate::machine::{CORTEX_M0, CORTEX_M4F, CORTEX_M33, Compiler, Machine};

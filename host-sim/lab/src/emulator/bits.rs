@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
-use stiction_scene::NumberType;
 use stiction_host_sim::firmware::process::{EmulatorError, output_of};
+use stiction_scene::NumberType;
 
 use super::Board;
 use super::image::{Image, Profile};

@@ -41,10 +41,10 @@ pub(super) fn measure(
 ) -> Result<Measured, EmulatorError> {
     let (board, number) = (Board::of(chip), chip.number());
     let code = rust_source(scene, model, number, evolution);
-    let job = job(scene, (evolution, u32::MAX), hands);
+    let job = job(scene, evolution, hands);
     Ok(Measured {
         flash_small: footprint(Board::with_flash_of(chip), Profile::DeviceSmall, &code)?,
         flash_fast: footprint(Board::with_flash_of(chip), Profile::Device, &code)?,
-        counted: Counter::of_model(board, Profile::Device, &code)?.count(&job)?,
+        counted: Counter::of_model(board, Profile::Device, &code)?.count(&job, u32::MAX)?,
     })
 }

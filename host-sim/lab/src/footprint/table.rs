@@ -87,7 +87,8 @@ pub(super) fn table(rows: &[Row]) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::emulator::{Counted, Frame, Totals};
+    use crate::emulator::{Counted, Frame};
+    use stiction_firmware::count::Totals;
     use stiction_scene::ObstacleRoom;
 
     fn measured(instructions: &[u32]) -> Measured {
@@ -119,12 +120,12 @@ mod tests {
             obstacles: ObstacleRoom::default(),
         };
         let row = Row {
-                scene: "tip".to_owned(),
-                model,
-                chip: Chip::CortexM0,
-                evolution: Evolution::Frame,
-                smallest: measured(&[900, 10, 20]),
-                full: measured(&[900]),
+            scene: "tip".to_owned(),
+            model,
+            chip: Chip::CortexM0,
+            evolution: Evolution::Frame,
+            smallest: measured(&[900, 10, 20]),
+            full: measured(&[900]),
         };
         let cells = row.cells();
         let expected = [

@@ -78,9 +78,9 @@ impl Built {
             let samples = case.path.frames(Some(rate));
             let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
             let scene = setting.memory.of(&case.scene);
-            let counted =
-                self.counter
-                    .count(&job(&scene, (setting.evolution, u32::MAX), &hands))?;
+            let counted = self
+                .counter
+                .count(&job(&scene, setting.evolution, &hands), u32::MAX)?;
             for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;
@@ -128,7 +128,11 @@ pub fn count(
         let solver = build.solver(&cases, *evolution)?;
         let count = |(setting, rate)| {
             let cost = solver.count(&cases, (setting, rate))?;
-            eprintln!("{}: {} at {rate} Hz", build.chip.name(), setting.memory.name);
+            eprintln!(
+                "{}: {} at {rate} Hz",
+                build.chip.name(),
+                setting.memory.name
+            );
             Ok(Count {
                 chip: build.chip,
                 setting,

@@ -1,10 +1,10 @@
 //! The emulated Pico on its own clock and its client, in one thread.
 
 use crate::chip as board;
-use crate::client::{Client, Known, Said};
-use stiction_wire::{Command, Health, Reason};
+use crate::client::{Client, Said};
 use stiction_host_sim::firmware::image::flashed;
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_wire::{Command, Health, Reason};
 
 /// Cycles of a ms.
 pub(crate) const MS: u64 = MEGAHERTZ as u64 * 1_000;
@@ -62,15 +62,6 @@ impl Bench {
             _ => None,
         });
         assert_eq!(reason, Reason::Done);
-    }
-
-    /// What it says of itself.
-    pub(crate) fn info(&mut self) -> Known {
-        self.send(Command::Hello);
-        self.wait(|said| match said {
-            Said::Info(info) => Some(info.clone()),
-            _ => None,
-        })
     }
 
     pub(crate) fn health(&mut self) -> Health {

@@ -4,7 +4,6 @@ use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::{Said, hand_path};
-use stiction_wire::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
 use stiction_wire::{Command, Mode, NumberType, Pose, Reset, Stepping};
 
@@ -47,11 +46,7 @@ pub(crate) fn same_bits<R: Real<Si = f32>>(
 }
 
 /// The poses of a board that runs, in both evolutions.
-pub(crate) fn same_bits_of<R: Real<Si = f32>>(
-    board: &mut Board,
-    number: NumberType,
-    samples: u32,
-) {
+pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberType, samples: u32) {
     let info = board.info();
     assert_eq!(info.number, number);
     let own = Mode {

@@ -7,9 +7,9 @@ use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stiction_wire::{Command, Health};
-use stiction_host_sim::trade::chip::Chip as Processor;
 use stiction_host_sim::firmware::board::Emulator;
+use stiction_host_sim::trade::chip::Chip as Processor;
+use stiction_wire::{Command, Health};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);

@@ -6,8 +6,8 @@ use crate::client::{Known, Said, hand_path, scene};
 use crate::common::BOX;
 use std::fs;
 use stiction_core::Hand;
-use stiction_wire::{Command, Health, Mode, Parameters, Reset, Stepping};
 use stiction_host_sim::firmware::workspace;
+use stiction_wire::{Command, Health, Mode, Parameters, Reset, Stepping};
 use toml::Table;
 
 /// Samples that are sent before the pose of the last of them is waited for.

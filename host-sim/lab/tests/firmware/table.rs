@@ -5,10 +5,10 @@ use crate::budgets::{Taken, measure};
 use crate::chip::{self, F405, MICROBIT, PICO};
 use crate::silence::silence;
 use stiction_core::Fixed;
-use stiction_wire::NumberType;
+use stiction_host_sim::columns::thousands;
 use stiction_host_sim::trade::chip::Chip;
 use stiction_lab::markdown::{Destination, Table};
-use stiction_host_sim::columns::thousands;
+use stiction_wire::NumberType;
 
 const COMMAND: &str = "cargo test -p stiction-lab --test firmware -- --ignored table";
 
@@ -83,7 +83,9 @@ const ROWS: [Row; 16] = [
     }),
     ("cycles of an instruction, estimated", |c| match c.timing {
         Chip::CortexM0Plus => "counted".to_owned(),
-        timing @ (Chip::CortexM4F | Chip::CortexM33 | Chip::CortexM0) => timing.cycles().to_string(),
+        timing @ (Chip::CortexM4F | Chip::CortexM33 | Chip::CortexM0) => {
+            timing.cycles().to_string()
+        }
     }),
     ("the longest tick (instructions, part of its period)", |c| {
         c.of_tick(c.taken.tick)

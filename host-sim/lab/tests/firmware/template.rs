@@ -9,10 +9,10 @@ use crate::bits::{SAMPLES, same_bits_of};
 use crate::board::Board;
 use crate::chip::{Image, PICO};
 use stiction_core::Fixed;
-use stiction_wire::NumberType;
 use stiction_host_sim::firmware::image::{Contents, built, cargo_build};
 use stiction_host_sim::firmware::process::{if_installed, output_of};
 use stiction_host_sim::firmware::workspace;
+use stiction_wire::NumberType;
 use tempfile::TempDir;
 
 /// What a board outside depends on.

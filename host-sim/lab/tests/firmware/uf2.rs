@@ -2,10 +2,10 @@
 
 use crate::chip::PICO;
 use crate::client::{Client, Said};
-use stiction_wire::Command;
 use stiction_host_sim::firmware::image::parts;
 use stiction_host_sim::firmware::uf2::{Family, uf2};
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_wire::Command;
 
 /// What a boot program writes into a flash of 2 MB: each block of 512 bytes has the address of a page and, behind 32 bytes, the page.
 fn written(file: &[u8]) -> Vec<u8> {
