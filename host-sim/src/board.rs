@@ -51,14 +51,12 @@ pub(crate) use live::{Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::{self, Files};
-use crate::input::{self, open_path, open_scene};
-use crate::number::Number;
+use crate::input::{self, open_scene};
 use crate::options::{evolution_parser, parse_rate, trace_parser};
-use crate::record::Run;
 use crate::recording::{Head, Maker};
 use crate::shell::scene_completer;
 use crate::trace::Format;
-use crate::{report, scenes, stop};
+use crate::{report, stop};
 use audience::Console;
 use emulate::Image;
 use feed::Feed;
@@ -66,6 +64,10 @@ use heard::About;
 use print::Screen;
 use session::{Mail, Session};
 use setup::Setup;
+use stiction_live::input::open_path;
+use stiction_live::number::Number;
+use stiction_live::record::Run;
+use stiction_live::scenes;
 use stream::Stream;
 
 /// The arguments of `stiction board`.

@@ -12,11 +12,11 @@ use clap::Args;
 use stiction_core::Evolution;
 use stiction_judge::{Bounds, InputError, Judge, Scene, Status, Survey, Trace};
 
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
-use crate::scenes;
 use crate::shell::scene_completer;
+use stiction_live::number::Number;
+use stiction_live::scenes;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]

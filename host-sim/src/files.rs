@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use stiction_scene::Sample;
 
-use crate::record::{Frame, Run};
 use crate::recording::{Change, Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};
+use stiction_live::record::{Frame, Run};
 
 /// A file cannot be written.
 #[derive(Debug, thiserror::Error)]
@@ -33,7 +33,7 @@ pub enum WriteError {
     },
     /// It exists already, and may be somebody's work.
     #[error("{}: is there already and stays as it is, allowed: another name", .0.display())]
-    Kept(PathBuf),
+    Exists(PathBuf),
     /// It would replace another output.
     #[error(
         "{}: would be written by {} and by {}, allowed: a name for each",

@@ -20,10 +20,10 @@ use stiction_scene::{InputError, SceneFile};
 
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};
-use crate::number::{Number, named};
 use crate::progress::Activity;
 use crate::report;
 use crate::shell::scene_completer;
+use stiction_live::number::{Number, named};
 
 /// The arguments of `stiction image`.
 #[derive(Args, Clone, Debug)]
@@ -151,7 +151,7 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
         None => fs::read(&image).map_err(WriteError::of(&image))?,
     };
     write(&out, &bytes).map_err(WriteError::of(&out))?;
-    report::print(&told(&out, &bytes, &Contents::of(&image)?, family));
+    report::print(&summary(&out, &bytes, &Contents::of(&image)?, family));
     Ok(())
 }
 
@@ -206,7 +206,7 @@ fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf
 }
 
 /// Describes the file, its resources on the board, and how to flash it.
-fn told(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
+fn summary(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
     let size = thousands(bytes.len() as u64);
     let (flash, variables) = (thousands(contents.flash), thousands(contents.variables));
     let mut text = format!("{}: {size} bytes", out.display());

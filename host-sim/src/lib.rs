@@ -60,7 +60,3 @@ pub mod sweep;
 pub mod trace;
 pub mod trade;
 pub mod view;
-
-pub use stiction_live::{number, record, scenes, session, simulate};
-
-use stiction_live::{body, meter};

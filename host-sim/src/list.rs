@@ -10,7 +10,8 @@ use stiction_live::thumbnail::thumbnail;
 use stiction_scene::{InputError, Source, story};
 
 use crate::files::WriteError;
-use crate::{report, scenes};
+use crate::report;
+use stiction_live::scenes;
 
 /// The arguments of `stiction scenes`.
 #[derive(Args, Clone, Debug)]
@@ -73,7 +74,7 @@ fn written(folder: &Path) -> Result<(), ScenesError> {
     for (file, text) in &files {
         match fs::read(file) {
             Ok(bytes) if bytes != text.as_bytes() => {
-                return Err(WriteError::Kept(file.clone()).into());
+                return Err(WriteError::Exists(file.clone()).into());
             }
             Err(error) if error.kind() != ErrorKind::NotFound => {
                 return Err(WriteError::of(file)(error).into());

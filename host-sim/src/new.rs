@@ -10,9 +10,9 @@ use stiction_scene::InputError;
 
 use crate::files::WriteError;
 use crate::input::open_scene;
-use crate::number::Number;
 use crate::report;
 use crate::shell::scene_completer;
+use stiction_live::number::Number;
 
 /// The arguments of `stiction new`.
 #[derive(Args, Clone, Debug)]
@@ -45,7 +45,7 @@ pub fn new(args: &NewArgs) -> Result<(), NewError> {
     let file = file(&args.name);
     let text = explained(like.source().text(), &file);
     let mut created = File::create_new(&file).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => WriteError::Kept(file.clone()),
+        ErrorKind::AlreadyExists => WriteError::Exists(file.clone()),
         _ => WriteError::of(&file)(error),
     })?;
     created
@@ -269,7 +269,7 @@ fn with_comment(line: &str, meaning: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes;
+    use stiction_live::scenes;
     use stiction_scene::{SceneFile, Source};
 
     /// The comments change nothing: the scene has the same values, key by key, also with every key that is offered.

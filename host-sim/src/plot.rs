@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::whole as files;
 
-use crate::record::Run;
+use stiction_live::record::Run;
 
 /// The reason why the pictures of a run could not be written.
 #[derive(Debug, thiserror::Error)]

@@ -30,10 +30,10 @@ use serde::{Deserialize, Serialize};
 use stiction_core::Evolution;
 use stiction_scene::{SceneFile, Source};
 
-use crate::body::Setting;
-use crate::number::Number;
-use crate::options::{parse_evolution, parse_number};
 use crate::settings::Settings;
+use stiction_live::body::Setting;
+use stiction_live::number::Number;
+use stiction_live::number::{parse_evolution, parse_number};
 
 pub(crate) use reader::{Line, Recording, RecordingError};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};

@@ -8,17 +8,18 @@ use indicatif::ProgressBar;
 use stiction_scene::InputError;
 
 use crate::files::{self, Files, WriteError};
-use crate::input::{self, open_path, open_scene};
+use crate::input::{self, open_scene};
 use crate::options::trace_parser;
 use crate::plot::{self, PlotError};
 use crate::progress;
-use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
 use crate::settings::Settings;
 use crate::shell::scene_completer;
 use crate::summary::Summary;
 use crate::trace::Format;
+use stiction_live::input::open_path;
+use stiction_live::record::Run;
 
 /// The arguments of `stiction run`.
 #[derive(Args, Clone, Debug)]

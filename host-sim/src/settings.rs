@@ -8,10 +8,10 @@ use clap::Args;
 use stiction_core::{Evolution, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile};
 
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_budget, parse_rate};
-use crate::record::Frame;
-use crate::simulate::{Running, Task, with_solver};
+use stiction_live::number::Number;
+use stiction_live::record::Frame;
+use stiction_live::simulate::{Running, Task, with_solver};
 
 /// What may be chosen besides the scene.
 #[derive(Args, Clone, Debug)]

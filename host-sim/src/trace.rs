@@ -11,7 +11,7 @@ pub(crate) use stiction_live::trace::Record;
 use stiction_live::trace::{ContactEntry, InsertionEntry, Value};
 use tempfile::NamedTempFile;
 
-use crate::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run, Scenery};
 
 /// The format of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -20,6 +20,7 @@ mod feed;
 mod kept;
 mod mirror;
 mod orders;
+mod osc;
 mod outward;
 mod page;
 mod pictures;
@@ -52,12 +53,9 @@ use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
-use crate::body::{Setting, check, without_obstacles};
 use crate::input::open_scene;
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_end, parse_listen, parse_rate};
 use crate::report;
-use crate::scenes;
 use crate::shell::scene_completer;
 use crate::stop;
 use ends::{Ends, listen};
@@ -67,6 +65,9 @@ use kept::Kept;
 use remote::Remote;
 use server::Hub;
 use shelf::Shelf;
+use stiction_live::body::{Setting, check, without_obstacles};
+use stiction_live::number::Number;
+use stiction_live::scenes;
 
 /// The default scene.
 const SCENE: &str = "box-flat";

@@ -11,7 +11,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 
 use common::{Folder, records, text};
-use stiction_host_sim::scenes;
+use stiction_live::scenes;
 
 const NUMBERS: [&str; 3] = ["f64", "f32", "fixed"];
 const EVOLUTIONS: [&str; 2] = ["path", "frame"];

@@ -263,7 +263,7 @@ fn commands_that_take_no_obstacles_say_so() {
 #[test]
 fn every_bundled_scene_with_obstacles_runs_in_every_number_type() {
     let folder = Folder::new();
-    let scenes = stiction_host_sim::scenes::with_obstacles();
+    let scenes = stiction_live::scenes::with_obstacles();
     let names: Vec<&str> = scenes.map(|(name, _)| *name).collect();
     assert_eq!(
         names,

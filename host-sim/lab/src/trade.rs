@@ -37,6 +37,7 @@ pub fn trade(output: Destination) -> Result<(), Box<dyn Error>> {
         }
     }
     output.put(DOCUMENT, "trade", &whole(&report))?;
+    output.put("core/README.md", "settings", &short(&report))?;
     Ok(output.put("README.md", "settings", &short(&report))?)
 }
 
@@ -71,4 +72,35 @@ pub fn short(report: &Report) -> String {
         report.machine,
         markdown(report.short())
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_documents_have_every_setting_and_every_chip() {
+        let suite = Suite::new(None, true).expect("a suite");
+        let counted = counts::counted().expect("counts");
+        let report = Report::of(&suite, &counted).expect("a report");
+        let whole = whole(&report);
+        for part in [
+            "| f64 | path | 2^-12 | 1000 |",
+            "| f32 | path | 2^-8 | 1000 |",
+            "| fixed | frame | 0 | 31 |",
+            "\nCortex-M0+ at 125 MHz, cycles counted:\n",
+            "(trade/host.svg)",
+            "(trade/cortex_m4f.svg)",
+            "take ",
+        ] {
+            assert!(whole.contains(part), "{part}: {whole}");
+        }
+        let short = short(&report);
+        let is_row = |row: &&str| row.starts_with("| f") && row.contains("| path |");
+        assert_eq!(short.lines().filter(is_row).count(), 3, "{short}");
+        assert!(
+            short.contains("\n| fixed | frame | Cortex-M0 at 16 MHz |"),
+            "{short}"
+        );
+    }
 }

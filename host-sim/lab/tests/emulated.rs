@@ -174,7 +174,7 @@ fn of_model(
     Ok((counted, footprint(board, Profile::DeviceSmall, &code)?))
 }
 
-/// The same bits, but for a model in which contacts glide where the full one slides: to the rounding of f32, which a soft grip
+/// Both models have the same bits, except one in which contacts glide where the full one slides: to the rounding of f32, which a soft grip
 /// makes larger, and without slips.
 fn assert_same_answer(small: &Frame, full: &Frame, name: &str) {
     if name != "point-frictionless" {

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};
-use stiction_host_sim::record::{ContactRecord, Frame};
+use stiction_live::record::{ContactRecord, Frame};
 
 /// A frame.
 #[repr(C)]

@@ -21,10 +21,10 @@ use super::maker;
 use super::setup::Setup;
 use super::stream::Stream;
 use super::wish::Wish;
-use crate::number::Number;
-use crate::record::Frame;
 use crate::recording::Maker;
 use crate::stop;
+use stiction_live::number::Number;
+use stiction_live::record::Frame;
 
 /// Interval of the health reports.
 const EVERY: Duration = Duration::from_millis(250);

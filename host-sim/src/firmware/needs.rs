@@ -24,9 +24,11 @@ pub enum Need {
 impl Need {
     /// What is missing, if it is.
     fn missing(self) -> Option<(String, String)> {
-        let named = |error| match error {
-            EmulatorError::Missing { what, install } => Some((what, install)),
-            _ => None,
+        let named = |error| {
+            let EmulatorError::Missing { what, install } = error else {
+                return None;
+            };
+            Some((what, install))
         };
         match self {
             Self::Build => sources().or_else(rust),

@@ -5,7 +5,7 @@ use super::legend::{Entry, Mark};
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
-use crate::record::{ContactRecord, Frame, Run};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;

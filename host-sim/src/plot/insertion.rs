@@ -5,11 +5,11 @@ use super::legend::{Entry, Heading, Mark};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::style::*;
-use crate::meter::small_angles;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
 use stiction_insertion::{Diagram, Insertion, Meter, Verdict};
+use stiction_live::meter::small_angles;
+use stiction_live::record::{Frame, Run};
 
 /// Height of a panel, and room between two [px].
 const HEIGHT: f64 = 430.0;

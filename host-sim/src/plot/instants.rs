@@ -1,8 +1,8 @@
 //! The moments worth a snapshot: the ends of the run, the first frame of each state, frames with events, the longest slip,
 //! and otherwise an even spread over time.
 
-use crate::record::{Frame, Run};
 use stiction_core::{Event, StateKind};
+use stiction_live::record::{Frame, Run};
 
 /// The minimum interval between two snapshots, as a fraction of the run's duration.
 const APART: f64 = 0.005;

@@ -6,7 +6,7 @@ use super::plane::hand_angle;
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
-use crate::record::{ContactRecord, Frame, Run};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;

@@ -4,9 +4,9 @@ use stiction_scene::SurfaceInfo;
 
 use super::sheet::{Area, Drawn, Plane, px, size, stroke};
 use super::style::{FAINT, INK, SOLID};
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
+use stiction_live::record::{Frame, Run};
 
 /// A box in the plane.
 #[derive(Clone, Debug)]

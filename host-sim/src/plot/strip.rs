@@ -8,8 +8,8 @@ use super::obstacles::Solids;
 use super::plane::{Bounds, View, corners, hand_angle, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
+use stiction_live::record::{Frame, Run};
 
 /// Room left and right of the snapshots [px].
 const MARGIN: f64 = 14.0;

@@ -4,11 +4,11 @@ use super::legend::{Entry, Mark};
 use super::series::{envelope, outline, sparse};
 use super::sheet::PNG_SCALE;
 use super::*;
-use crate::number::Number;
-use crate::record::{ContactRecord, Frame};
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status, Touch};
+use stiction_live::number::Number;
+use stiction_live::record::{ContactRecord, Frame};
 use stiction_scene::SurfaceInfo;
 
 mod slides;

@@ -8,9 +8,9 @@ use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::slides::Slides;
 use super::states;
 use super::style::*;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
+use stiction_live::record::{Frame, Run};
 
 /// Heights [px].
 const GAP: f64 = 10.0;

@@ -7,8 +7,8 @@ use super::plane::{Bounds, View, corners, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
-use crate::record::{ContactRecord, Frame, Run};
 use plotters::prelude::*;
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The least and the greatest height of the plane [px].
 const HEIGHTS: (f64, f64) = (240.0, 760.0);

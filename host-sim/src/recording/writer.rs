@@ -12,8 +12,8 @@ use tempfile::NamedTempFile;
 
 use super::line::{ChangeLine, End, LineOut, Written};
 use super::{Change, Head, PIECE};
-use crate::record::{Frame, Run, Scenery};
 use crate::trace::Record;
+use stiction_live::record::{Frame, Run, Scenery};
 
 /// A recording that is being written. One in a temporary file appears at its destination with [`RecordingWriter::finish`], or not
 /// at all.

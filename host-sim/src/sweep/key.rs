@@ -5,8 +5,9 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use crate::options::{parse_budget, parse_evolution, parse_number, parse_rate};
+use crate::options::{parse_budget, parse_rate};
 use crate::settings::Settings;
+use stiction_live::number::{parse_evolution, parse_number};
 
 /// The type of a key's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,8 +13,8 @@ use toml::{Spanned, Table, Value};
 
 use super::axis::{Axis, one_of};
 use super::key::{self, Key};
-use crate::scenes;
 use crate::settings::Settings;
+use stiction_live::scenes;
 
 /// Maximum number of points of a sweep.
 pub(super) const MOST: u64 = 1_000_000_000;

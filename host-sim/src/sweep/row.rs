@@ -7,9 +7,9 @@ use toml::Value;
 
 use super::plan::{Plan, Point};
 use crate::balance::Imbalance;
-use crate::input::open_path;
-use crate::record::Run;
 use crate::summary::Summary;
+use stiction_live::input::open_path;
+use stiction_live::record::Run;
 
 /// The names of the columns.
 pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {

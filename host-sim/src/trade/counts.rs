@@ -10,7 +10,7 @@ use super::cost::Emulated;
 use super::measure::Row;
 use super::setting::{Memory, Setting};
 use super::suite::Group;
-use crate::number::{Number, named};
+use stiction_live::number::{Number, named};
 
 /// The table as it was when the program was built.
 const TABLE: &str = include_str!("../../trade/chips.csv");

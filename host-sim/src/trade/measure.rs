@@ -13,9 +13,9 @@ use super::reference::{Reference, Truth};
 use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
-use crate::number::Number;
-use crate::record::{Frame, Run};
-use crate::simulate::simulate;
+use stiction_live::number::Number;
+use stiction_live::record::{Frame, Run};
+use stiction_live::simulate::simulate;
 
 /// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

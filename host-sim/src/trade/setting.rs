@@ -3,7 +3,7 @@
 use stiction_core::Evolution;
 use stiction_scene::SceneFile;
 
-use crate::number::Number;
+use stiction_live::number::Number;
 
 /// Frame rates (Hz): the paper's tracker, a motion capture, a haptic device.
 pub const RATES: [f64; 3] = [31.0, 100.0, FINEST];

@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::mirror::Mirror;
 use super::remote::Remote;
 use crate::board::Word;
-use crate::record::Frame;
+use stiction_live::record::Frame;
 
 impl Engine {
     /// Processes the board's messages.

@@ -8,8 +8,8 @@ use tokio::sync::mpsc::Sender;
 
 use super::engine::Engine;
 use super::recording::Recording;
-use crate::body::Setting;
 use crate::recording::Maker;
+use stiction_live::body::Setting;
 use stiction_live::stage::reread;
 
 /// A requested change.

@@ -18,7 +18,7 @@ use super::orders::Order;
 use super::recording::Recording;
 use super::remote::Remote;
 use super::shelf::Shelf;
-use crate::body::Setting;
+use stiction_live::body::Setting;
 use stiction_live::replay::{Recorded as _, Way};
 use stiction_live::stage::Stage;
 

@@ -2,9 +2,9 @@
 
 use stiction_core::{Angle, Hand, Wrench};
 
-use crate::body::{Body, Setting};
-use crate::body::{Hold, Present};
-use crate::record::Frame;
+use stiction_live::body::{Body, Setting};
+use stiction_live::body::{Hold, Present};
+use stiction_live::record::Frame;
 
 /// The last answer of a board.
 #[derive(Clone, Debug)]

@@ -18,7 +18,7 @@ use super::change::{Reply, Wanted};
 use super::engine::Engine;
 use super::recording::Recording;
 use super::resume::resumed;
-use crate::body::{Setting, without_obstacles};
+use stiction_live::body::{Setting, without_obstacles};
 
 /// An order to the solver.
 #[derive(Debug)]

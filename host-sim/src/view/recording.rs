@@ -14,9 +14,9 @@ use stiction_live::stage::Stage;
 use stiction_scene::Sample;
 
 use super::shelf::Shelf;
-use crate::body::Setting;
-use crate::record::{Frame, Run};
 use crate::recording::{Change, Head, Line, LiveWriter, Maker, Recording as Reader};
+use stiction_live::body::Setting;
+use stiction_live::record::{Frame, Run};
 
 /// Number of ticks (ms) after which a recording ends by itself.
 const LONGEST: usize = 600_000;

@@ -2,7 +2,7 @@
 
 use stiction_scene::SceneFile;
 
-use crate::body::{Hold, Present, within_reach};
+use stiction_live::body::{Hold, Present, within_reach};
 use stiction_live::guide::HandPose;
 
 /// Returns a scene that begins where the body of `present` is, and the hand of its first tick. A hand that closed during the run

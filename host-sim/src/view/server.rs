@@ -1,6 +1,7 @@
 //! The server: the page, the socket, recordings and uploads. Only the page itself, and programs other than browsers, may send
 //! requests.
 
+use std::io;
 use std::net::{Ipv4Addr, Ipv6Addr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,10 +13,11 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use futures_util::stream::try_unfold;
 use serde_json::json;
+use tokio::io::AsyncReadExt;
 use tokio::sync::{Semaphore, mpsc, watch};
 use tokio::task::spawn_blocking;
-use tokio_util::io::ReaderStream;
 
 use super::doors::Seat;
 use super::feed::Feed;
@@ -26,12 +28,14 @@ use super::recording::Recording;
 use super::upload::upload;
 use super::{client, page, written};
 use crate::board::Identity;
-use crate::scenes::Offer;
+use stiction_live::scenes::Offer;
 
 /// A message longer than this ends the connection; a shorter one that exceeds the readable length is answered.
 const LONGEST_WIRE: usize = 64 << 10;
 /// Maximum size of a reading from a client (bytes).
 const AT_ONCE: usize = 4 << 10;
+/// A file is sent in pieces of this size (bytes).
+const PIECE: usize = 64 << 10;
 
 /// Data that every client needs.
 pub(super) struct Hub {
@@ -230,8 +234,13 @@ fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
     };
     // A recording of ten minutes has hundreds of megabytes: it is read as it is sent.
     let length = file.metadata().map_err(|error| error.to_string())?.len();
-    let bytes = ReaderStream::new(tokio::fs::File::from_std(file));
-    Ok((Body::from_stream(bytes), length))
+    let pieces = try_unfold(tokio::fs::File::from_std(file), async |mut file| {
+        let mut piece = vec![0; PIECE];
+        let count = file.read(&mut piece).await?;
+        piece.truncate(count);
+        Ok::<_, io::Error>((count > 0).then_some((piece, file)))
+    });
+    Ok((Body::from_stream(pieces), length))
 }
 
 fn of_text(text: String) -> (Body, u64) {

@@ -9,8 +9,8 @@ use std::time::SystemTime;
 
 use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
 
-use crate::record::Run;
 use crate::recording::{Head, LiveWriter, is_being_written};
+use stiction_live::record::Run;
 
 /// The longest part of a file name that comes from the scene, in characters.
 const TITLE: usize = 60;
@@ -104,10 +104,10 @@ mod tests {
     use std::path::Path;
     use std::time::Duration;
 
-    use crate::number::Number;
-    use crate::scenes;
     use crate::settings::Settings;
     use stiction_core::Evolution;
+    use stiction_live::number::Number;
+    use stiction_live::scenes;
     use stiction_scene::SceneFile;
 
     #[test]

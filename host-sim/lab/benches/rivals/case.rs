@@ -49,7 +49,7 @@ impl Case {
         }
     }
 
-    /// The same case with the static coefficient for both.
+    /// This case with the static coefficient for both.
     pub(crate) fn with_one_coefficient(&self) -> Self {
         let mut case = self.clone();
         for surface in &mut case.scene.written.surfaces {

@@ -1,4 +1,4 @@
-//! The same scene in rapier2d, set up for one light body at a high frame rate: from a case to poses. The variants tried were the
+//! A scene in rapier2d, set up for one light body at a high frame rate: from a case to poses. The variants tried were the
 //! hand as a joint with motors and as a force, one to eight solver iterations, contacts from 60 Hz to 5 kHz, masses from 2 g to
 //! 0.3 kg and damping from one to four times critical; this variant holds the pose best and is as fast as any.
 

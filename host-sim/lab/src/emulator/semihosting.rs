@@ -148,7 +148,7 @@ impl Program {
                 match self.files.get_mut(index(handle)) {
                     Some(Stream::File(file)) => file.write_all(&bytes)?,
                     Some(Stream::Console) => self.printed.extend(bytes),
-                    _ => return Ok(Served::Answer(length)),
+                    Some(Stream::Closed) | None => return Ok(Served::Answer(length)),
                 }
                 0
             }

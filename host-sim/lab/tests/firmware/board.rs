@@ -119,7 +119,7 @@ impl Board {
         found.unwrap_or_else(|| panic!("{} does not answer", self.chip.name()))
     }
 
-    /// The same, nothing if it does not come in time.
+    /// Waits for a report of a kind; nothing if it does not come in time.
     pub(crate) fn listen_for<T>(
         &mut self,
         time: Duration,

@@ -25,7 +25,7 @@ fn ask(line: &mut UnixStream, command: &str) {
     write!(line, "${command}#{sum:02x}").unwrap();
 }
 
-/// The same, and its answer.
+/// Sends a command, and returns its answer.
 fn answer(line: &mut UnixStream, command: &str) -> String {
     ask(line, command);
     let mut text = String::new();

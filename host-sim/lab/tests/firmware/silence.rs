@@ -66,7 +66,7 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     Some(silence_of(&mut Board::start(chip)?))
 }
 
-/// The same of a board that runs.
+/// Silence on a board that runs.
 pub(crate) fn silence_of(board: &mut Board) -> u32 {
     let mode = board.info().mode;
     board.done(Command::Mode(Mode {
