@@ -106,35 +106,17 @@ impl Program {
 
     /// A call of semihosting: its number is in register 0, the address of its arguments in register 1.
     fn serve(&mut self) -> Result<Served, EmulatorError> {
-        const FAILED: u32 = u32::MAX;
-        /// Modes of files from here on are for writing.
-        const FOR_WRITING: u32 = 4;
-        let index = |handle: u32| (handle as usize).wrapping_sub(1);
         let (call, at) = (self.chip.register(0), self.chip.register(1));
         let word = |index: u32| {
             let bytes = self.chip.bytes(at + 4 * index, 4);
             u32::from_le_bytes(std::array::from_fn(|byte| bytes[byte]))
         };
+        let [first, second, third] = [0, 1, 2].map(word);
         Ok(Served::Answer(match call {
             // SYS_OPEN
-            0x01 => {
-                let (name, mode, length) = (word(0), word(1), word(2));
-                let name = String::from_utf8_lossy(&self.chip.bytes(name, length)).into_owned();
-                let path = self.folder.join(&name);
-                let stream = if name == ":tt" {
-                    Ok(Stream::Console)
-                } else if mode < FOR_WRITING {
-                    File::open(path).map(Stream::File)
-                } else {
-                    File::create(path).map(Stream::File)
-                };
-                stream.map_or(FAILED, |stream| {
-                    self.files.push(stream);
-                    self.files.len() as u32
-                })
-            }
+            0x01 => self.open(first, second, third),
             // SYS_CLOSE
-            0x02 => match self.files.get_mut(index(word(0))) {
+            0x02 => match self.files.get_mut(index(first)) {
                 Some(stream) => {
                     *stream = Stream::Closed;
                     0
@@ -143,46 +125,72 @@ impl Program {
             },
             // SYS_WRITE: returns the number of bytes that were not written.
             0x05 => {
-                let (handle, from, length) = (word(0), word(1), word(2));
-                let bytes = self.chip.bytes(from, length);
-                match self.files.get_mut(index(handle)) {
+                let bytes = self.chip.bytes(second, third);
+                match self.files.get_mut(index(first)) {
                     Some(Stream::File(file)) => file.write_all(&bytes)?,
                     Some(Stream::Console) => self.printed.extend(bytes),
-                    Some(Stream::Closed) | None => return Ok(Served::Answer(length)),
+                    Some(Stream::Closed) | None => return Ok(Served::Answer(third)),
                 }
                 0
             }
             // SYS_READ: returns the number of bytes that were not read.
             0x06 => {
-                let (handle, to, length) = (word(0), word(1), word(2));
                 let mut bytes = Vec::new();
-                if let Some(Stream::File(file)) = self.files.get_mut(index(handle)) {
-                    file.take(u64::from(length)).read_to_end(&mut bytes)?;
+                if let Some(Stream::File(file)) = self.files.get_mut(index(first)) {
+                    file.take(u64::from(third)).read_to_end(&mut bytes)?;
                 }
-                self.chip.load(to, &bytes);
-                length - bytes.len() as u32
+                self.chip.load(second, &bytes);
+                third - bytes.len() as u32
             }
             // SYS_GET_CMDLINE
-            0x15 => {
-                let (to, room) = (word(0), word(1));
-                let line = [self.line.as_bytes(), &[0]].concat();
-                if line.len() as u32 > room {
-                    FAILED
-                } else {
-                    self.chip.load(to, &line);
-                    self.chip
-                        .load(at + 4, &(line.len() as u32 - 1).to_le_bytes());
-                    0
-                }
-            }
+            0x15 => self.command_line(at, first, second),
             // SYS_EXIT_EXTENDED
-            0x20 => return Ok(Served::Exit(word(1))),
+            0x20 => return Ok(Served::Exit(second)),
             _ => {
                 let what = format!("the image asks for call {call:#x} of semihosting");
                 return Err(not_understood(what));
             }
         }))
     }
+
+    /// Opens a file, or the console: the address and the length of its name, and the mode. Returns its handle.
+    fn open(&mut self, name: u32, mode: u32, length: u32) -> u32 {
+        /// Modes from here on are for writing.
+        const FOR_WRITING: u32 = 4;
+        let name = String::from_utf8_lossy(&self.chip.bytes(name, length)).into_owned();
+        let path = self.folder.join(&name);
+        let stream = if name == ":tt" {
+            Ok(Stream::Console)
+        } else if mode < FOR_WRITING {
+            File::open(path).map(Stream::File)
+        } else {
+            File::create(path).map(Stream::File)
+        };
+        stream.map_or(FAILED, |stream| {
+            self.files.push(stream);
+            self.files.len() as u32
+        })
+    }
+
+    /// Writes the command line to an address with some room, and its length to the second argument of the call.
+    fn command_line(&mut self, arguments: u32, to: u32, room: u32) -> u32 {
+        let line = [self.line.as_bytes(), &[0]].concat();
+        let length = line.len() as u32;
+        if length > room {
+            return FAILED;
+        }
+        self.chip.load(to, &line);
+        self.chip.load(arguments + 4, &(length - 1).to_le_bytes());
+        0
+    }
+}
+
+/// Of a call that failed.
+const FAILED: u32 = u32::MAX;
+
+/// The place of a handle among the files.
+const fn index(handle: u32) -> usize {
+    (handle as usize).wrapping_sub(1)
 }
 
 /// The result of a call.

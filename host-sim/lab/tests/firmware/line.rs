@@ -19,7 +19,7 @@ fn size(wrench: &Wrench<f32>) -> f32 {
 
 /// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time is recorded. From one
 /// telling to the next the force changes no faster than allowed.
-fn pressed_to_the_full(board: &mut Board, told_every_us: u32) -> Vec<Pose> {
+fn pressed_to_the_full(board: &mut Board, every_us: u32) -> Vec<Pose> {
     let wanted = 500.0 * (0.05 - deep().position[1]);
     let rate = Limits::DEFAULT.force_rate;
     let (mut poses, mut before): (Vec<Pose>, Option<(u32, f32)>) = (Vec::new(), None);
@@ -35,7 +35,7 @@ fn pressed_to_the_full(board: &mut Board, told_every_us: u32) -> Vec<Pose> {
                 let now = size(feedback);
                 let (at, force) = before.replace((time, now)).unwrap_or((time, 0.0));
                 // One that was not sent makes the step to the next larger.
-                let passed_us = time.wrapping_sub(at).max(told_every_us);
+                let passed_us = time.wrapping_sub(at).max(every_us);
                 let step = rate * passed_us as f32 * 1e-6;
                 assert!(now <= force + 1.001 * step, "{force} N to {now} N");
                 (now > 0.99 * wanted).then_some(true)
@@ -63,9 +63,9 @@ fn client_dies(chip: &'static Chip) {
         forces_every: 4,
         ..mode
     };
-    let told_every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
+    let every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
     board.done(Command::Mode(often));
-    pressed_to_the_full(&mut board, told_every_us);
+    pressed_to_the_full(&mut board, every_us);
     board.done(Command::Mode(mode));
     let before = pressed(&mut board);
     let last = last_sample(&mut board);
@@ -91,7 +91,7 @@ fn client_dies(chip: &'static Chip) {
     assert_eq!(board.info().mode, mode);
     board.done(Command::Mode(often));
     // From nothing, and from where the body was left.
-    for pose in pressed_to_the_full(&mut board, told_every_us) {
+    for pose in pressed_to_the_full(&mut board, every_us) {
         assert!(pose.held && pose.position == before.position, "{pose:?}");
     }
     let health = board.health();
