@@ -99,8 +99,8 @@ pub struct TrackerSample<F> {
     pub held: bool,
 }
 
-/// An axis of the tracker's frame with a direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An axis of the tracker's frame with a direction; +x by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Axis {
     /// 0, 1 or 2: x, y or z.
     pub index: usize,

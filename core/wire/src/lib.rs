@@ -41,7 +41,7 @@
 mod among;
 mod command;
 mod fault;
-mod fields;
+mod field;
 mod forces;
 mod health;
 mod info;
@@ -97,6 +97,11 @@ pub struct Reference {
     /// The sequence number.
     pub sequence: u8,
 }
+
+field::layout!(Reference {
+    code: u8,
+    sequence: u8
+});
 
 /// Follows the sequence numbers of received frames and counts how many were lost between them.
 ///

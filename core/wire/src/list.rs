@@ -1,22 +1,8 @@
 //! Lists within a payload: on one side the sender's items, on the other the bytes as received, without copying.
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink, require};
+use crate::field::{Field, Fields, Sink, require};
 use core::fmt;
-
-/// An item of a list: a fixed number of bytes.
-pub trait Item: Copy {
-    /// The length in bytes.
-    const BYTES: usize;
-    /// Writes the item as bytes.
-    fn put(&self, sink: &mut impl Sink);
-    /// Reads an item from valid bytes.
-    fn get(fields: &mut Fields<'_>) -> Self;
-    /// Returns whether the flags and codes in these bytes have a meaning. If there are none, any bytes are valid.
-    fn valid(_bytes: &[u8]) -> bool {
-        true
-    }
-}
 
 /// A list in a message. One that was received points into the receiver's buffer.
 ///
@@ -38,14 +24,21 @@ enum Items<'a, T> {
     Received { bytes: &'a [u8], count: usize },
 }
 
-impl<'a, T: Item> List<'a, T> {
-    /// The next `count` items of a payload; fails if it is too short.
+impl<'a, T: Field> List<'a, T> {
+    /// The next `count` items of a payload, which is long enough; fails if a flag or code in one of them has no meaning.
     pub(crate) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
         let bytes = fields.bytes(count.saturating_mul(T::BYTES));
-        require(bytes.chunks(T::BYTES).all(T::valid), FaultKind::Value)?;
+        let mut items = bytes.chunks(T::BYTES);
+        items.try_for_each(|item| T::get(&mut Fields::new(item)).map(|_| ()))?;
         Ok(Self {
             items: Items::Received { bytes, count },
         })
+    }
+    /// The rest of a payload: the number of items, and the items; fails if the length does not match.
+    pub(crate) fn rest(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        let count: usize = fields.get()?;
+        fields.exactly(count.saturating_mul(T::BYTES))?;
+        Self::take(fields, count)
     }
     /// The number of items.
     pub const fn len(&self) -> usize {
@@ -65,7 +58,7 @@ impl<'a, T: Item> List<'a, T> {
             Items::Received { bytes, .. } => {
                 let rest = bytes.get(index.saturating_mul(T::BYTES)..)?;
                 let one = rest.get(..T::BYTES)?;
-                Some(T::get(&mut Fields::new(one)))
+                T::get(&mut Fields::new(one)).ok()
             }
         }
     }
@@ -95,13 +88,13 @@ impl<'a, T, const N: usize> From<&'a [T; N]> for List<'a, T> {
     }
 }
 
-impl<T: Item + PartialEq> PartialEq for List<'_, T> {
+impl<T: Field + PartialEq> PartialEq for List<'_, T> {
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
 }
 
-impl<T: Item + fmt::Debug> fmt::Debug for List<'_, T> {
+impl<T: Field + fmt::Debug> fmt::Debug for List<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
@@ -126,24 +119,23 @@ impl<'a> Text<'a> {
             bytes: text.as_bytes(),
         }
     }
-    /// `None` if there are characters other than printable ASCII.
-    pub(crate) fn read(bytes: &'a [u8]) -> Option<Self> {
-        let valid = bytes.iter().all(|byte| PRINTABLE.contains(byte));
-        valid.then_some(Self { bytes })
+    /// The rest of a payload; fails if there are characters other than printable ASCII.
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        let bytes = fields.remaining();
+        let printable = bytes.iter().all(|byte| PRINTABLE.contains(byte));
+        require(printable, FaultKind::Value)?;
+        Ok(Self { bytes })
     }
     fn characters(&self) -> impl Iterator<Item = u8> + use<'a> {
-        let printable = |byte: &u8| {
-            if PRINTABLE.contains(byte) {
-                *byte
-            } else {
-                b'?'
-            }
-        };
-        self.bytes.iter().take(Self::LONGEST).map(printable)
+        let sent = self.bytes.iter().take(Self::LONGEST);
+        sent.map(|byte| match PRINTABLE.contains(byte) {
+            true => *byte,
+            false => b'?',
+        })
     }
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         for byte in self.characters() {
-            sink.byte(byte);
+            byte.put(sink);
         }
     }
 }

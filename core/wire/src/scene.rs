@@ -1,17 +1,18 @@
-//! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board require.
+//! A scene on the wire, without obstacles or among them (FRAME 4.4, 4.9): one frame, as large as the capacities of the board require.
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
-use crate::list::{Item, List};
+use crate::field::{Field, Fields, Sink};
+use crate::list::List;
+use crate::obstacles::{ObstacleList, obstacle_bytes};
 use stiction_core::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// Bytes before the vertices.
-pub(crate) const HEAD_BYTES: usize = 39;
+const HEAD_BYTES: usize = 39;
 
 /// The bytes of the payload of a scene with these numbers of vertices and surfaces.
 pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
-    let vertices = vertices.saturating_mul(<[f32; 2] as Item>::BYTES);
-    let surfaces = surfaces.saturating_mul(<SurfaceDescription<f32> as Item>::BYTES);
+    let vertices = vertices.saturating_mul(<[f32; 2]>::BYTES);
+    let surfaces = surfaces.saturating_mul(SurfaceDescription::<f32>::BYTES);
     vertices.saturating_add(surfaces).saturating_add(HEAD_BYTES)
 }
 
@@ -86,94 +87,94 @@ impl<'a> SceneCommand<'a> {
         vertices: &'b mut [[f32; 2]],
         surfaces: &'b mut [SurfaceDescription<f32>],
     ) -> Result<Description<'b, f32>, SceneError<f32>> {
-        let vertex_count = (self.vertices.len(), Parameter::VertexCount);
-        let surface_count = (self.surfaces.len(), Parameter::SurfaceCount);
         Ok(Description {
-            vertices: copied(self.vertices.iter(), vertex_count, vertices)?,
+            vertices: self.vertices.copied(Parameter::VertexCount, vertices)?,
             start: self.start,
             weight: self.weight,
             holding_point: self.holding_point,
             reach: self.reach,
             stiffness_translation: self.stiffness_translation,
             stiffness_rotation: self.stiffness_rotation,
-            surfaces: copied(self.surfaces.iter(), surface_count, surfaces)?,
+            surfaces: self.surfaces.copied(Parameter::SurfaceCount, surfaces)?,
         })
     }
 
-    pub(crate) fn write(&self, sink: &mut impl Sink) {
-        self.write_head(sink);
-        self.write_lists(sink);
-    }
-
-    /// Writes everything except the lists, with their lengths.
-    pub(crate) fn write_head(&self, sink: &mut impl Sink) {
-        sink.count(self.vertices.len());
-        sink.count(self.surfaces.len());
-        sink.byte(u8::from(self.holding_point.is_some()));
-        sink.f32s(&self.start);
-        sink.f32(self.weight);
-        sink.f32s(&self.holding_point.unwrap_or_default());
-        sink.f32s(&[
-            self.reach,
-            self.stiffness_translation,
-            self.stiffness_rotation,
-        ]);
-    }
-
-    pub(crate) fn write_lists(&self, sink: &mut impl Sink) {
+    /// Writes the payload of scene, or of scene-among.
+    pub(crate) fn write(&self, obstacles: Option<&ObstacleList<'_>>, sink: &mut impl Sink) {
+        [self.vertices.len(), self.surfaces.len()].put(sink);
+        self.holding_point.is_some().put(sink);
+        self.start.put(sink);
+        self.weight.put(sink);
+        self.holding_point.unwrap_or_default().put(sink);
+        self.reach.put(sink);
+        [self.stiffness_translation, self.stiffness_rotation].put(sink);
+        if let Some(obstacles) = obstacles {
+            [obstacles.len(), obstacles.corner_count()].put(sink);
+        }
         self.vertices.write(sink);
         self.surfaces.write(sink);
+        if let Some(obstacles) = obstacles {
+            obstacles.write(sink);
+        }
     }
 
+    /// Reads the payload of scene (FRAME 4.4); fails if its length does not match its counts.
     pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        fields.at_least(HEAD_BYTES)?;
-        let whole = *fields;
-        let counts = fields.take().map(usize::from);
-        let [vertices, surfaces] = counts;
-        whole.exactly(scene_bytes(vertices, surfaces))?;
-        Self::take_head(fields)?.take_lists(fields, counts)
+        let (scene, _) = Self::read_lists(fields, false)?;
+        Ok(scene)
     }
 
-    /// Reads what follows the lengths of the lists, without the lists.
+    /// Reads the payload of scene-among (FRAME 4.9); fails if its length does not match its counts.
+    pub(crate) fn read_among(
+        fields: &mut Fields<'a>,
+    ) -> Result<(Self, ObstacleList<'a>), FaultKind> {
+        Self::read_lists(fields, true)
+    }
+
     #[inline(always)]
-    pub(crate) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        let given = fields.flag()?;
-        let (start, weight) = (fields.f32s(), fields.f32());
-        let holding_point = fields.f32s();
-        let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
-        Ok(Self {
-            vertices: List::from(&[]),
+    fn read_lists(
+        fields: &mut Fields<'a>,
+        among: bool,
+    ) -> Result<(Self, ObstacleList<'a>), FaultKind> {
+        let counts = if among { <[usize; 2]>::BYTES } else { 0 };
+        fields.at_least(HEAD_BYTES.saturating_add(counts))?;
+        let whole = *fields;
+        let mut head = Fields::new(fields.bytes(HEAD_BYTES));
+        let [vertices, surfaces]: [usize; 2] = head.get()?;
+        let [obstacles, corners] = if among { fields.get()? } else { [0; 2] };
+        let of_obstacles = if among {
+            obstacle_bytes(obstacles, corners)
+        } else {
+            0
+        };
+        whole.exactly(scene_bytes(vertices, surfaces).saturating_add(of_obstacles))?;
+        let has_holding_point: bool = head.get()?;
+        let (start, weight) = (head.get()?, head.get()?);
+        let holding_point = head.get()?;
+        let scene = Self {
             start,
             weight,
-            holding_point: given.then_some(holding_point),
-            reach,
-            stiffness_translation,
-            stiffness_rotation,
-            surfaces: List::from(&[]),
-        })
-    }
-
-    /// With these numbers of vertices and surfaces, which follow.
-    #[inline(always)]
-    pub(crate) fn take_lists(
-        self,
-        fields: &mut Fields<'a>,
-        [vertices, surfaces]: [usize; 2],
-    ) -> Result<Self, FaultKind> {
-        Ok(Self {
+            holding_point: has_holding_point.then_some(holding_point),
+            reach: head.get()?,
+            stiffness_translation: head.get()?,
+            stiffness_rotation: head.get()?,
             vertices: List::take(fields, vertices)?,
             surfaces: List::take(fields, surfaces)?,
-            ..self
-        })
+        };
+        Ok((scene, ObstacleList::take(fields, [obstacles, corners])?))
     }
 }
 
-/// The items of a list, copied; fails if there are more than fit.
+/// The items of a list, copied to the given places.
+///
+/// # Errors
+/// There are more than fit.
 pub(crate) fn copied<T>(
     items: impl Iterator<Item = T>,
-    (count, parameter): (usize, Parameter),
+    count: usize,
+    parameter: Parameter,
     places: &mut [T],
-) -> Result<&[T], SceneError<f32>> {
+) -> Result<&mut [T], SceneError<f32>> {
     let Some(places) = places.get_mut(..count) else {
         return Err(SceneError {
             parameter,
@@ -187,35 +188,12 @@ pub(crate) fn copied<T>(
     Ok(places)
 }
 
-impl Item for [f32; 2] {
-    const BYTES: usize = 8;
-    fn put(&self, sink: &mut impl Sink) {
-        sink.f32s(self);
-    }
-    fn get(fields: &mut Fields<'_>) -> Self {
-        fields.f32s()
-    }
-}
-
-impl Item for SurfaceDescription<f32> {
-    const BYTES: usize = 25;
-    fn put(&self, sink: &mut impl Sink) {
-        sink.f32s(&self.normal);
-        sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
-        sink.option(self.memory);
-    }
-    fn get(fields: &mut Fields<'_>) -> Self {
-        let normal = fields.f32s();
-        let [offset, friction_static, friction_dynamic] = fields.f32s();
-        Self {
-            normal,
-            offset,
-            friction_static,
-            friction_dynamic,
-            memory: fields.option().unwrap_or(None),
-        }
-    }
-    fn valid(bytes: &[u8]) -> bool {
-        bytes.get(20).is_some_and(|&flag| flag <= 1)
+impl<T: Field> List<'_, T> {
+    fn copied<'b>(
+        &self,
+        parameter: Parameter,
+        places: &'b mut [T],
+    ) -> Result<&'b [T], SceneError<f32>> {
+        copied(self.iter(), self.len(), parameter, places).map(|items| &*items)
     }
 }
