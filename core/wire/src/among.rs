@@ -3,13 +3,13 @@
 
 use crate::command::Command;
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, is_sliding_sign, layout, require};
+use crate::field::{Field, Fields, Sink, is_sliding_sign, require};
 use crate::forces::Forces;
+use crate::layout::layout;
 use crate::message::Wire;
-use crate::obstacles::SceneAmong;
 use crate::reply::Reply;
 use crate::report::{LONGEST_REPORT, REPLY, Report};
-use crate::scene::SceneCommand;
+use crate::scene::{SceneAmong, SceneCommand};
 use crate::{VERSION, VERSION_AMONG};
 use stiction_core::{Contact, Touch, Touching};
 
@@ -42,10 +42,7 @@ pub struct Room {
     pub corners: u8,
 }
 
-layout!(Room {
-    obstacles: u8,
-    corners: u8
-});
+layout! { Room { obstacles: u8, corners: u8 } }
 
 /// A contact among obstacles: a [`Contact`] with what touches what, and the direction of its normal. SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,9 +61,11 @@ pub struct ContactAmong {
     pub sliding: i8,
 }
 
-layout!(ContactAmong {
-    touch: Touch, direction: [f32; 2], point: [f32; 2], normal: f32, friction: f32, sliding: i8
-} if |contact| is_sliding_sign(contact.sliding));
+layout! {
+    ContactAmong {
+        touch: Touch, direction: [f32; 2], point: [f32; 2], normal: f32, friction: f32, sliding: i8
+    } if |contact| is_sliding_sign(contact.sliding)
+}
 
 impl ContactAmong {
     /// From a contact of a state and the corresponding item of [`Solver::touches`](stiction_core::Solver::touches).

@@ -1,7 +1,8 @@
 //! Messages to the board (FRAME 4).
 
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, coded, layout};
+use crate::field::{Field, Fields, Sink};
+use crate::layout::{coded, layout};
 use crate::message::Wire;
 use crate::mode::Mode;
 use crate::scene::SceneCommand;
@@ -59,10 +60,12 @@ pub struct Parameters {
     pub memory: Option<f32>,
 }
 
-layout!(Parameters {
-    stiffness_translation: f32, stiffness_rotation: f32, friction_static: f32, friction_dynamic: f32,
-    memory: Option<f32>
-});
+layout! {
+    Parameters {
+        stiffness_translation: f32, stiffness_rotation: f32, friction_static: f32,
+        friction_dynamic: f32, memory: Option<f32>
+    }
+}
 
 coded! {
     /// What a reset restores.

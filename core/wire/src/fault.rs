@@ -1,7 +1,7 @@
 //! The faults of frames that are not accepted, and their counts (FRAME 6).
 
 use crate::Reference;
-use crate::field::{coded, layout};
+use crate::layout::{coded, layout};
 
 coded! {
     /// Why the bytes between two delimiters are not a message. A frame is tested for the kinds in this order.
@@ -39,9 +39,7 @@ pub struct Faults {
     counts: [u32; FaultKind::ALL.len()],
 }
 
-layout!(Faults {
-    counts: [u32; FaultKind::ALL.len()]
-});
+layout! { Faults { counts: [u32; FaultKind::ALL.len()] } }
 
 impl Faults {
     /// None yet.

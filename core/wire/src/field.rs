@@ -1,6 +1,7 @@
 //! The fields of a payload, one after the other, little-endian (FRAME 1): numbers, flags, codes, and structs made of them.
 
 use crate::fault::FaultKind;
+use crate::layout::{codes, layout};
 use stiction_core::{Angle, Axis, Contact, Event, Evolution, Hand, SurfaceDescription};
 use stiction_core::{TrackerSample, Wrench};
 
@@ -106,78 +107,7 @@ macro_rules! numbers {
 }
 numbers!(u8 i8 u16 u32 i32 f32);
 
-/// Values with a table `ALL` of at most 255 entries: the index in it, one byte.
-macro_rules! codes {
-    ($($name:ty)+) => {$(
-        impl $crate::field::Field for $name {
-            const BYTES: usize = 1;
-            fn put(&self, sink: &mut impl $crate::field::Sink) {
-                sink.put(&[$crate::field::code_of(&Self::ALL, self)]);
-            }
-            fn get(
-                fields: &mut $crate::field::Fields<'_>,
-            ) -> Result<Self, $crate::fault::FaultKind> {
-                let [code] = fields.take();
-                $crate::field::entry_of(&Self::ALL, code)
-            }
-        }
-    )+};
-}
 codes!(Event Evolution);
-
-/// An enum whose variants have names, and codes in their order.
-macro_rules! coded {
-    (
-        $(#[$about:meta])*
-        pub enum $name:ident { $($(#[$doc:meta])* $variant:ident = $text:literal,)+ }
-    ) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum $name { $($(#[$doc])* $variant,)+ }
-
-        impl $name {
-            /// All, in the order of their codes.
-            pub const ALL: [Self; [$($text),+].len()] = [$(Self::$variant),+];
-
-            /// The name in a report or a log.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $text,)+ }
-            }
-        }
-
-        $crate::field::codes!($name);
-    };
-}
-
-/// A struct: its fields in the order in which they are listed. Those after a semicolon are not sent, and have this value when received. `if`
-/// says what must hold of one that was received.
-macro_rules! layout {
-    (
-        $name:ty { $($field:ident: $type:ty),+ $(; $other:ident = $value:expr)? }
-        $(if $valid:expr)?
-    ) => {
-        impl $crate::field::Field for $name {
-            const BYTES: usize = 0 $(+ <$type as $crate::field::Field>::BYTES)+;
-            fn put(&self, sink: &mut impl $crate::field::Sink) {
-                $($crate::field::Field::put(&self.$field, sink);)+
-            }
-            fn get(
-                fields: &mut $crate::field::Fields<'_>,
-            ) -> Result<Self, $crate::fault::FaultKind> {
-                let value = Self {
-                    $($field: fields.get()?,)+
-                    $($other: $value,)?
-                };
-                $(
-                    let valid: fn(&Self) -> bool = $valid;
-                    $crate::field::require(valid(&value), $crate::fault::FaultKind::Value)?;
-                )?
-                Ok(value)
-            }
-        }
-    };
-}
-pub(crate) use {coded, codes, layout};
 
 /// A number of at most 255, one byte.
 impl Field for usize {
@@ -261,13 +191,18 @@ pub(crate) fn is_sliding_sign(sign: i8) -> bool {
     (-1..=1).contains(&sign)
 }
 
-layout!(Angle<f32> { rest: f32, turns: i32 });
-layout!(Hand<f32> { position: [f32; 2], angle: Angle<f32>, depth: f32, held: bool; tilted = false });
-layout!(TrackerSample<f32> { position: [f32; 3], orientation: [f32; 4], held: bool });
-layout!(Wrench<f32> { force: [f32; 2], moment: f32 });
-layout!(Contact<f32> {
-    vertex: usize, surface: usize, point: [f32; 2], normal: f32, friction: f32, sliding: i8
-} if |contact| is_sliding_sign(contact.sliding));
-layout!(SurfaceDescription<f32> {
-    normal: [f32; 2], offset: f32, friction_static: f32, friction_dynamic: f32, memory: Option<f32>
-});
+layout! { Angle<f32> { rest: f32, turns: i32 } }
+layout! { Hand<f32> { position: [f32; 2], angle: Angle<f32>, depth: f32, held: bool; tilted = false } }
+layout! { TrackerSample<f32> { position: [f32; 3], orientation: [f32; 4], held: bool } }
+layout! { Wrench<f32> { force: [f32; 2], moment: f32 } }
+layout! {
+    Contact<f32> {
+        vertex: usize, surface: usize, point: [f32; 2], normal: f32, friction: f32, sliding: i8
+    } if |contact| is_sliding_sign(contact.sliding)
+}
+layout! {
+    SurfaceDescription<f32> {
+        normal: [f32; 2], offset: f32, friction_static: f32, friction_dynamic: f32,
+        memory: Option<f32>
+    }
+}

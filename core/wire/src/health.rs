@@ -1,7 +1,7 @@
 //! The condition of a board, on the wire (FRAME 5.6).
 
 use crate::fault::Faults;
-use crate::field::{coded, layout};
+use crate::layout::{coded, layout};
 
 coded! {
     /// Whether a board outputs force to the hand, and if not, why.
@@ -42,15 +42,9 @@ pub struct Health {
     pub faults: Faults,
 }
 
-layout!(Health {
-    drive: Drive,
-    ticks: u32,
-    missed_ticks: u32,
-    samples: u32,
-    late_samples: u32,
-    lost_frames: u32,
-    unsent: u32,
-    worst_step: u32,
-    worst_tick: u32,
-    faults: Faults
-});
+layout! {
+    Health {
+        drive: Drive, ticks: u32, missed_ticks: u32, samples: u32, late_samples: u32,
+        lost_frames: u32, unsent: u32, worst_step: u32, worst_tick: u32, faults: Faults
+    }
+}

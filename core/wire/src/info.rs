@@ -1,7 +1,8 @@
 //! What a board is, on the wire (FRAME 5.5).
 
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, coded, require};
+use crate::field::{Field, Fields, Sink, require};
+use crate::layout::coded;
 use crate::list::Text;
 use crate::mode::Mode;
 

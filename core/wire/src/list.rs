@@ -3,6 +3,7 @@
 use crate::fault::FaultKind;
 use crate::field::{Field, Fields, Sink, require};
 use core::fmt;
+use stiction_core::{Parameter, SceneError};
 
 /// A list in a message. One that was received points into the receiver's buffer.
 ///
@@ -67,11 +68,45 @@ impl<'a, T: Field> List<'a, T> {
         let list = *self;
         (0..list.len()).filter_map(move |i| list.get(i))
     }
+    /// The items, copied to the given places.
+    ///
+    /// # Errors
+    /// There are more than fit.
+    pub(crate) fn copied<'b>(
+        &self,
+        parameter: Parameter,
+        places: &'b mut [T],
+    ) -> Result<&'b [T], SceneError<f32>> {
+        copied(self.iter(), self.len(), parameter, places).map(|items| &*items)
+    }
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         for item in self.iter() {
             item.put(sink);
         }
     }
+}
+
+/// The items of a list, copied to the given places.
+///
+/// # Errors
+/// There are more than fit.
+pub(crate) fn copied<T>(
+    items: impl Iterator<Item = T>,
+    count: usize,
+    parameter: Parameter,
+    places: &mut [T],
+) -> Result<&mut [T], SceneError<f32>> {
+    let Some(places) = places.get_mut(..count) else {
+        return Err(SceneError {
+            parameter,
+            value: u16::try_from(count).map_or(f32::INFINITY, f32::from),
+            allowed: "at most the capacity of the board",
+        });
+    };
+    for (place, item) in places.iter_mut().zip(items) {
+        *place = item;
+    }
+    Ok(places)
 }
 
 impl<'a, T> From<&'a [T]> for List<'a, T> {

@@ -1,6 +1,6 @@
 //! The operating mode of a board: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
 
-use crate::field::{coded, layout};
+use crate::layout::{coded, layout};
 use stiction_core::{Axis, Evolution};
 
 coded! {
@@ -60,13 +60,12 @@ pub struct Mode {
     pub health_every: u16,
 }
 
-layout!(Mode {
-    evolution: Evolution, stepping: Stepping, plane: [Axis; 2], events: bool, tick_rate: u16, pose_every: u16,
-    forces_every: u16, health_every: u16
-} if |mode| {
-    let [x, y] = mode.plane;
-    x.index != y.index
-});
+layout! {
+    Mode {
+        evolution: Evolution, stepping: Stepping, plane: [Axis; 2], events: bool, tick_rate: u16,
+        pose_every: u16, forces_every: u16, health_every: u16
+    } if |mode| { let [x, y] = mode.plane; x.index != y.index }
+}
 
 impl Default for Mode {
     fn default() -> Self {

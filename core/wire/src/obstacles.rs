@@ -1,11 +1,11 @@
 //! The obstacles of a scene on the wire (FRAME 4.9): a list of them, each with the number of its corners, followed by the corners of all.
 
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, layout, require};
-use crate::list::List;
-use crate::scene::{SceneCommand, copied};
+use crate::field::{Field, Fields, Sink, require};
+use crate::layout::layout;
+use crate::list::{List, copied};
 use core::fmt;
-use stiction_core::{Description, ObstacleDescription, Parameter, SceneError};
+use stiction_core::{ObstacleDescription, Parameter, SceneError};
 
 /// The bytes that this many obstacles with this many corners together add to the payload of the same scene without them,
 /// [`scene_bytes`](crate::scene_bytes).
@@ -14,60 +14,6 @@ pub const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
     let corners = corners.saturating_mul(<[f32; 2]>::BYTES);
     let counts = <[usize; 2]>::BYTES;
     rows.saturating_add(corners).saturating_add(counts)
-}
-
-/// A scene among obstacles in SI units.
-///
-/// ```
-/// use stiction_core::{Description, ObstacleDescription, Scene, WithObstacles};
-/// use stiction_wire::SceneAmong;
-///
-/// let table = ObstacleDescription {
-///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
-///     friction_static: 0.5,
-///     friction_dynamic: 0.3,
-///     memory: None,
-/// };
-/// let described = Description {
-///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
-///     start: [-0.05, 0.03, 0.0],
-///     weight: 1.0,
-///     holding_point: None,
-///     reach: 0.01,
-///     stiffness_translation: 500.0,
-///     stiffness_rotation: 0.5,
-///     surfaces: &[],
-/// };
-/// let obstacles = [table];
-/// let sent = SceneAmong::new(&described, &obstacles);
-///
-/// // On the board, with room for 4 vertices, 2 obstacles and 8 corners:
-/// let (mut vertices, mut corners) = ([[0.0; 2]; 4], [[0.0; 2]; 8]);
-/// let mut places = [ObstacleDescription { vertices: &[], ..table }; 2];
-/// let received = sent.scene.description(&mut vertices, &mut [])?;
-/// let obstacles = sent.obstacles.descriptions(&mut corners, &mut places)?;
-/// let scene: Scene<f32, 4, 0, WithObstacles<2, 8>> = Scene::among(&received, obstacles)?;
-/// # Ok::<(), stiction_core::SceneError<f32>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SceneAmong<'a> {
-    /// Everything except the obstacles.
-    pub scene: SceneCommand<'a>,
-    /// The obstacles.
-    pub obstacles: ObstacleList<'a>,
-}
-
-impl<'a> SceneAmong<'a> {
-    /// From the arguments of [`Scene::among`](stiction_core::Scene::among).
-    pub fn new(
-        description: &Description<'a, f32>,
-        obstacles: &'a [ObstacleDescription<'a, f32>],
-    ) -> Self {
-        Self {
-            scene: SceneCommand::from(description),
-            obstacles: ObstacleList::from(obstacles),
-        }
-    }
 }
 
 /// The obstacles in a message; at most 255, with at most 255 corners together. A received list points into the receiver's buffer.
@@ -94,7 +40,7 @@ struct Row {
     memory: Option<f32>,
 }
 
-layout!(Row { corners: usize, friction_static: f32, friction_dynamic: f32, memory: Option<f32> });
+layout! { Row { corners: usize, friction_static: f32, friction_dynamic: f32, memory: Option<f32> } }
 
 impl<'a> ObstacleList<'a> {
     /// The number of obstacles.

@@ -2,7 +2,8 @@
 
 use crate::Reference;
 use crate::fault::{Fault, FaultKind};
-use crate::field::{Field, Fields, Sink, coded};
+use crate::field::{Field, Fields, Sink};
+use crate::layout::coded;
 use crate::list::Text;
 use stiction_core::{Parameter, SceneError};
 

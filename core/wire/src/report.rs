@@ -1,10 +1,11 @@
 //! Messages from the board (FRAME 5).
 
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, layout};
+use crate::field::{Field, Fields, Sink};
 use crate::forces::{Events, Forces};
 use crate::health::Health;
 use crate::info::Info;
+use crate::layout::layout;
 use crate::message::Wire;
 use crate::pose::Pose;
 use crate::reply::Reply;
@@ -57,10 +58,7 @@ pub struct Pong {
     pub time: u32,
 }
 
-layout!(Pong {
-    sequence: u8,
-    time: u32
-});
+layout! { Pong { sequence: u8, time: u32 } }
 
 /// The longest payload that a board sends (bytes): [`wire_bytes`](crate::wire_bytes) of it is the room that the board needs to encode its
 /// reports.

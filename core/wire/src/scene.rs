@@ -4,7 +4,7 @@ use crate::fault::FaultKind;
 use crate::field::{Field, Fields, Sink};
 use crate::list::List;
 use crate::obstacles::{ObstacleList, obstacle_bytes};
-use stiction_core::{Description, Parameter, SceneError, SurfaceDescription};
+use stiction_core::{Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription};
 
 /// Bytes before the vertices.
 const HEAD_BYTES: usize = 39;
@@ -59,6 +59,60 @@ pub struct SceneCommand<'a> {
     pub stiffness_rotation: f32,
     /// The surfaces; at most 255.
     pub surfaces: List<'a, SurfaceDescription<f32>>,
+}
+
+/// A scene among obstacles in SI units.
+///
+/// ```
+/// use stiction_core::{Description, ObstacleDescription, Scene, WithObstacles};
+/// use stiction_wire::SceneAmong;
+///
+/// let table = ObstacleDescription {
+///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
+///     friction_static: 0.5,
+///     friction_dynamic: 0.3,
+///     memory: None,
+/// };
+/// let described = Description {
+///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
+///     start: [-0.05, 0.03, 0.0],
+///     weight: 1.0,
+///     holding_point: None,
+///     reach: 0.01,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[],
+/// };
+/// let obstacles = [table];
+/// let sent = SceneAmong::new(&described, &obstacles);
+///
+/// // On the board, with room for 4 vertices, 2 obstacles and 8 corners:
+/// let (mut vertices, mut corners) = ([[0.0; 2]; 4], [[0.0; 2]; 8]);
+/// let mut places = [ObstacleDescription { vertices: &[], ..table }; 2];
+/// let received = sent.scene.description(&mut vertices, &mut [])?;
+/// let obstacles = sent.obstacles.descriptions(&mut corners, &mut places)?;
+/// let scene: Scene<f32, 4, 0, WithObstacles<2, 8>> = Scene::among(&received, obstacles)?;
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneAmong<'a> {
+    /// Everything except the obstacles.
+    pub scene: SceneCommand<'a>,
+    /// The obstacles.
+    pub obstacles: ObstacleList<'a>,
+}
+
+impl<'a> SceneAmong<'a> {
+    /// From the arguments of [`Scene::among`](stiction_core::Scene::among).
+    pub fn new(
+        description: &Description<'a, f32>,
+        obstacles: &'a [ObstacleDescription<'a, f32>],
+    ) -> Self {
+        Self {
+            scene: SceneCommand::from(description),
+            obstacles: ObstacleList::from(obstacles),
+        }
+    }
 }
 
 impl<'a> From<&Description<'a, f32>> for SceneCommand<'a> {
@@ -162,38 +216,5 @@ impl<'a> SceneCommand<'a> {
             surfaces: List::take(fields, surfaces)?,
         };
         Ok((scene, ObstacleList::take(fields, [obstacles, corners])?))
-    }
-}
-
-/// The items of a list, copied to the given places.
-///
-/// # Errors
-/// There are more than fit.
-pub(crate) fn copied<T>(
-    items: impl Iterator<Item = T>,
-    count: usize,
-    parameter: Parameter,
-    places: &mut [T],
-) -> Result<&mut [T], SceneError<f32>> {
-    let Some(places) = places.get_mut(..count) else {
-        return Err(SceneError {
-            parameter,
-            value: u16::try_from(count).map_or(f32::INFINITY, f32::from),
-            allowed: "at most the capacity of the board",
-        });
-    };
-    for (place, item) in places.iter_mut().zip(items) {
-        *place = item;
-    }
-    Ok(places)
-}
-
-impl<T: Field> List<'_, T> {
-    fn copied<'b>(
-        &self,
-        parameter: Parameter,
-        places: &'b mut [T],
-    ) -> Result<&'b [T], SceneError<f32>> {
-        copied(self.iter(), self.len(), parameter, places).map(|items| &*items)
     }
 }
