@@ -134,6 +134,7 @@ mod si;
 mod sign;
 mod solver;
 mod state;
+mod surface;
 mod thresholds;
 mod transition;
 mod units;
