@@ -2,7 +2,6 @@
 //! collects frames as f64, an independent judge of the laws, and random scenes.
 
 pub mod counted;
-pub mod diagram;
 pub mod draw;
 pub mod expect;
 pub mod extremes;
