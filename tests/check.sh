@@ -58,13 +58,13 @@ done
 [ ${#targets[@]} = 0 ] || cargo build -p stiction-core --profile device --locked "${targets[@]}"
 [ ${#boards[@]} = 0 ] || cargo clippy -p stiction-firmware --features board --locked "${boards[@]}" -- -D warnings
 
-# on TARGET PACKAGE FEATURES...: the lints of a board's program, once with each set of features, `none` included.
+# on TARGET BOARD FEATURES...: the lints of a board's program, once with each set of features, `none` included.
 on() {
-  local target=$1 package=$2 features
+  local target=$1 board=$2 features
   shift 2
   has_target "$target" || return 0
   for features in "$@"; do
-    cargo clippy -p "stiction-$package" --no-default-features --features "${features#none}" --locked --target "$target" -- -D warnings
+    cargo clippy -p stiction-boards --lib --bin "stiction-$board" --no-default-features --features "$board,${features#none}" --locked --target "$target" -- -D warnings
   done
 }
 on thumbv7em-none-eabihf olimex-stm32-h405 none rtt semihosting rtt,pantograph

@@ -1,7 +1,7 @@
 //! A budget of work: the body falls behind the hand, and continues to follow it in ticks without a new sample.
 
 use super::{Bench, Device, deep};
-use crate::common::BOX;
+use stiction_tests::station::BOX;
 use stiction_core::{Fixed, Hand, Real, Solver, Status, Wrench};
 use stiction_firmware::device::{Settings, Turn};
 

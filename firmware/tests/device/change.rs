@@ -1,7 +1,7 @@
 //! Changes in mid-contact: parameters, scene, mode. The body stays where it is.
 
 use super::*;
-use crate::common::FLOOR;
+use stiction_tests::station::FLOOR;
 use stiction_core::StateKind;
 use stiction_firmware::device::Placement;
 
