@@ -3,7 +3,7 @@
 use stiction_core::frame::{FaultKind, Health, Mode};
 use stiction_core::{Axis, Solver};
 
-use super::heard::About;
+use super::message::About;
 use super::print::table;
 
 /// The board's identity and settings.

@@ -29,11 +29,11 @@ pub(super) struct Sent {
 
 /// The samples on their way, in the order in which they were sent.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Flight {
+pub(super) struct Pending {
     waiting: VecDeque<Sent>,
 }
 
-impl Flight {
+impl Pending {
     /// Adds a sample. Returns those that are too old to be answered.
     pub(super) fn add(&mut self, sent: Sent) -> Vec<Sent> {
         self.waiting.push_back(sent);
@@ -97,43 +97,46 @@ mod tests {
 
     #[test]
     fn a_pose_answers_its_sample_once_and_overtakes_those_before() {
-        let mut flight = Flight::default();
-        (0..5).for_each(|index| assert!(flight.add(sent(index)).is_empty()));
-        let (answered, overtaken) = flight.answer(&pose(2)).expect("it waits");
+        let mut pending = Pending::default();
+        (0..5).for_each(|index| assert!(pending.add(sent(index)).is_empty()));
+        let (answered, overtaken) = pending.answer(&pose(2)).expect("it waits");
         assert_eq!((answered.index, overtaken.len()), (2, 2));
-        assert!(flight.answer(&pose(2)).is_none(), "a pose of the next tick");
-        assert!(flight.answer(&pose(1)).is_none(), "a pose that came late");
-        assert_eq!(flight.len(), 2);
+        assert!(
+            pending.answer(&pose(2)).is_none(),
+            "a pose of the next tick"
+        );
+        assert!(pending.answer(&pose(1)).is_none(), "a pose that came late");
+        assert_eq!(pending.len(), 2);
     }
 
     #[test]
     fn a_pose_held_in_silence_answers_no_sample() {
-        let mut flight = Flight::default();
-        flight.add(sent(9));
+        let mut pending = Pending::default();
+        pending.add(sent(9));
         let held = Pose {
             status: Status::HeldLast,
             ..pose(9)
         };
-        assert!(flight.answer(&held).is_none());
+        assert!(pending.answer(&held).is_none());
         let mut lost = sent(10);
         lost.hand.position[0] = f32::NAN;
-        flight.add(lost);
+        pending.add(lost);
         let held = Pose { sample: 10, ..held };
         assert!(
-            flight.answer(&held).is_some(),
+            pending.answer(&held).is_some(),
             "a sample that was not finite"
         );
     }
 
     #[test]
     fn a_number_comes_again_after_256() {
-        let mut flight = Flight::default();
+        let mut pending = Pending::default();
         let old: Vec<u64> = (0..300)
-            .flat_map(|index| flight.add(sent(index)))
+            .flat_map(|index| pending.add(sent(index)))
             .map(|sent| sent.index)
             .collect();
         assert_eq!(old, (0..172).collect::<Vec<_>>());
-        let (answered, _) = flight.answer(&pose(255)).expect("it waits");
+        let (answered, _) = pending.answer(&pose(255)).expect("it waits");
         assert_eq!(answered.index, 255);
     }
 }

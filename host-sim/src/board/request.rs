@@ -9,7 +9,7 @@ use super::stream::Stream;
 
 /// A request to change the board's settings.
 #[derive(Debug)]
-pub(super) struct Wish {
+pub(super) struct Request {
     pub(super) setup: Setup,
     /// The body begins at its start.
     pub(super) anew: bool,
@@ -18,12 +18,20 @@ pub(super) struct Wish {
 impl<A: Audience> Stream<'_, A> {
     /// The board changes its settings, or refuses to. Its earlier messages are reported before the answer, its later ones after
     /// it.
-    pub(super) fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
-        let Wish { setup, anew } = wish;
-        let with = (&self.about, &mut self.mail);
-        let result = setup.change(&self.setup, anew, session, with);
-        for heard in std::mem::take(&mut session.before_answer) {
-            self.take(session, heard)?;
+    pub(super) fn grant(
+        &mut self,
+        session: &mut Session,
+        request: Request,
+    ) -> Result<(), BoardError> {
+        let Request { setup, anew } = request;
+        let (about, inbox, before) = (&self.about, &mut self.inbox, &self.setup);
+        let result = match anew {
+            true => setup.send_scene(session, about, inbox),
+            false => setup.send_parameters(before, session, inbox),
+        };
+        let result = result.and_then(|()| setup.send_evolution(before, session, about, inbox));
+        for received in std::mem::take(&mut session.before_answer) {
+            self.take(session, received)?;
         }
         if result.is_ok() {
             self.indices = setup.indices(&self.about);
@@ -31,13 +39,13 @@ impl<A: Audience> Stream<'_, A> {
             if anew {
                 self.feed.drop_waiting();
                 // They belong to the previous run.
-                self.flight.give_up();
+                self.pending.give_up();
                 self.steps = Steps::default();
             }
         }
         self.audience.answer(result)?;
-        for heard in std::mem::take(&mut session.after_answer) {
-            self.take(session, heard)?;
+        for received in std::mem::take(&mut session.after_answer) {
+            self.take(session, received)?;
         }
         Ok(())
     }

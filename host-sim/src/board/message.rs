@@ -10,7 +10,7 @@ use stiction_core::{Contact, Event, Touch, Wrench};
 
 /// A frame from the board.
 #[derive(Clone, Debug)]
-pub(super) struct Heard {
+pub(super) struct Received {
     /// Arrival time of its last byte.
     pub(super) at: Instant,
     /// The board's clock (µs).

@@ -22,7 +22,7 @@ impl<A: Audience> Stream<'_, A> {
         self.audience
             .note(&format!("{error}; looking for the board once a second"));
         self.audience.gone();
-        let lost = self.flight.give_up();
+        let lost = self.pending.give_up();
         self.lose(lost)?;
         self.steps = Steps::default();
         loop {
@@ -51,14 +51,14 @@ impl<A: Audience> Stream<'_, A> {
     fn begin_again(&mut self) -> Result<Session, BoardError> {
         let Self {
             address,
-            mail,
+            inbox,
             begun,
             timeout,
             setup,
             ..
         } = self;
-        let (mut session, mut about) = Session::begin(address, mail, *timeout, *begun)?;
-        setup.apply(&mut session, &mut about, mail)?;
+        let (mut session, mut about) = Session::begin(address, inbox, *timeout, *begun)?;
+        setup.apply(&mut session, &mut about, inbox)?;
         self.about = about;
         Ok(session)
     }
@@ -67,12 +67,12 @@ impl<A: Audience> Stream<'_, A> {
     fn skip_missed(&mut self) {
         let now = Instant::now();
         let mut of_lines = Vec::new();
-        while let Some(news) = self.mail.next(now) {
+        while let Some(news) = self.inbox.next(now) {
             match news {
                 News::Sample(sample) => self.push(sample),
                 News::NoTracker(error) => self.end_tracker(error),
                 News::Enough => self.feed.end(),
-                News::Wish(_) => {
+                News::Request(_) => {
                     let refusal = "the board is not connected, allowed: when it is back";
                     // Not a reason to end.
                     let _ = self
@@ -82,7 +82,7 @@ impl<A: Audience> Stream<'_, A> {
                 news => of_lines.push(news),
             }
         }
-        self.mail.keep(of_lines);
+        self.inbox.keep(of_lines);
         while self.feed.take(now).is_some() {
             self.counts.samples += 1;
             self.counts.unanswered += 1;
