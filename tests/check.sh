@@ -129,7 +129,8 @@ on() {
   shift 2
   has_target $chip || return 0
   for features in "$@"; do
-    cargo clippy -p "stiction-$board" --no-default-features --features "${features#none}" --locked --target $chip -- -D warnings
+    cargo clippy -p stiction-boards --lib --bin "stiction-$board" --no-default-features --features "$board,${features#none}" --locked \
+      --target $chip -- -D warnings
   done
 }
 if is_all; then

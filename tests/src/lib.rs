@@ -9,11 +9,13 @@ pub mod haptic;
 pub mod laws;
 pub mod number;
 pub mod obstacles;
+pub mod pantograph;
 pub mod random;
 pub mod reference;
 pub mod run;
 pub mod scenes;
 pub mod setup;
+pub mod station;
 
 pub use expect::{budget, close};
 pub use laws::judge;

@@ -231,7 +231,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         if self.demand.held_last {
             self.health.unusable_samples = self.health.unusable_samples.saturating_add(1);
         } else {
-            self.demand.heard_us = Some(sample.received_us);
+            self.demand.received_us = Some(sample.received_us);
             self.want();
         }
         Some(output)
@@ -253,7 +253,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.demand.wrench = wrench.unwrap_or_default().feedback();
     }
 
-    /// Records the duration of a step, in any unit: the longest one is kept.
+    /// Records the duration of a step, in any unit: the longest one counts.
     pub fn measured(&mut self, step: u32) {
         self.health.worst_step = self.health.worst_step.max(step);
     }
@@ -279,7 +279,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     }
 
     /// Its obstacles, in stored form.
-    pub(crate) fn obstacles(&self) -> &M::Kept {
+    pub(crate) fn obstacles(&self) -> &M::Stored {
         &self.run.store.obstacles
     }
 

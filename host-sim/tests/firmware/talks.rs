@@ -2,7 +2,7 @@
 
 use crate::bench::{Bench, Clocked};
 use crate::board::{AGAIN, Board};
-use crate::client::{Known, Said};
+use stiction_tests::station::client::{Known, Said};
 use stiction_wire::{Command, Health};
 
 pub(crate) trait Talks {
