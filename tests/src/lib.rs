@@ -16,7 +16,7 @@ pub mod run;
 pub mod scenes;
 pub mod setup;
 
-pub use expect::{budget, close};
+pub use expect::{close, times};
 pub use laws::judge;
 pub use number::Number;
 pub use random::Scenario;

@@ -208,6 +208,10 @@ impl Setup {
     pub fn scene_of<R: Number, const V: usize, const S: usize, M: Model>(
         &self,
     ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {
+        self.described::<R, _>(|description| Scene::new(description))
+    }
+    /// The description in the float of a number type.
+    pub fn described<R: Number, T>(&self, take: impl FnOnce(&Description<'_, R::Si>) -> T) -> T {
         let pair = |p: [f64; 2]| p.map(R::si);
         let vertices: Vec<_> = self.vertices.iter().map(|&v| pair(v)).collect();
         let surface = |s: &SurfaceDescription<f64>| SurfaceDescription {
@@ -218,7 +222,7 @@ impl Setup {
             memory: s.memory.map(R::si),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
-        Scene::new(&Description {
+        take(&Description {
             vertices: &vertices,
             start: self.start.map(R::si),
             weight: R::si(self.weight),

@@ -3,7 +3,7 @@
 
 use crate::frame::Contact;
 use crate::model::Model;
-use crate::scene::{Obstacle, Scene};
+use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
 use crate::touch::{Face, Touch};
 use crate::vector::{Vec2, cross, dot, scaled, sub, turned};
@@ -78,7 +78,7 @@ impl Model {
             memory: obstacle.memory,
         };
         match touch {
-            Touch::Surface { surface, .. } => self.scene.surfaces[surface].face(),
+            Touch::Surface { surface, .. } => face(&self.scene.surfaces[surface]),
             Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => {
                 of(&self.scene.obstacles[obstacle])
             }

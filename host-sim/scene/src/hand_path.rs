@@ -163,7 +163,7 @@ impl HandPath {
 }
 
 fn open(file: &Path) -> Result<impl BufRead, InputError> {
-    let opened = stiction_text::open(file, HandPath::LONGEST);
+    let opened = crate::text::open(file, HandPath::LONGEST);
     let opened = opened.map_err(|problem| InputError::of_file(file, problem))?;
     Ok(BufReader::new(opened))
 }

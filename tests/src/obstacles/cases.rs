@@ -2,10 +2,10 @@
 //! contacts. Lengths in m, angles in rad, forces in N.
 
 use super::scene::{Among, Obstacle};
-use crate::reference::Touch;
 use crate::setup::Setup;
 use serde_json::Value;
 use stiction_core::SurfaceDescription;
+use stiction_judge::Touch;
 
 /// Cases whose values follow from closed formulas, without solving an equation numerically.
 const CLOSED: [&str; 5] = [

@@ -5,12 +5,16 @@ use std::time::Duration;
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::guard::{Outcome, within};
 use stiction_tests::obstacles::survey::{Kind, look};
-use stiction_tests::{Number, budget};
+use stiction_tests::{Number, times};
 
 /// Scenes of 401 frames.
-const SCENES: u64 = budget(200, 10) as u64;
+fn number_of_scenes() -> u64 {
+    times(10, 200)
+}
 /// Rooms of 100 jumps: over all number types and evolutions more than 10⁵ jumps.
-const ROOMS: u64 = budget(200, 10) as u64;
+fn number_of_rooms() -> u64 {
+    times(10, 200)
+}
 /// More time than any scene takes.
 const LIMIT: Duration = Duration::from_secs(30);
 /// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with the rest.
@@ -36,8 +40,8 @@ const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
 /// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
     let (count, known) = match scenes {
-        Kind::Worlds => (SCENES, KNOWN_WORLDS),
-        Kind::Rooms => (ROOMS, KNOWN_ROOMS),
+        Kind::Worlds => (number_of_scenes(), KNOWN_WORLDS),
+        Kind::Rooms => (number_of_rooms(), KNOWN_ROOMS),
     };
     let mut odd = 0;
     for evolution in Evolution::ALL {

@@ -6,7 +6,7 @@ use stiction_tests::laws::{assert_lawful, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::polyline;
 use stiction_tests::setup::VERTICES;
-use stiction_tests::{Number, RunOf, Setup, budget, close, judge, test_each};
+use stiction_tests::{Number, RunOf, Setup, close, judge, test_each, times};
 
 test_each!(
     cases::foot_is_below_the_hand,
@@ -122,7 +122,7 @@ mod cases {
 
 /// Random scenes of one surface without friction: the laws hold in every frame, and a motion is always found.
 fn survey<R: Number>(evolution: Evolution) {
-    for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
+    for (i, scenario) in scenarios(times(30, 1000), 4).enumerate() {
         let mut setup = scenario.setup.clone().smooth();
         setup.surfaces.truncate(1);
         let hands = scenario.hands(50);

@@ -5,7 +5,7 @@ use stiction_core::{Event, Evolution, Fixed, Status};
 use stiction_tests::laws::{assert_lawful, assert_lawful_run, judge_of, judged, worst};
 use stiction_tests::random::{same_every_run, scenario, scenarios};
 use stiction_tests::run::{polyline, run};
-use stiction_tests::{Number, Run, Scenario, Setup, budget, scenes};
+use stiction_tests::{Number, Run, Scenario, Setup, scenes, times};
 
 fn lawful<R: Number>(scenario: &Scenario, evolution: Evolution) {
     let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
@@ -29,7 +29,7 @@ fn named_scenes_obey_every_law() {
 fn scenes_without_friction_obey_every_law() {
     fn glides<R: Number>() {
         let (mut frames, mut ambiguous) = (0, 0);
-        for scenario in scenarios(budget(100, 10), 8) {
+        for scenario in scenarios(times(10, 100), 8) {
             let setup = scenario.setup.clone().smooth();
             for evolution in Evolution::ALL {
                 let run = run::<R>(&setup, evolution, &scenario.hands(40));
@@ -116,7 +116,7 @@ fn two_vertex_slip_rubs_after_a_vertex_turned_back() {
 }
 
 proptest! {
-    #![proptest_config(same_every_run(budget(500, 30)))]
+    #![proptest_config(same_every_run(times(30, 500)))]
 
     #[test]
     fn path_evolution_obeys_every_law(scenario in scenario(4)) {

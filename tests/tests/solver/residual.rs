@@ -6,13 +6,13 @@ use stiction_core::{Evolution, Fixed, Status, Wrench};
 use stiction_tests::laws::{Finding, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
-use stiction_tests::{Number, budget, judge};
+use stiction_tests::{Number, judge, times};
 
 fn survey<R: Number>(evolution: Evolution) {
     let mut laws: BTreeMap<&str, Finding> = BTreeMap::new();
     let (mut frames, mut broken, mut limited, mut ambiguous) = (0, 0, 0, 0);
     let mut first = None;
-    for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
+    for (i, scenario) in scenarios(times(30, 1000), 4).enumerate() {
         for (k, frame) in run::<R>(&scenario.setup, evolution, &scenario.hands(50))
             .iter()
             .enumerate()

@@ -1,9 +1,7 @@
 //! Obstacles of scene files and contacts with them in traces: what is accepted, and what is refused, with a message that names
 //! it and what is allowed.
 
-use std::path::Path;
-
-use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Touch, law};
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, Source, State, Touch, law};
 
 use crate::drag::SCENE;
 use crate::write::{FORMATS, frame, judged, lines};
@@ -29,7 +27,7 @@ fn text() -> String {
 }
 
 fn scene() -> Scene {
-    Scene::parse(Path::new("scene.toml"), &text()).expect("a sound scene")
+    Scene::parse(Source::new("scene.toml", text())).expect("a sound scene")
 }
 
 #[test]
@@ -107,7 +105,7 @@ fn shapes_that_are_no_obstacles_are_refused() {
     ] {
         let changed = text().replacen(from, to, 1);
         assert_ne!(changed, text());
-        let error = Scene::parse(Path::new("scene.toml"), &changed).expect_err("an error");
+        let error = Scene::parse(Source::new("scene.toml", changed)).expect_err("an error");
         let error = error.to_string();
         assert!(error.contains(expected), "{error}");
         assert!(error.starts_with("scene.toml, line "), "{error}");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_judge::{Evolution, Scene};
+use stiction_judge::{Evolution, Scene, Source};
 
 use crate::drag::{LAWFUL, SCENE, drag, drag_scene};
 use crate::write::{FORMATS, judged, lines};
@@ -136,7 +136,7 @@ fn trace_that_is_not_there_or_not_a_trace() {
 fn of_scene(from: &str, to: &str) -> String {
     let text = SCENE.replacen(from, to, 1);
     assert_ne!(text, SCENE);
-    let error = Scene::parse(Path::new("scene.toml"), &text).expect_err("an error");
+    let error = Scene::parse(Source::new("scene.toml", text)).expect_err("an error");
     error.to_string()
 }
 
@@ -205,6 +205,6 @@ fn scene_that_lacks_what_is_needed() {
 #[test]
 fn keys_that_a_judge_does_not_need_are_passed_over() {
     let text = format!("{SCENE}\n[hand]\nrate = \"often\"\n[more]\nkey = 1\n");
-    let scene = Scene::parse(Path::new("scene.toml"), &text).expect("a scene");
+    let scene = Scene::parse(Source::new("scene.toml", text)).expect("a scene");
     assert_eq!(scene, drag_scene());
 }

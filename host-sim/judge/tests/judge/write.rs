@@ -2,17 +2,17 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Judge, Scene, State, Status};
-use stiction_judge::{InputError, Survey, Touch, Trace};
+use stiction_judge::{InputError, Source, Survey, Touch, Trace};
 use tempfile::TempDir;
 
 /// The formats.
 pub(crate) const FORMATS: [&str; 2] = ["jsonl", "csv"];
 
 pub(crate) fn scene(text: &str) -> Scene {
-    Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+    Scene::parse(Source::new("scene.toml", text)).expect("a sound scene")
 }
 
 /// A vertex on a surface.
