@@ -122,7 +122,7 @@ impl Setup {
         self.surface([-1.0, 0.0], -x, friction)
     }
 
-    /// The same with a memory length (m) on every surface.
+    /// With a memory length (m) on every surface.
     #[must_use]
     pub fn remembering(mut self, memory: f64) -> Self {
         for surface in &mut self.surfaces {
@@ -131,7 +131,7 @@ impl Setup {
         self
     }
 
-    /// The same without friction anywhere.
+    /// Without friction anywhere.
     #[must_use]
     pub fn smooth(mut self) -> Self {
         for surface in &mut self.surfaces {
@@ -179,7 +179,7 @@ impl Setup {
         [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
     }
 
-    /// The same scene with every number rounded to type `R`.
+    /// The scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
         let pair = |p: [f64; 2]| p.map(R::rounded);

@@ -75,9 +75,9 @@ fn is_accounted(
     }
     let brings = next.events.iter().any(|&event| brings(event));
     let takes = next.events.iter().any(|&event| takes(event));
-    let told = (next.contacts.len().cmp(&last.contacts.len()), brings, takes);
+    let reported = (next.contacts.len().cmp(&last.contacts.len()), brings, takes);
     let sets = if passes_on(model, last, next) {
-        match told {
+        match reported {
             (Ordering::Equal, false, false) | (Ordering::Greater, true, false) => true,
             (Ordering::Less, false, true) | (_, true, true) => true,
             // Another contact may replace the one that opened.
@@ -202,10 +202,10 @@ fn moves(
     (last, next): (&Frame, &Frame),
 ) -> Option<bool> {
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
-    let told: Vec<Event> = (next.events.iter().copied())
+    let reported: Vec<Event> = (next.events.iter().copied())
         .filter(|event| !is_taken(event))
         .collect();
-    if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
+    if reported.is_empty() || !next.has_contacts_of(last) || reported.len() >= EVENTS {
         return None;
     }
     // Events of a body that is out of balance may lead nowhere: contacts open and close again at the same place.
@@ -213,7 +213,7 @@ fn moves(
         return None;
     }
     let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
-    if told.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
+    if reported.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
         return None;
     }
     let same = same(model, bounds, last, next);
@@ -227,21 +227,21 @@ fn moves(
         });
         way.is_some_and(|way| length(way) <= same)
     };
-    let slips_alone = told
+    let slips_alone = reported
         .iter()
         .all(|event| matches!(event, Event::Slip | Event::Snap));
-    if slips_alone && told.contains(&Event::Slip) && next.contacts.iter().all(stays) {
+    if slips_alone && reported.contains(&Event::Slip) && next.contacts.iter().all(stays) {
         return Some(false);
     }
     // The start or end of a slide may be reported for a body that is only about to move.
-    let is_about_to = matches!(told[..], [Event::Slide | Event::Stop]);
+    let is_about_to = matches!(reported[..], [Event::Slide | Event::Stop]);
     Some(is_about_to || !is_still(model, bounds, last, next))
 }
 
 /// Whether a balance snaps where its branch folds, and only there.
 pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
-    let told = match next.events.as_slice() {
+    let reported = match next.events.as_slice() {
         [] => false,
         [Event::Snap] => true,
         _ => return None,
@@ -254,9 +254,9 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         return None;
     }
     let contact = match next.state {
-        State::Edge | State::Locked => return Some(!told),
+        State::Edge | State::Locked => return Some(!reported),
         // Two sliding contacts may have a fold of their own.
-        State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!told),
+        State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!reported),
         State::NonContact => None,
         State::SingleVertex | State::Corner => Some(next.contacts.first()?),
     };
@@ -272,10 +272,10 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     }
     let pin = |part| pinned(step, (touch, slide), part);
     let Some(turn) = follow(pin, last.pose[2], 1.0) else {
-        return Some(told);
+        return Some(reported);
     };
     let is_followed = pin(1.0).on_one_branch(turn, next.pose[2]);
-    Some(told != is_followed)
+    Some(reported != is_followed)
 }
 
 /// The body turning about its previous contact, with a sliding contact, or about the hand.

@@ -33,7 +33,7 @@ impl Way<'_> {
         Err(highest)
     }
 
-    /// The same within a part at whose start the function is below the level. If neither its ends nor its middle reach
+    /// The first such position within a part at whose start the function is below the level. If neither its ends nor its middle reach
     /// the level, the interior is searched if the curvature through these three points could reach it; four times the
     /// curvature, to be safe.
     fn between(

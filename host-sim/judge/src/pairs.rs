@@ -208,7 +208,7 @@ impl Model {
         }
         let on = |touch| match touch {
             Touch::Side { obstacle, side, .. } => Some((obstacle, side)),
-            _ => None,
+            Touch::Surface { .. } | Touch::Corner { .. } => None,
         };
         let [first, second] = [a, b].map(|touch| self.face(pose, touch).normal);
         let apart = sub(self.foot(pose, b), self.foot(pose, a));

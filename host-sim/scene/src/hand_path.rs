@@ -85,7 +85,7 @@ impl HandPath {
         }
     }
 
-    /// The same for a path whose text is already loaded.
+    /// Reads a path whose text is already loaded.
     pub fn error_at_end_of(source: &Source, problem: &str) -> InputError {
         at_end(source.file(), source.text().as_bytes(), problem)
     }

@@ -31,7 +31,7 @@ pub struct Case {
     pub closed: bool,
     /// Tolerance in f64, and that of f32 and fixed point, relative to the scale of a check.
     pub tolerance: [f64; 2],
-    /// The same scene with a half-plane, friction \[mu_s, mu_d\], in place of its obstacle.
+    /// The scene with a half-plane, friction \[mu_s, mu_d\], in place of its obstacle.
     pub twin: Option<Among>,
     /// The scene has to be refused.
     pub refused: bool,

@@ -69,6 +69,12 @@ pub fn kind(frame: &Frame) -> String {
     format!("{} {letters}", frame.state.name())
 }
 
+/// A scene of a kind in an evolution.
+type Look = fn((Kind, u64), Evolution, &AtomicU64) -> Report;
+
+/// The solvers among obstacles are compiled with this crate, as those of [`crate::run::COMPILED`].
+pub static COMPILED: [Look; 3] = [look::<f64>, look::<f32>, look::<stiction_core::Fixed>];
+
 /// Runs a scene; `now` receives the index of the current frame.
 pub fn look<R: Number>(
     (scenes, number): (Kind, u64),

@@ -152,7 +152,7 @@ fn inverse([x, y, angle]: [f64; 3]) -> [f64; 3] {
     [back[0], back[1], -angle]
 }
 
-/// The same contact, for the exchanged shapes.
+/// The contact between the exchanged shapes.
 fn exchanged(touch: Touch) -> Touch {
     match touch {
         Touch::Surface { .. } => touch,
@@ -216,7 +216,7 @@ fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
                 let phi = hand[2] + 0.1 * turn * f64::from(step);
                 here.step([hand[0], hand[1], phi], SUBSTEPS);
                 there.step([x, y, -phi], SUBSTEPS);
-                // In free flight, the straight paths differ.
+                // In the air, the straight paths differ.
                 if here.state() == "non-contact" {
                     break;
                 }

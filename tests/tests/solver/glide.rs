@@ -103,7 +103,7 @@ mod cases {
         let lands = bisect(0.3, 0.8, |theta| phi(theta) - phi(fold));
         let setup = tool(ROTATION);
         let begin = [0.0, 0.35, -0.3];
-        let mut run = RunOf::<R, 1, 1, Frictionless>::start(&setup, evolution, begin);
+        let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, begin);
         run.lead([0.0, HEIGHT, -0.3], 20);
         let leans = bisect(-0.8, -0.3, |theta| phi(theta) + 0.3);
         close("leans", run.frame.pose[2], leans, R::ANALYTIC);
@@ -165,8 +165,8 @@ fn fixed_point_carries_a_point_tool_with_a_short_lever() {
         ];
         let hands = polyline(&keyframes, 300);
         for evolution in Evolution::ALL {
-            let mut exact = RunOf::<f64, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
-            let mut fixed = RunOf::<Fixed, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
+            let mut exact = RunOf::<f64, 1, 1, Bare>::start(&setup, evolution, hands[0]);
+            let mut fixed = RunOf::<Fixed, 1, 1, Bare>::start(&setup, evolution, hands[0]);
             for &hand in &hands {
                 let (is, should) = (fixed.step(hand).pose, exact.step(hand).pose);
                 let place = lever * angle + 2e-7;

@@ -118,7 +118,7 @@ fn start_pose() {
 
 /// For a position, the error reports the larger coordinate, with its sign.
 #[test]
-fn places_are_told_by_the_larger_coordinate() {
+fn places_are_reported_by_the_larger_coordinate() {
     for far in [1e13, -1e13] {
         for place in [[far, 0.0], [0.5 * far, far], [far, -0.5 * far]] {
             refused_by_all(Parameter::Start, far, |s| {

@@ -114,8 +114,8 @@ fn slide_up_to_a_wall_is_no_slip<R: Number>() {
     let end = run.step([x + 0.1, y - 0.01, 0.0]);
     assert_eq!((end.status, end.state), (Status::Ok, StateKind::Locked));
     assert_eq!((end.slips, end.longest_slip), (0, 0.0), "{}", R::NAME);
-    let told = [Event::Slide, Event::Jam, Event::Stop];
-    assert_eq!(end.events, told, "{}: {end:?}", R::NAME);
+    let reported = [Event::Slide, Event::Jam, Event::Stop];
+    assert_eq!(end.events, reported, "{}: {end:?}", R::NAME);
     assert!((end.pose[0] - 0.08).abs() < 1e-6, "{}: {end:?}", R::NAME);
 }
 

@@ -236,7 +236,7 @@ fn last_slip_of_several_is_judged() {
 }
 
 #[test]
-fn hold_that_is_not_told_is_found() {
+fn hold_that_is_not_reported_is_found() {
     assert_eq!(
         after(RELEASED, |frame| frame.events.clear()),
         only(law::HOLD)

@@ -95,7 +95,7 @@ fn list(numbers: &[f64]) -> String {
 }
 
 /// The touching features, by JSON key and in the order of the CSV columns.
-fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
+fn reported(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
     let index = |index: usize| Some(index.to_string());
     let (mut vertex, mut surface, mut obstacle) = (None, None, None);
     let (mut side, mut corner, mut body_side) = (None, None, None);
@@ -138,7 +138,7 @@ fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
 fn object(scene: &Scene, frame: &Frame) -> String {
     let contact = |c: &Contact| {
         let is_name = |key: &str| matches!(key, "surface" | "obstacle");
-        let keys: Vec<_> = (told(scene, c.touch).into_iter())
+        let keys: Vec<_> = (reported(scene, c.touch).into_iter())
             .filter_map(|(key, value)| value.map(|value| (key, value)))
             .map(|(key, value)| match is_name(key) {
                 true => format!(r#""{key}":{value:?}"#),
@@ -230,10 +230,10 @@ fn field(scene: &Scene, c: &Contact, column: &str) -> String {
             .map(|n| format!("{:?}", n[1]))
             .unwrap_or_default(),
         _ => {
-            let told = told(scene, c.touch)
+            let reported = reported(scene, c.touch)
                 .into_iter()
                 .find(|(key, _)| *key == column);
-            told.and_then(|(_, value)| value).unwrap_or_default()
+            reported.and_then(|(_, value)| value).unwrap_or_default()
         }
     }
 }
