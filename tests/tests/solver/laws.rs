@@ -1,7 +1,7 @@
 //! Every law on every frame of random scenes and of the named ones, in every number type and both evolutions.
 
 use proptest::prelude::*;
-use stiction_core::{Event, Evolution, Fixed, Status};
+use stiction_core::{Event, Evolution, Fixed, Status, Wrench};
 use stiction_tests::laws::{assert_lawful, assert_lawful_run, judge_of, judged, worst};
 use stiction_tests::random::{same_every_run, scenario, scenarios};
 use stiction_tests::run::{polyline, run};
@@ -10,6 +10,23 @@ use stiction_tests::{Number, Run, Scenario, Setup, scenes, times};
 fn lawful<R: Number>(scenario: &Scenario, evolution: Evolution) {
     let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
     assert_lawful_run::<R>(&scenario.setup, evolution, &frames);
+    // None evades the laws of balance.
+    let ambiguous = frames.iter().find(|f| f.status == Status::Ambiguous);
+    assert_eq!(ambiguous, None, "{} {evolution:?}", R::NAME);
+}
+
+/// The force of the body on the hand is opposite to that of the hand on the body.
+#[test]
+fn feedback_is_the_opposite_wrench() {
+    let wrench = Wrench {
+        force: [1.5, -5.0],
+        moment: 0.25,
+    };
+    let opposite = Wrench {
+        force: [-1.5, 5.0],
+        moment: -0.25,
+    };
+    assert_eq!(wrench.feedback(), opposite);
 }
 
 #[test]
@@ -116,7 +133,7 @@ fn two_vertex_slip_rubs_after_a_vertex_turned_back() {
 }
 
 proptest! {
-    #![proptest_config(same_every_run(times(30, 500)))]
+    #![proptest_config(same_every_run(times(40, 1000)))]
 
     #[test]
     fn path_evolution_obeys_every_law(scenario in scenario(4)) {

@@ -17,7 +17,7 @@ memory = 0.001
 vertices = [[3.0, 1.0]]
 
 [[obstacle]]
-name = "wall"
+name = "fence"
 vertices = [[3.0, 2.0], [4.0, 2.0]]
 "#;
 
@@ -70,9 +70,9 @@ fn contacts_that_cannot_be_are_refused() {
     for (touch, from, to, expected) in [
         (
             SIDE,
-            r#""wall""#,
-            r#""mall""#,
-            "the `obstacle` of contact 0 is \"mall\", allowed: step, 1, wall",
+            r#""fence""#,
+            r#""pence""#,
+            "the `obstacle` of contact 0 is \"pence\", allowed: step, 1, fence",
         ),
         (
             SIDE,
@@ -82,7 +82,7 @@ fn contacts_that_cannot_be_are_refused() {
         ),
         (
             SIDE,
-            r#""wall""#,
+            r#""fence""#,
             r#""1""#,
             "the `side` of contact 0 is 1, but there is none",
         ),
@@ -114,7 +114,7 @@ fn contacts_that_cannot_be_are_refused() {
         let error = message("jsonl", touch, from, to);
         assert!(error.contains(expected), "{error}");
     }
-    let error = message("csv", SIDE, ",1,,wall,1,,,", ",1,,wall,9,,,");
+    let error = message("csv", SIDE, ",1,,fence,1,,,", ",1,,fence,9,,,");
     assert!(
         error.contains("the `side` of contact 0 is 9, allowed: 0 to 1"),
         "{error}"

@@ -39,47 +39,6 @@ pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
     }
 }
 
-fn state(state: State) -> &'static str {
-    match state {
-        State::NonContact => "non-contact",
-        State::SingleVertex => "single-vertex",
-        State::Edge => "edge",
-        State::TwoVertex => "two-vertex",
-        State::Corner => "corner",
-        State::Locked => "locked",
-    }
-}
-
-fn event(event: Event) -> &'static str {
-    match event {
-        Event::Touch => "touch",
-        Event::Lift => "lift",
-        Event::Slip => "slip",
-        Event::Tip => "tip",
-        Event::Land => "land",
-        Event::Snap => "snap",
-        Event::Jam => "jam",
-        Event::Grasp => "grasp",
-        Event::Release => "release",
-        Event::Slide => "slide",
-        Event::Stop => "stop",
-    }
-}
-
-fn status(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "ok",
-        Status::EventLimit => "event-limit",
-        Status::IterationLimit => "iteration-limit",
-        Status::Ambiguous => "ambiguous",
-        Status::Saturated => "saturated",
-        Status::HeldLast => "held-last",
-        Status::Jammed => "jammed",
-        Status::Behind => "behind",
-        Status::Twist => "twist",
-    }
-}
-
 /// A number in JSON: one that is not finite is null.
 fn digits(x: f64) -> String {
     if x.is_finite() {
@@ -162,7 +121,7 @@ fn object(scene: &Scene, frame: &Frame) -> String {
     let events: Vec<_> = frame
         .events
         .iter()
-        .map(|&e| format!("{:?}", event(e)))
+        .map(|&e| format!("{:?}", e.name()))
         .collect();
     format!(
         r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?}{},"more":1}}"#,
@@ -171,12 +130,12 @@ fn object(scene: &Scene, frame: &Frame) -> String {
         frame.held,
         list(&frame.pose),
         digits(frame.depth),
-        state(frame.state),
+        frame.state.name(),
         contacts.join(","),
         list(&frame.wrench),
         frame.slips,
         events.join(","),
-        status(frame.status),
+        frame.status.name(),
         behind.unwrap_or_default()
     )
 }
@@ -188,7 +147,7 @@ fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
             .collect::<Vec<_>>()
             .join(",")
     };
-    let events: Vec<_> = frame.events.iter().map(|&e| event(e)).collect();
+    let events: Vec<_> = frame.events.iter().map(|e| e.name()).collect();
     let mut row = format!(
         "{:?},{},{},{},{:?},{},{},{},{},{}",
         frame.t,
@@ -196,11 +155,11 @@ fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
         frame.held,
         numbers(&frame.pose),
         frame.depth,
-        state(frame.state),
+        frame.state.name(),
         numbers(&frame.wrench),
         frame.slips,
         events.join(" "),
-        status(frame.status)
+        frame.status.name()
     );
     let behind = frame.behind.map(digits).unwrap_or_default();
     write!(row, ",{behind}").expect("a string");
