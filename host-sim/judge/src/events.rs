@@ -22,25 +22,32 @@ use crate::vector::{between, distance, length, sub};
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
-pub(crate) fn findings(
-    model: &Model,
-    bounds: &Bounds,
-    evolution: Evolution,
-    grip: Option<&Grip>,
-    (last, next): (&Frame, &Frame),
-) -> Vec<Finding> {
-    let whether =
-        |law: &'static str, holds: Option<bool>| holds.map(|holds| Finding::whether(law, holds));
-    let all = [
-        whether(
-            law::COME_AND_GO,
-            is_accounted(model, evolution, (last, next)),
-        ),
-        whether(law::SLIPS, are_counted(next)),
-        whether(law::MOVES, moves(model, bounds, grip, (last, next))),
-    ];
-    all.into_iter().flatten().collect()
+/// The events of a frame, between the one before it and itself.
+pub(crate) struct Events<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) last: &'a Frame,
+    pub(crate) next: &'a Frame,
+}
+
+impl Events<'_> {
+    /// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
+    pub(crate) fn findings(
+        &self,
+        bounds: &Bounds,
+        evolution: Evolution,
+        grip: Option<&Grip>,
+    ) -> Vec<Finding> {
+        let (model, frames) = (self.model, (self.last, self.next));
+        let whether = |law: &'static str, holds: Option<bool>| {
+            holds.map(|holds| Finding::whether(law, holds))
+        };
+        let all = [
+            whether(law::COME_AND_GO, is_accounted(model, evolution, frames)),
+            whether(law::SLIPS, are_counted(self.next)),
+            whether(law::MOVES, moves(model, bounds, grip, frames)),
+        ];
+        all.into_iter().flatten().collect()
+    }
 }
 
 /// Whether the event adds a contact.

@@ -1,6 +1,6 @@
 //! Frame after frame: the memory of previous frames, and the laws that depend on it.
 
-use crate::events;
+use crate::events::{self, Events};
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
@@ -94,13 +94,12 @@ impl Judge {
         let reported = status::reported(self.last.as_ref(), &frame);
         findings.push(Finding::whether(law::STATUS, reported));
         if let Some(last) = &self.last {
-            findings.extend(events::findings(
-                &self.model,
-                &self.bounds,
-                self.evolution,
-                grip.as_ref(),
-                (last, &frame),
-            ));
+            let events = Events {
+                model: &self.model,
+                last,
+                next: &frame,
+            };
+            findings.extend(events.findings(&self.bounds, self.evolution, grip.as_ref()));
         }
         findings.extend(self.keeps(&frame));
         if let (Some(last), Some(grip)) = (&self.last, &grip) {

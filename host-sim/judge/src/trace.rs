@@ -21,11 +21,11 @@ const LONGEST_RECORD: usize = 1 << 20;
 pub struct Trace {
     file: PathBuf,
     names: Names,
-    lines: Lines,
+    records: Records,
     failed: bool,
 }
 
-enum Lines {
+enum Records {
     Json(json::Lines),
     Table(Box<table::Rows>),
 }
@@ -46,12 +46,12 @@ impl Trace {
                 .map(|opened| BufReader::with_capacity(1 << 16, opened))
                 .map_err(|problem| InputError::of_file(file, problem))
         };
-        let lines = match file.extension().and_then(|extension| extension.to_str()) {
-            Some("jsonl") => Lines::Json(json::Lines::new(open()?)),
+        let records = match file.extension().and_then(|extension| extension.to_str()) {
+            Some("jsonl") => Records::Json(json::Lines::new(open()?)),
             Some("csv") => {
                 let rows = table::Rows::new(open()?);
                 let in_header = |problem| InputError::at_line(file, 1, problem);
-                Lines::Table(Box::new(rows.map_err(in_header)?))
+                Records::Table(Box::new(rows.map_err(in_header)?))
             }
             _ => {
                 let problem = "allowed: a trace whose name ends in .jsonl or .csv";
@@ -61,7 +61,7 @@ impl Trace {
         Ok(Self {
             file: file.to_owned(),
             names: Names::of(scene),
-            lines,
+            records,
             failed: false,
         })
     }
@@ -75,9 +75,9 @@ impl Iterator for Trace {
         if self.failed {
             return None;
         }
-        let (line, result) = match &mut self.lines {
-            Lines::Json(lines) => lines.next(&self.names)?,
-            Lines::Table(rows) => rows.next(&self.names)?,
+        let (line, result) = match &mut self.records {
+            Records::Json(lines) => lines.next(&self.names)?,
+            Records::Table(rows) => rows.next(&self.names)?,
         };
         self.failed = result.is_err();
         let frame = result.map(|frame| (line, frame));

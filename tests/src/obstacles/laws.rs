@@ -20,9 +20,10 @@ pub struct Laws {
 }
 
 impl Laws {
-    /// Laws for the scene as the number type rounds it.
+    /// Laws for a scene in a number type. The scene is not rounded to it, so that sides in one plane stay there; the bounds are far above
+    /// such a rounding.
     pub fn new<R: Number>(among: &Among) -> Self {
-        let scene = among.judged::<R>();
+        let scene = among.judged::<f64>();
         let corners = scene.obstacles.iter().flat_map(|o| &o.vertices).flatten();
         let farthest = corners.fold(among.setup.size(), |most, x| most.max(x.abs()));
         Self {

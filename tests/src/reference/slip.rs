@@ -85,7 +85,15 @@ impl Reference {
         let ways = self.speeds(&pose, pair, way).map(sign);
         match end {
             End::Touch => self.land(carry),
-            End::Off(index) => self.pair_off((pair, way), (index, ways), hand, carry),
+            // A flat contact continues to slip, any other one is tested with its new normal.
+            End::Off(index) => {
+                self.contacts = pair.to_vec();
+                if self.pass_on((index, ways[index]), hand, carry) {
+                    let pair = [self.contacts[0], self.contacts[1]];
+                    let onward = self.onward(&self.pose, pair, way);
+                    carry.driven = Some(Driven::Pair(pair, onward));
+                }
+            }
             End::Lift(index) if self.lined(&pose, pair) => {
                 self.release(&[pair[1 - index]], carry);
                 carry.slipping = true;
@@ -118,22 +126,6 @@ impl Reference {
             }
         }
         false
-    }
-
-    /// One of two slipping contacts leaves its side: a flat contact continues to slip, any other one is tested with its new normal.
-    fn pair_off(
-        &mut self,
-        (pair, way): ([Touch; 2], Screw),
-        (index, ways): (usize, [f64; 2]),
-        hand: [f64; 3],
-        carry: &mut Carry,
-    ) {
-        self.contacts = pair.to_vec();
-        if self.pass_on((index, ways[index]), hand, carry) {
-            let pair = [self.contacts[0], self.contacts[1]];
-            let onward = self.onward(&self.pose, pair, way);
-            carry.driven = Some(Driven::Pair(pair, onward));
-        }
     }
 
     /// The end of a slip at dynamic friction: the contacts stick and have the stiction bit if it is `staying`; otherwise

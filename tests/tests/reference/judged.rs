@@ -15,10 +15,10 @@ use stiction_tests::times;
 
 use super::cases::{cases, run};
 use super::traced::frame;
-use super::worlds::crowded;
+use super::worlds::{World, crowded, world};
 
 fn number_of_scenes() -> usize {
-    times(8, 150)
+    times(4, 75)
 }
 const SUBSTEPS: usize = 20;
 
@@ -113,9 +113,8 @@ fn broken_by(scene: &Scene, before: &[Frame], frame: Frame) -> BTreeSet<&'static
         .collect()
 }
 
-/// The scene and the frames of a random world in which the reference never gives up.
-fn traced(draw: &mut Draw) -> (Scene, Vec<Frame>) {
-    let world = crowded(draw);
+/// The scene and the frames of a world.
+fn traced(world: &World) -> (Scene, Vec<Frame>) {
     let mut body = Reference::new(world.scene.clone(), world.start, world.hands[0]);
     let mut frames = vec![frame(&world.scene, &body, (0.0, world.hands[0]), None)];
     for (k, &hand) in world.hands.iter().enumerate().skip(1) {
@@ -158,7 +157,7 @@ fn cases_are_lawful() {
     }
 }
 
-/// The states that a hundred and fifty random worlds reach, with the kinds of their contacts.
+/// The states that seventy-five random worlds of each kind reach, with the kinds of their contacts.
 const STATES: [&str; 8] = [
     "edge VV",
     "edge VC",
@@ -170,28 +169,30 @@ const STATES: [&str; 8] = [
     "locked VVC",
 ];
 
+/// Among few obstacles the reference never gives up.
 #[test]
 fn random_worlds_are_lawful() {
-    let mut draw = Draw::new(14);
     let mut met = BTreeMap::<String, usize>::new();
+    let (mut few, mut many) = (Draw::new(3), Draw::new(14));
     for i in 0..number_of_scenes() {
-        let (scene, frames) = traced(&mut draw);
-        for (frames, bounds) in [(&single(&frames), EXACT[0]), (&frames, EXACT[1])] {
-            let found = broken(&scene, frames, bounds);
-            let place = found.map(|(k, _)| &frames[k.saturating_sub(1)..=k]);
-            assert_eq!(found, None, "scene {i}: {place:?}");
-        }
-        for frame in &frames {
-            assert_eq!(frame.status, Status::Ok, "scene {i}: {frame:?}");
-            *met.entry(kind(frame)).or_default() += 1;
+        for (world, is_easy) in [(world(&mut few), true), (crowded(&mut many), false)] {
+            let (scene, frames) = traced(&world);
+            for (frames, bounds) in [(&single(&frames), EXACT[0]), (&frames, EXACT[1])] {
+                let found = broken(&scene, frames, bounds);
+                let place = found.map(|(k, _)| &frames[k.saturating_sub(1)..=k]);
+                assert_eq!(found, None, "scene {i}: {place:?}");
+            }
+            for frame in &frames {
+                let is_followed = frame.status == Status::Ok;
+                assert!(is_followed || !is_easy, "scene {i}: {frame:?}");
+                *met.entry(kind(frame)).or_default() += 1;
+            }
         }
     }
     println!("{met:?}");
     for state in STATES {
-        assert!(
-            number_of_scenes() < 150 || met.contains_key(state),
-            "{state}: {met:?}"
-        );
+        let is_met = number_of_scenes() < 75 || met.contains_key(state);
+        assert!(is_met, "{state}: {met:?}");
     }
 }
 
@@ -283,8 +284,8 @@ const FAULTS: [(&str, Fault, &[&str]); 7] = [
 fn every_fault_of_a_contact_is_found() {
     let mut draw = Draw::new(15);
     let mut found = [0; FAULTS.len()];
-    for _ in 0..number_of_scenes() / 3 + 1 {
-        let (scene, frames) = traced(&mut draw);
+    for _ in 0..number_of_scenes() / 2 + 1 {
+        let (scene, frames) = traced(&crowded(&mut draw));
         for (i, frame) in frames.iter().enumerate().step_by(7) {
             for k in 0..frame.contacts.len() {
                 for (count, (name, fault, laws)) in found.iter_mut().zip(FAULTS) {
