@@ -4,5 +4,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 miri() { cargo +nightly miri test --target s390x-unknown-linux-gnu --target-dir target/miri --locked "$@"; }
-miri -p stiction-core
+miri -p stiction-core -p stiction-wire
 miri -p stiction-tests --test wire

@@ -72,13 +72,20 @@ impl<F: Real> Hand<F> {
             tilted: false,
         }
     }
-    /// The same hand with its switch off.
+    /// This hand with its switch off.
     #[must_use]
     pub fn released(self) -> Self {
         Self {
             held: false,
             ..self
         }
+    }
+    /// A hand at the same place, turned by whole turns; their number saturates.
+    #[must_use]
+    pub fn turned(self, turns: i32) -> Self {
+        let mut hand = self;
+        hand.angle.turns = hand.angle.turns.saturating_add(turns);
+        hand
     }
     /// False if a component is infinite or NaN.
     pub fn is_finite(&self) -> bool {
@@ -99,8 +106,8 @@ pub struct TrackerSample<F> {
     pub held: bool,
 }
 
-/// An axis of the tracker's frame with a direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An axis of the tracker's frame with a direction; +x by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Axis {
     /// 0, 1 or 2: x, y or z.
     pub index: usize,

@@ -12,8 +12,8 @@
 )]
 //! Contact of an object held in the hand, computed by statics alone: no inertia, no velocities, no time step. At every
 //! pose of the hand the object sits where forces and moments balance; it sticks, slips to a new balance, tips, lands on an
-//! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate, the format of frames in
-//! `FRAME.md`; the documentation cites their sections and numbers, as (E3) or STATICS 3.2.
+//! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate; the documentation cites its
+//! sections and numbers, as (E3) or STATICS 3.2.
 //!
 //! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails. The crate uses no
 //! heap and no `unsafe`, and does not panic. The same input gives the same bits on every machine:
@@ -65,11 +65,12 @@
 //! | add a table with an edge, a step, a post or a hole | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
 //! | choose between exact and cheap | [`Evolution`], [`Solver`] |
 //! | keep and replay a run | [`State`] |
+//! | change the scene or its parameters in mid-contact | [`Solver::carry`], [`Present`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
 //! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
 //! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
 //! | run without a floating-point unit, or leave code out | [`Fixed`], [`Model`] |
-//! | communicate with a board | [`frame`] |
+//! | communicate with a board | the package `stiction-wire` |
 //!
 //! # Contact states
 //!
@@ -87,9 +88,6 @@
 //!                                |  4 settle.rs      (state, trigger) -> state, to rest
 //!                                v
 //!                              Output                pose, events, status; forces on demand
-//!                                |  6 frame.rs       to bytes and back, board and client
-//!                                v
-//!                              frame::Report
 //! ```
 //!
 //! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
@@ -104,6 +102,7 @@ struct Readme;
 mod balance_curve;
 mod body;
 mod bounded;
+mod carry;
 mod certified;
 mod contact;
 mod detect;
@@ -112,11 +111,11 @@ mod falls;
 #[cfg(test)]
 mod fixtures;
 mod forces;
-pub mod frame;
 mod friction;
 mod geometry;
 mod grip;
 mod hand;
+mod hold;
 mod list;
 mod load;
 mod log;
@@ -135,6 +134,7 @@ mod si;
 mod sign;
 mod solver;
 mod state;
+mod surface;
 mod thresholds;
 mod transition;
 mod units;
@@ -144,11 +144,13 @@ mod world;
 mod wrench2;
 mod wrench_cone;
 
+pub use carry::{Carried, CarryError, Present, reach_again};
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};
 pub use forces::{Contact, Contacts, Touch, Touches, Touching, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
+pub use hold::Hold;
 pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless, WithObstacles};
 pub use output::Output;
 #[cfg(feature = "comparison")]

@@ -124,7 +124,8 @@ fn lay_flat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, other: Pair) -> Piv
     pivot.moved(R::ZERO, turn)
 }
 
-/// The same after a motion in which the pivot's foot slides: it is shifted and turned by the least displacement that closes the gap.
+/// Seats a pose on one more contact after a motion in which the pivot's foot slides: it is shifted and turned by the least displacement
+/// that closes the gap.
 pub(crate) fn seat_sliding<R: Real>(
     scene: &impl World<R>,
     pivot: Pivot<R>,

@@ -64,4 +64,4 @@ pub use refusal::Refusal;
 pub(crate) use servo::Begun;
 pub use servo::{LockServo, Servo};
 pub use settings::Settings;
-pub use stiction_core::frame::Parameters;
+pub use stiction_wire::Parameters;

@@ -22,6 +22,7 @@
 //! safety.rs      the limits of the force on the hand, and when it is zero
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! knob.rs        a haptic device of one motor and one encoder
+//! devices.rs     the numbers of the devices at the boards
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
 //! speed.rs       how much work processors do per second
@@ -40,6 +41,7 @@ pub mod board;
 pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
+pub mod devices;
 pub mod job;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod knob;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A minimal client of a stiction board, written from core/FRAME.md with the standard library alone.
+"""A minimal client of a stiction board, written from core/wire/FRAME.md with the standard library alone.
 
     board_client.py ADDRESS [SECONDS [BAUD]]
         says hello, moves the hand in a circle for 5 s, prints the board's messages; the address is a serial port (not

@@ -2,7 +2,7 @@
 //! that has one, or ELF, for a debug probe.
 //!
 //! The image has no log: a user who copies a file to a drive has no probe to show it, and the image is smaller and has fewer
-//! places that can panic. With the log, `cargo run` in the folder of the board flashes it.
+//! places that can panic. With the log, `cargo load` in the folder of the board flashes it.
 
 use std::ffi::OsString;
 use std::fs;
@@ -87,7 +87,7 @@ enum Device {
 }
 
 impl Device {
-    /// The feature of a board's package that gives it the device.
+    /// The feature of the boards' package that adds the device.
     const fn feature(self) -> &'static str {
         match self {
             Self::Knob => "knob",
@@ -155,7 +155,7 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     Ok(())
 }
 
-/// The features of the board's package, as cargo takes them.
+/// The features of the boards' package, as cargo takes them.
 fn features(args: &ImageArgs) -> Result<String, ImageError> {
     let board = args.board;
     let device = args.device.map(Device::feature);

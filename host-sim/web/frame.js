@@ -1,4 +1,4 @@
-// The wire between a board and its client, as specified in core/FRAME.md: encodes and decodes messages. A message is an object
+// The wire between a board and its client, as specified in core/wire/FRAME.md: encodes and decodes messages. A message is an object
 // with the field names of that document; lists are arrays of numbers or of arrays. No state, no hardware.
 
 /** @typedef {{count: string, item: string, shape: string}} List */

@@ -10,7 +10,8 @@ pub fn close(what: &str, got: f64, want: f64, bound: f64) {
     );
 }
 
-/// How often a test repeats: `daily` as a rule, `long` if the environment variable `STICTION_TESTS` is `long`, as it is every night.
+/// How often a test repeats: `daily` as a rule, `long` if the environment variable `STICTION_TESTS` is `long`, as in
+/// `tests/check.sh --all`.
 ///
 /// # Panics
 /// If the variable has another value than `daily` or `long`.

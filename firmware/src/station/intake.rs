@@ -1,8 +1,8 @@
 //! Incoming samples (FRAME 4.1, 4.2, 4.8): from the plane of the mode and the frames that arrived to the one sample for a step, and the
 //! counts of those that were overtaken or lost.
 
-use stiction_core::frame::{Mode, Sequence};
 use stiction_core::{Axis, Hand, Projection, TrackerSample};
+use stiction_wire::{Mode, Sequence};
 
 use crate::device::NO_HAND;
 

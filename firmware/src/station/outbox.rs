@@ -1,6 +1,6 @@
 //! Outgoing frames: numbered, encoded, and counted if the line has no room for them (FRAME 7).
 
-use stiction_core::frame::{Frame, LONGEST_REPORT, Message, wire_bytes};
+use stiction_wire::{Frame, LONGEST_REPORT, Message, wire_bytes};
 
 /// The line of a board, and a clock to measure with.
 pub trait Link {

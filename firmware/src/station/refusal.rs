@@ -3,8 +3,8 @@
 use crate::device::Refusal;
 use crate::model::BoardModel;
 use crate::safety::{Allowed, LimitError, LimitParameter};
-use stiction_core::frame::{Reason, Reference, Reply, Subject, Text};
 use stiction_core::{Parameter, SceneError};
+use stiction_wire::{Reason, Reference, Reply, Subject, Text};
 
 /// A reply that has no address yet.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,10 @@ use super::refusal::Trouble;
 use crate::device::Settings;
 use crate::model::BoardModel;
 use crate::safety::{Limits, Passivity};
-use stiction_core::frame::{
+use stiction_core::{Description, Fixed, Real, Scene};
+use stiction_wire::{
     Mode, NumberType, Reason, Stepping, Subject, frame_bytes, scene_bytes, wire_bytes,
 };
-use stiction_core::{Description, Fixed, Real, Scene};
 
 /// The description of a board and its settings after power-up.
 #[derive(Clone, Debug)]

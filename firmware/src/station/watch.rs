@@ -2,7 +2,7 @@
 //! same tick.
 
 use core::sync::atomic::{AtomicU32, Ordering};
-use stiction_core::frame::{Drive, Health};
+use stiction_wire::{Drive, Health};
 
 /// The part of [`Health`] that a log shows.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! The description of the board, the scene that it begins with, and the room for others.
 
-use stiction_core::frame::Mode;
+use stiction_wire::Mode;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::speed::Processor;
 use stiction_firmware::station::{SceneType, Setup, station_of};

@@ -1,9 +1,9 @@
 //! Turns that take longer than a tick: the servo loop goes on, whatever the solver does.
 
-use crate::rig::{Nothing, Rig};
-use stiction_core::frame::{Command, Drive};
+use super::rig::{Nothing, Rig};
 use stiction_core::{Hand, Wrench};
 use stiction_firmware::device::{LockServo, Servo};
+use stiction_wire::{Command, Drive};
 
 /// The force changes by no more than this in a tick (N): 100 N/s at 1 kHz, and a rounding.
 const STEP: f32 = 0.1 + 1e-5;

@@ -1,7 +1,7 @@
 //! The number types of a run and their largest numbers; number types and evolutions by name.
 
 use stiction_core::Evolution;
-use stiction_core::frame::NumberType;
+use stiction_wire::NumberType;
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,11 +4,11 @@
 use std::sync::Arc;
 
 use serde::Serialize;
-use stiction_core::Hand;
+use stiction_core::{Hand, Present};
 use stiction_judge::insertion::Meter;
 use web_time::Instant;
 
-use crate::body::{Body, Present, Setting};
+use crate::body::{Body, Setting};
 use crate::counts::Counts;
 use crate::meter;
 use crate::record::Frame;
@@ -153,7 +153,7 @@ impl Pair {
     }
 
     /// Returns the present pose and hold of the body.
-    pub fn present(&self) -> Present {
+    pub fn present(&self) -> Present<f64> {
         self.body.present()
     }
 

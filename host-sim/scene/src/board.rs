@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use stiction_core::frame::NumberType;
+use stiction_wire::NumberType;
 
 use crate::compile::{OwnScene, compile};
 use crate::model::{ObstacleRoom, SceneModel};

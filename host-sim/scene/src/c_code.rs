@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use stiction_core::frame::NumberType;
 use stiction_core::{Description, Fixed, ObstacleDescription, SurfaceDescription};
+use stiction_wire::NumberType;
 
 use crate::written::WrittenScene;
 

@@ -1,8 +1,8 @@
 //! A scene as the Rust code that is compiled into an image: the number type, the capacity for its vertices and surfaces,
 //! and the parts of the solver.
 
-use stiction_core::frame::NumberType;
 use stiction_core::{Description, Evolution, Fixed, ObstacleDescription, SurfaceDescription};
+use stiction_wire::NumberType;
 
 use crate::model::{ObstacleRoom, SceneModel};
 use crate::written::WrittenScene;

@@ -3,8 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use stiction_core::frame::NumberType;
 use stiction_core::{Fixed, Full, Real};
+use stiction_wire::NumberType;
 
 use crate::code::scene_code;
 use crate::host_model::{Among, HostModel};

@@ -46,6 +46,6 @@ pub use model::{ObstacleRoom, SceneModel};
 pub use obstacle::ObstacleInfo;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
 pub use source::{InputError, Source, story};
-pub use stiction_core::frame::NumberType;
+pub use stiction_wire::NumberType;
 pub use surface::SurfaceInfo;
 pub use written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use stiction_core::frame::Health;
+use stiction_wire::Health;
 
 use super::latency::Latency;
 

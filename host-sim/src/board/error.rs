@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use stiction_core::frame::{VERSION, VERSION_AMONG};
 use stiction_scene::InputError;
 use stiction_tools::process::EmulatorError;
+use stiction_wire::{VERSION, VERSION_AMONG};
 
 use crate::files::WriteError;
 

@@ -1,9 +1,9 @@
 //! A board's description of itself, as a table.
 
-use stiction_core::frame::{FaultKind, Health, Mode};
 use stiction_core::{Axis, Solver};
+use stiction_wire::{FaultKind, Health, Mode};
 
-use super::heard::About;
+use super::message::About;
 use super::print::table;
 
 /// The board's identity and settings.

@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use stiction_core::TrackerSample;
-use stiction_core::frame::{LOGITECH_REQUEST, LogitechDecoder, LogitechRecord};
 use stiction_scene::{LivePlacement, Placement, Sample};
+use stiction_wire::{LOGITECH_REQUEST, LogitechDecoder, LogitechRecord};
 
 use super::error::BoardError;
 use super::link::{Link, News, reason};

@@ -64,7 +64,7 @@ impl Remote {
     pub(super) fn ask(&mut self, wanted: Wanted, reply: Reply) {
         let (change, setting) = (&wanted.change, wanted.change.setting());
         self.board
-            .wish(&setting.scene, setting.evolution, change.is_run());
+            .request(&setting.scene, setting.evolution, change.is_run());
         self.asked = Some((wanted, reply));
     }
 
@@ -92,7 +92,7 @@ impl Remote {
 
     /// Returns the board's next message, if there is one.
     pub(super) fn hear(&self) -> Option<Word> {
-        self.board.hear()
+        self.board.next()
     }
 
     /// Makes the next sample the first of a run.

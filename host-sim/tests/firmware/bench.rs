@@ -1,9 +1,9 @@
 //! A chip on its own clock and its client, in one thread.
 
 use crate::chip as board;
-use crate::client::{Client, Known, Said};
-use stiction_core::frame::{Command, Health, Reason};
+use stiction_tests::station::client::{Client, Known, Said};
 use stiction_tools::image::flashed;
+use stiction_wire::{Command, Health, Reason};
 
 /// A chip whose time goes on when it is asked to.
 pub(crate) trait Clocked: std::fmt::Debug {
@@ -64,7 +64,7 @@ impl<C: Clocked> Bench<C> {
         let image = board.image()?;
         let mut bench = Self {
             chip: C::power_up(flashed(&image.path, C::FLASH).unwrap()),
-            client: Client::new(),
+            client: Client::default(),
         };
         bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
         Some(bench)
@@ -90,8 +90,8 @@ impl<C: Clocked> Bench<C> {
     /// The same with the time of the report (µs), and nothing if none comes in time.
     pub(crate) fn hear<T>(&mut self, mut wanted: impl FnMut(u32, &Said) -> Option<T>) -> Option<T> {
         for _ in 0..PATIENCE {
-            while let Some(heard) = self.client.heard.pop_front() {
-                if let Some(found) = wanted(heard.time, &heard.said) {
+            while let Some(received) = self.client.inbox.pop_front() {
+                if let Some(found) = wanted(received.time, &received.said) {
                     return Some(found);
                 }
             }
@@ -121,7 +121,7 @@ impl<C: Clocked> Bench<C> {
     }
 
     pub(crate) fn health(&mut self) -> Health {
-        self.client.heard.clear();
+        self.client.inbox.clear();
         self.wait(|said| match said {
             Said::Health(health) => Some(*health),
             _ => None,

@@ -1,14 +1,14 @@
 //! An emulated board: QEMU started with its image, its serial line a socket, its RAM read when asked for.
 
 use crate::chip::{Chip, Image, PICO};
-use crate::client::{Client, Known, Said};
 use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stiction_core::frame::{Command, Health};
 use stiction_host_sim::emulator::Chip as Processor;
+use stiction_tests::station::client::{Client, Known, Said};
 use stiction_tools::board::Emulator;
+use stiction_wire::{Command, Health};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -44,7 +44,7 @@ impl Board {
             emulator,
             line,
             came: Vec::new(),
-            client: Client::new(),
+            client: Client::default(),
         };
         // Before its line is open, bytes are lost.
         board.wait(|_, said| matches!(said, Said::Pose(_)).then_some(()));
@@ -104,7 +104,7 @@ impl Board {
             std::thread::sleep(Duration::from_millis(25));
             self.listen();
         }
-        self.client.heard.clear();
+        self.client.inbox.clear();
     }
 
     /// Waits for a report of a kind; those before it are passed over.
@@ -121,8 +121,8 @@ impl Board {
     ) -> Option<T> {
         let begun = Instant::now();
         loop {
-            while let Some(heard) = self.client.heard.pop_front() {
-                if let Some(found) = wanted(heard.time, &heard.said) {
+            while let Some(received) = self.client.inbox.pop_front() {
+                if let Some(found) = wanted(received.time, &received.said) {
                     return Some(found);
                 }
             }
@@ -142,7 +142,7 @@ impl Board {
             }
             _ => None,
         });
-        assert_eq!(reason, stiction_core::frame::Reason::Done, "{allowed}");
+        assert_eq!(reason, stiction_wire::Reason::Done, "{allowed}");
     }
 
     /// What it says of itself.

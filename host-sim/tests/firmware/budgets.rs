@@ -2,12 +2,12 @@
 
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, F405_AMONG, MICROBIT, PICO};
-use crate::client::{Known, Said, hand_path, scene};
-use crate::common::BOX;
 use std::fs;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Known, Said, hand_path, scene};
 use stiction_tools::workspace;
+use stiction_wire::{Command, Health, Mode, Parameters, Reset, Stepping};
 use toml::Table;
 
 /// Samples that are sent before the pose of the last of them is waited for.

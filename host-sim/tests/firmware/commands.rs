@@ -2,10 +2,10 @@
 
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::{Said, scene};
-use crate::common::BOX;
 use crate::silence::{alone, pressed};
-use stiction_core::frame::{Command, Mode, Parameters, Reset};
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Said, scene};
+use stiction_wire::{Command, Mode, Parameters, Reset};
 
 /// Commands while the box is pressed to the floor, in the image itself.
 fn in_mid_contact(chip: &'static Chip) {

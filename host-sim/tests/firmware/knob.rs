@@ -4,9 +4,9 @@
 
 use crate::bench::{Bench, Pico};
 use crate::chip::KNOB;
-use crate::client::Said;
 use crate::wiring::{Driver, Pins, Tracks, turn};
-use stiction_core::frame::{Command, Mode};
+use stiction_tests::station::client::Said;
+use stiction_wire::{Command, Mode};
 
 #[test]
 fn a_knob_at_the_drawn_pins_gives_the_force_of_the_statics() {

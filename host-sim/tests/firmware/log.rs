@@ -5,12 +5,12 @@
 //! are reported only where the client waits for them. A hand presses with one sample: its force is on until silence ends it.
 
 use crate::chip::{Chip, F405, MICROBIT};
-use crate::client::Client;
 use crate::session::Session;
 use std::fs;
 use std::path::Path;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Reset};
+use stiction_tests::station::client::Client;
+use stiction_wire::{Command, Reset};
 
 /// The counts of a second.
 const COUNTS: &str = "ticks: ";
@@ -23,13 +23,13 @@ const TIMED: [&str; 4] = [
 ];
 
 /// A session and its transcript.
-struct Told {
+struct Transcript {
     session: Session,
     client: Client,
     text: String,
 }
 
-impl Told {
+impl Transcript {
     fn note(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
@@ -80,36 +80,36 @@ fn untimed(line: &str) -> String {
 }
 
 fn whole_session(chip: &Chip) -> Option<String> {
-    let mut told = Told {
+    let mut transcript = Transcript {
         session: Session::start(chip)?,
-        client: Client::new(),
+        client: Client::default(),
         text: String::new(),
     };
-    told.events("force: off");
-    told.counts();
+    transcript.events("force: off");
+    transcript.counts();
 
-    let bytes = [told.client.encode(Command::Hello), told.press()].concat();
-    told.act("hello, a sample of the hand", &bytes);
-    told.events("force: off");
-    told.counts();
+    let bytes = [transcript.client.encode(Command::Hello), transcript.press()].concat();
+    transcript.act("hello, a sample of the hand", &bytes);
+    transcript.events("force: off");
+    transcript.counts();
 
     let mut bytes = Vec::new();
     for _ in 0..3 {
-        let mut frame = told.press();
+        let mut frame = transcript.press();
         // A bit of the sample; no byte of it becomes the end of a frame.
         frame[8] ^= if frame[8] == 1 { 2 } else { 1 };
         bytes.extend(frame);
     }
-    bytes.extend(told.press());
-    told.act("three damaged samples, a good one", &bytes);
-    told.events("force: off");
-    told.counts();
+    bytes.extend(transcript.press());
+    transcript.act("three damaged samples, a good one", &bytes);
+    transcript.events("force: off");
+    transcript.counts();
 
-    let bytes = told.client.encode(Command::Reset(Reset::Everything));
-    told.act("reset of everything", &bytes);
-    told.events("everything reset");
-    told.counts();
-    Some(told.text)
+    let bytes = transcript.client.encode(Command::Reset(Reset::Everything));
+    transcript.act("reset of everything", &bytes);
+    transcript.events("everything reset");
+    transcript.counts();
+    Some(transcript.text)
 }
 
 fn log_is_golden(chip: &Chip) {

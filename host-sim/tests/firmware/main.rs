@@ -3,21 +3,12 @@
 
 mod an505;
 mod bench;
-#[path = "../../../firmware/tests/station/beside.rs"]
-mod beside;
 mod bits;
 mod board;
 mod budgets;
 mod chip;
-#[path = "../../../firmware/tests/station/client.rs"]
-mod client;
 mod commands;
-#[path = "../../../firmware/tests/common/mod.rs"]
-mod common;
 mod drags;
-#[cfg(feature = "cycles")]
-#[path = "../../../firmware/devices/pantograph.rs"]
-mod example;
 mod knob;
 mod line;
 mod log;
@@ -28,11 +19,6 @@ mod pico;
 mod pico2;
 mod pico2_line;
 mod pico2_setup;
-#[path = "../../../firmware/tests/station/random.rs"]
-mod random;
-#[cfg(feature = "cycles")]
-#[path = "../../../firmware/tests/pantograph/reference.rs"]
-mod reference;
 mod rp2350;
 mod scene;
 mod session;

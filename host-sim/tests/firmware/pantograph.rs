@@ -5,10 +5,10 @@
 use crate::board::Board;
 use crate::budgets::Budget;
 use crate::chip::PANTOGRAPH;
-use crate::client::Said;
 use std::collections::HashMap;
 use stiction_core::Hand;
-use stiction_core::frame::{Command, Drive, Mode, Reason};
+use stiction_tests::station::client::Said;
+use stiction_wire::{Command, Drive, Mode, Reason};
 
 #[test]
 fn the_f405_with_a_pantograph_steps_by_itself() {

@@ -3,10 +3,10 @@
 use crate::bench::{Bench, Clocked};
 use crate::bits::{SAMPLES, same_bits_of};
 use crate::chip::PICO2;
-use crate::client::{Said, hand_path};
 use crate::rp2350::Chip;
 use crate::silence::silence_of;
-use stiction_core::frame::{Command, NumberType};
+use stiction_tests::station::client::{Said, hand_path};
+use stiction_wire::{Command, NumberType};
 
 /// So many poses in each evolution.
 fn same_bits(samples: u32) {
@@ -45,9 +45,9 @@ fn the_pico_2_misses_no_tick_along_the_hand_path() {
     for hand in hand_path(SAMPLES) {
         bench.send(Command::Hand(hand));
         bench.pass();
-        let heard = bench.client.heard.drain(..);
-        poses += heard
-            .filter(|heard| matches!(heard.said, Said::Pose(_)))
+        let received = bench.client.inbox.drain(..);
+        poses += received
+            .filter(|received| matches!(received.said, Said::Pose(_)))
             .count();
     }
     let health = bench.health();

@@ -4,10 +4,10 @@
 
 use crate::bench::Clocked;
 use crate::chip::PICO2;
-use crate::client::{Client, Said};
 use crate::rp2350::*;
-use stiction_core::frame::Mode;
+use stiction_tests::station::client::{Client, Said};
 use stiction_tools::image::flashed;
+use stiction_wire::Mode;
 
 /// Of the crystal, the processor and USB (Hz).
 const CRYSTAL: u32 = 12_000_000;
@@ -132,13 +132,13 @@ fn the_pico_2_ticks_every_ms_feeds_its_watchdog_and_sends_poses() {
         assert_eq!(between.count(), 1, "{pair:?}");
     }
     // A pose for every tick, with its time, when nobody has sent anything.
-    let mut client = Client::new();
+    let mut client = Client::default();
     client.listen(&chip.gone());
     let poses = client
-        .heard
+        .inbox
         .iter()
-        .filter(|heard| matches!(heard.said, Said::Pose(_)));
-    let times: Vec<u32> = poses.map(|heard| heard.time).collect();
+        .filter(|received| matches!(received.said, Said::Pose(_)));
+    let times: Vec<u32> = poses.map(|received| received.time).collect();
     let due: Vec<u32> = alarms.iter().map(|(_, time)| *time).take(COUNT).collect();
     assert_eq!(times, due, "{:?}", client.faults());
 }

@@ -5,11 +5,11 @@ use crate::budgets::{Taken, measure};
 use crate::chip::{self, F405, MICROBIT, PICO};
 use crate::silence::silence;
 use stiction_core::Fixed;
-use stiction_core::frame::NumberType;
 use stiction_host_sim::emulator::Chip;
 use stiction_tools::readme::Section;
 use stiction_tools::table::thousands;
 use stiction_tools::workspace;
+use stiction_wire::NumberType;
 
 const COMMAND: &str = "cargo test -p stiction-host-sim --test firmware -- --ignored table";
 

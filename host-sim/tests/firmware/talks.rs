@@ -2,8 +2,8 @@
 
 use crate::bench::{Bench, Clocked};
 use crate::board::{AGAIN, Board};
-use crate::client::{Known, Said};
-use stiction_core::frame::{Command, Health};
+use stiction_tests::station::client::{Known, Said};
+use stiction_wire::{Command, Health};
 
 pub(crate) trait Talks {
     fn send(&mut self, command: Command<'_>);

@@ -135,9 +135,9 @@ fn crc(bytes: &[u8]) -> u32 {
 #[cfg(feature = "cycles")]
 #[test]
 fn a_pico_that_is_flashed_with_the_file_runs_its_scene() {
-    use crate::client::{Client, Said};
-    use stiction_core::frame::Command;
     use stiction_emulated_pico::{Chip, MEGAHERTZ};
+    use stiction_tests::station::client::{Client, Said};
+    use stiction_wire::Command;
 
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
@@ -151,16 +151,19 @@ fn a_pico_that_is_flashed_with_the_file_runs_its_scene() {
         return;
     }
     let mut chip = Chip::new(boot_program(&fs::read(folder.join("a.uf2")).unwrap()));
-    let mut client = Client::new();
+    let mut client = Client::default();
     let ms = u64::from(MEGAHERTZ) * 1_000;
     chip.run(10 * ms);
     chip.bring(&client.encode(Command::Hello));
     chip.run(10 * ms);
     client.listen(&chip.gone());
-    let info = client.heard.iter().find_map(|heard| match &heard.said {
-        Said::Info(info) => Some(info.clone()),
-        _ => None,
-    });
+    let info = client
+        .inbox
+        .iter()
+        .find_map(|received| match &received.said {
+            Said::Info(info) => Some(info.clone()),
+            _ => None,
+        });
     let info = info.expect("it says what it is");
     // A point on a plane, with friction and without weight or obstacles.
     assert_eq!((&*info.name, info.room), ("pico", [1, 1]));

@@ -1,5 +1,5 @@
 // A board over Web Serial, without a program in between: a serial port of the browser behind which a board answers as specified
-// in core/FRAME.md. The box slides on the floor without friction.
+// in core/wire/FRAME.md. The box slides on the floor without friction.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

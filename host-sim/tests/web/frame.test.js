@@ -1,4 +1,4 @@
-// The page's decoder and encoder of the wire format against every example of core/FRAME.md, and against the messages of the
+// The page's decoder and encoder of the wire format against every example of core/wire/FRAME.md, and against the messages of the
 // emulated board, recorded as bytes in examples/board_client.py.
 
 import assert from "node:assert/strict";
@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { crc32, decode, Decoder, encode, Fault, statusName, stuff, unstuff } from "../../web/frame.js";
 
-const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
+const document = readFileSync(new URL("../../../core/wire/FRAME.md", import.meta.url), "utf8");
 const every = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) => read(text));
 
 /** Returns the version of a frame: its first byte. */

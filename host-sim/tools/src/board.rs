@@ -24,7 +24,7 @@ const QEMU: &str = "qemu-system-arm";
 /// The socket of an emulator's line, in its folder.
 const LINE: &str = "line";
 
-/// The feature of a board's package that adds capacity for obstacles.
+/// The feature of the boards' package that adds capacity for obstacles.
 pub const OBSTACLES: &str = "obstacles";
 
 /// A board with an emulator.
@@ -36,7 +36,7 @@ pub struct Board {
     pub ram: u64,
     /// The family of its chip, if the chip is flashed through a drive.
     pub family: Option<Family>,
-    /// Features of its package that add a device at its pins.
+    /// Features of the boards' package that add a device at its pins.
     pub devices: &'static [&'static str],
     /// What the compiler calls its processor.
     target: &'static str,
@@ -113,12 +113,12 @@ impl Board {
         self != Self::MICROBIT
     }
 
-    /// The folder of its package.
+    /// Its folder in the boards' package, with its build settings.
     pub fn folder(self) -> PathBuf {
         workspace().join(BOARDS).join(self.name)
     }
 
-    /// Builds its image without a log, with features of its package (in cargo's syntax, or ""), with a scene file compiled in or
+    /// Builds its image without a log, with features of the boards' package (in cargo's syntax, or ""), with a scene file compiled in or
     /// its own scene. The build settings are those of the folder. The next image replaces this one.
     ///
     /// # Errors
@@ -127,10 +127,10 @@ impl Board {
         self.image_by("device", features, scene)
     }
 
-    /// The same for small flash: for a chip that a scene with obstacles would overflow.
+    /// Builds the image for small flash: for a chip that a scene with obstacles would overflow.
     ///
     /// # Errors
-    /// The same as for [`Board::image`].
+    /// As for [`Board::image`].
     pub fn small_image(self, scene: &Path) -> Result<PathBuf, EmulatorError> {
         self.image_by("device-small", "", Some(scene))
     }
@@ -143,7 +143,13 @@ impl Board {
         scene: Option<&Path>,
     ) -> Result<PathBuf, EmulatorError> {
         let mut cargo = cargo_build(&self.folder(), profile);
-        cargo.args(["--no-default-features", "--features", features]);
+        let name = self.name;
+        cargo.args([
+            "--bin",
+            &format!("stiction-{name}"),
+            "--no-default-features",
+        ]);
+        cargo.args(["--features", &format!("{name},{features}")]);
         if let Some(scene) = scene {
             cargo.env("STICTION_SCENE", scene);
         }
@@ -167,7 +173,7 @@ impl Board {
         require(self.needs())
     }
 
-    /// The same, and that its emulator is installed, if it has one.
+    /// Checks that the tools that build its image are installed, and its emulator, if it has one.
     ///
     /// # Errors
     /// As [`Board::require_build`].

@@ -3,14 +3,14 @@
 
 use std::collections::VecDeque;
 
-use stiction_core::frame::{
-    Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
-};
 use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription, WithObstacles};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_wire::{
+    Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
+};
 
 const V: usize = 8;
 const S: usize = 2;

@@ -2,11 +2,11 @@
 //! again and decodes to the same message, and a board ([`crate::station`]) keeps its force within limits.
 
 use crate::station;
-use stiction_core::frame::{
+use stiction_core::{Axis, Projection};
+use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, LogitechDecoder, Message, Report, ReportAmong,
     frame_bytes, obstacle_bytes, scene_bytes, wire_bytes,
 };
-use stiction_core::{Axis, Projection};
 
 /// The longest possible payload: 255 vertices, surfaces, obstacles and corners.
 const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);

@@ -133,7 +133,7 @@ fn two_vertex_slip_rubs_after_a_vertex_turned_back() {
 }
 
 proptest! {
-    #![proptest_config(same_every_run(times(40, 1000)))]
+    #![proptest_config(same_every_run(times(40, 500)))]
 
     #[test]
     fn path_evolution_obeys_every_law(scenario in scenario(4)) {

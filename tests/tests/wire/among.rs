@@ -6,12 +6,12 @@ use crate::random::{Random, Store};
 use crate::round_trip::scene;
 use crate::said::Said;
 use crate::{Either, decoded, decoded_among, encoded, sealed, times};
-use stiction_core::frame::{
+use stiction_core::{Description, ObstacleDescription, Scene, Touch, WithObstacles, Wrench};
+use stiction_wire::{
     CommandAmong, ContactAmong, FaultKind, Faults, Forces, Frame, List, ObstacleList, Reference,
     Report, ReportAmong, SceneAmong, VERSION, VERSION_AMONG, obstacle_bytes, scene_bytes,
     wire_bytes,
 };
-use stiction_core::{Description, ObstacleDescription, Scene, Touch, WithObstacles, Wrench};
 
 const PIN: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[[0.0, 0.1]],

@@ -5,7 +5,7 @@ use crate::said::Said;
 use std::collections::BTreeSet;
 
 /// The specification.
-const FRAME: &str = include_str!("../../../core/FRAME.md");
+const FRAME: &str = include_str!("../../../core/wire/FRAME.md");
 
 /// The bytes of every example and its content.
 pub(crate) fn examples() -> Vec<(Vec<u8>, Said)> {

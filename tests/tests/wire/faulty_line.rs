@@ -4,7 +4,7 @@
 use crate::random::{Random, pose};
 use crate::{encoded, times};
 use std::collections::HashSet;
-use stiction_core::frame::{Command, Decoder, Faults, Frame, Pose, Report, Sequence};
+use stiction_wire::{Command, Decoder, Faults, Frame, Pose, Report, Sequence};
 
 const FRAMES: u32 = times(100_000);
 

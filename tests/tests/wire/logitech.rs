@@ -2,9 +2,9 @@
 
 use crate::random::Random;
 use crate::times;
-use stiction_core::frame::{LogitechDecoder, LogitechRecord};
 use stiction_core::{Axis, Projection};
 use stiction_tests::close;
+use stiction_wire::{LogitechDecoder, LogitechRecord};
 
 /// A record in the tracker's format: thousandths of an inch, fortieths of a degree.
 fn record(flags: u8, position: [i32; 3], angles: [u16; 3]) -> [u8; 16] {

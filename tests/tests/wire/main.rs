@@ -14,7 +14,7 @@ mod round_trip;
 mod said;
 mod solver_bits;
 
-use stiction_core::frame::{
+use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, Message, Report, ReportAmong, frame_bytes,
     obstacle_bytes, scene_bytes, wire_bytes,
 };

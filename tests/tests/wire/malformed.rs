@@ -3,7 +3,7 @@
 use crate::random::{Random, Store};
 use crate::{Either, decoded, encoded, sealed, times};
 use stiction_core::Status;
-use stiction_core::frame::{
+use stiction_wire::{
     Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report, VERSION,
     frame_bytes,
 };

@@ -3,8 +3,8 @@
 use crate::random::Random;
 use crate::round_trip::{scene, to_board};
 use crate::{Either, decoded, encoded};
-use stiction_core::frame::{Command, EventSet, Frame, List, Pose, Report, SceneCommand, VERSION};
 use stiction_core::{Event, Status, SurfaceDescription};
+use stiction_wire::{Command, EventSet, Frame, List, Pose, Report, SceneCommand, VERSION};
 
 /// FRAME.md 5.1.
 #[test]

@@ -2,11 +2,11 @@
 
 use std::fmt::Debug;
 
-use stiction_core::frame::{
+use stiction_core::{Event, Evolution, StateKind, Status};
+use stiction_wire::{
     Command, CommandAmong, Drive, FaultKind, Frame, NumberType, Reason, Report, ReportAmong, Reset,
     Stepping,
 };
-use stiction_core::{Event, Evolution, StateKind, Status};
 
 use crate::Either;
 use crate::random::{Random, Store};

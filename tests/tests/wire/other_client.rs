@@ -8,10 +8,10 @@ use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use stiction_core::frame::{
-    self, Decoder, EventSet, Frame, Info, Mode, NumberType, Pose, Report, Sequence, Stepping, Text,
-};
 use stiction_core::{Axis, Event, Evolution};
+use stiction_wire::{
+    Decoder, EventSet, Frame, Info, Mode, NumberType, Pose, Report, Sequence, Stepping, Text,
+};
 
 /// The client's command, without its arguments.
 fn python() -> Command {
@@ -85,13 +85,13 @@ fn board(listener: &TcpListener) -> (u32, u32) {
     let mut bytes = [0; 256];
     while let Ok(n @ 1..) = line.read(&mut bytes) {
         for &byte in &bytes[..n] {
-            let Some(frame) = decoder.push::<frame::Command>(byte) else {
+            let Some(frame) = decoder.push::<stiction_wire::Command>(byte) else {
                 continue;
             };
             let frame = frame.expect("an undamaged frame");
             lost += u32::from(order.lost_before(frame.sequence));
             let message = match frame.message {
-                frame::Command::Hand(hand) => {
+                stiction_wire::Command::Hand(hand) => {
                     samples += 1;
                     let events = EventSet::of(if samples == 1 { &[Event::Touch] } else { &[] });
                     let (position, sample) = (hand.position, frame.sequence);
@@ -102,7 +102,7 @@ fn board(listener: &TcpListener) -> (u32, u32) {
                         ..Pose::default()
                     })
                 }
-                frame::Command::Hello => Report::Info(INFO),
+                stiction_wire::Command::Hello => Report::Info(INFO),
                 other => panic!("{other:?}"),
             };
             // The client may have disconnected.

@@ -4,15 +4,15 @@ mod among;
 
 use self::among::{contact_among, obstacles};
 use crate::Either;
-use stiction_core::frame::FaultKind;
-use stiction_core::frame::{
-    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List,
-    Mode, NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset,
-    SceneCommand, Stepping, Subject, Text,
-};
 use stiction_core::{
     Angle, Axis, Contact, Event, Evolution, Hand, ObstacleDescription, Parameter, StateKind,
     Status, SurfaceDescription, TrackerSample, Wrench,
+};
+use stiction_wire::FaultKind;
+use stiction_wire::{
+    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List,
+    Mode, NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset,
+    SceneCommand, Stepping, Subject, Text,
 };
 
 /// Random numbers (splitmix64).

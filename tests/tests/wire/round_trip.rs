@@ -3,11 +3,11 @@
 use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, decoded, encoded, sampled, times};
-use stiction_core::frame::{
+use stiction_core::{Angle, Description, Hand, Scene, SurfaceDescription};
+use stiction_wire::{
     Command, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text, scene_bytes,
     wire_bytes,
 };
-use stiction_core::{Angle, Description, Hand, Scene, SurfaceDescription};
 
 #[test]
 fn random_messages_arrive_as_they_were_sent() {

@@ -6,11 +6,11 @@ use self::among::subject_among;
 use crate::Either;
 use serde_json::{Map, Value as Json};
 use std::collections::BTreeMap;
-use stiction_core::frame::{
-    Command, Events, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
-};
 use stiction_core::{
     Contact, Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench,
+};
+use stiction_wire::{
+    Command, Events, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
 };
 
 /// The value of a field. Floats are compared by their bits.
@@ -215,7 +215,7 @@ impl Said {
                     .int("unsent", h.unsent);
                 self.int("worst_step", h.worst_step)
                     .int("worst_tick", h.worst_tick);
-                for kind in stiction_core::frame::FaultKind::ALL {
+                for kind in stiction_wire::FaultKind::ALL {
                     self.int(&kind.name().replace('-', "_"), h.faults.of(kind));
                 }
             }

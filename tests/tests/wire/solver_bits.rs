@@ -1,11 +1,11 @@
 //! A solver at the other end of the wire returns the same bits as a local one.
 
 use crate::{Either, decoded, encoded};
-use stiction_core::frame::{Command, EventSet, Forces, Frame, List, Pose, Report};
 use stiction_core::{
     Angle, Description, Event, Evolution, Fixed, Hand, Real, Scene, Solver, StateKind,
     SurfaceDescription,
 };
+use stiction_wire::{Command, EventSet, Forces, Frame, List, Pose, Report};
 
 const FRAMES: u32 = if cfg!(miri) { 300 } else { 3000 };
 

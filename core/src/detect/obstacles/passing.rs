@@ -155,7 +155,7 @@ impl<R: Real> Placed<R> {
                 high - foot
             };
             let differs = pair != left && pair != kept;
-            differs && ahead > together() && scene.lie_in_line([kept, pair], self)
+            differs && ahead > together() && self.lie_in_line(scene, [kept, pair])
         };
         let ends = list.iter().copied().filter(is_end);
         let mut found: Option<(R, Pair)> = None;

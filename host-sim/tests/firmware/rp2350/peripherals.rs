@@ -178,8 +178,8 @@ impl Peripherals {
             let registers = std::mem::take(&mut self.registers);
             let others = registers.into_iter();
             self.registers = BTreeMap::from([(RESETS, word)]);
-            let kept: Vec<_> = others.filter(|(at, _)| !self.is_in_reset(*at)).collect();
-            self.registers.extend(kept);
+            let powered: Vec<_> = others.filter(|(at, _)| !self.is_in_reset(*at)).collect();
+            self.registers.extend(powered);
         }
         if register == ALARM0 {
             self.registers.insert(ARMED, 1);

@@ -2,9 +2,9 @@
 //! in f32 are made of; and interrupts. The words of instructions are those of GNU as.
 
 use super::{Chip, FLASH, RAM, TIMER0_IRQ_0, UART0_IRQ};
-use crate::random::Random;
 use rp2350_emu::core::CoreBus;
 use std::sync::atomic::Ordering;
+use stiction_tests::station::noise::Random;
 
 /// Where the stack begins.
 const STACK: u32 = RAM + 0x1000;

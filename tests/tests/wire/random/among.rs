@@ -2,11 +2,11 @@
 
 use super::{Random, Store, wrench};
 use crate::Either;
-use stiction_core::frame::{
+use stiction_core::{ObstacleDescription, Parameter, Touch};
+use stiction_wire::{
     CommandAmong, ContactAmong, Forces, Frame, List, ObstacleList, Reply, Report, ReportAmong,
     Room, SceneAmong, Subject,
 };
-use stiction_core::{ObstacleDescription, Parameter, Touch};
 
 impl Random {
     /// A refusal that only boards with capacity for obstacles send.

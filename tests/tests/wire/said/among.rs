@@ -1,8 +1,8 @@
 //! The content of a frame about obstacles.
 
 use super::{Said, Value, float, floats};
-use stiction_core::frame::{CommandAmong, ContactAmong, ReportAmong, SceneAmong};
 use stiction_core::{ObstacleDescription, Parameter, Touch};
+use stiction_wire::{CommandAmong, ContactAmong, ReportAmong, SceneAmong};
 
 const NO_OBSTACLE: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[],

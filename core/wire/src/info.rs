@@ -1,0 +1,107 @@
+//! What a board is, on the wire (FRAME 5.5).
+
+use crate::fault::FaultKind;
+use crate::field::{Field, Fields, Sink, require};
+use crate::layout::coded;
+use crate::list::Text;
+use crate::mode::Mode;
+
+coded! {
+    /// The number type of a board's solver.
+    #[derive(Default)]
+    pub enum NumberType {
+        /// `f32`.
+        #[default]
+        F32 = "f32",
+        /// [`Fixed`](stiction_core::Fixed).
+        Fixed = "fixed",
+    }
+}
+
+/// What a board is and its present settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Info<'a> {
+    /// Version of the firmware: major, minor, patch.
+    pub version: [u8; 3],
+    /// The number type of its solver.
+    pub number: NumberType,
+    /// The maximum number of vertices.
+    pub vertices: u8,
+    /// The maximum number of surfaces.
+    pub surfaces: u8,
+    /// Its solver has friction.
+    pub friction: bool,
+    /// Its solver has weight.
+    pub weight: bool,
+    /// It outputs forces to the hand.
+    pub actuators: bool,
+    /// The longest frame that it accepts, in bytes before COBS.
+    pub longest_frame: u16,
+    /// The most ticks per second (Hz).
+    pub fastest_tick: u16,
+    /// The budget of a step in units of work, see [`Solver::with_budget`](stiction_core::Solver::with_budget): it follows from the tick.
+    pub budget: u32,
+    /// Below these k_h (N/m) and k_theta (N·m/rad) its haptic device is passive at its tick rate; infinite without actuators.
+    pub stiffest: [f32; 2],
+    /// k_h (N/m) and k_theta (N·m/rad) now.
+    pub stiffness: [f32; 2],
+    /// mu_s and mu_d of the first surface now; 0 without one.
+    pub friction_now: [f32; 2],
+    /// Its memory length (m) now; `None`: L / 4096, or there is no surface.
+    pub memory_now: Option<f32>,
+    /// Its present operating mode.
+    pub mode: Mode,
+    /// Name of the board.
+    pub name: Text<'a>,
+}
+
+const FRICTION: u8 = 1;
+const WEIGHT: u8 = 1 << 1;
+const ACTUATORS: u8 = 1 << 2;
+
+impl<'a> Info<'a> {
+    const HEAD_BYTES: usize = 44 + Mode::BYTES;
+    /// With the longest name.
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
+
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
+        self.version.put(sink);
+        self.number.put(sink);
+        [self.vertices, self.surfaces].put(sink);
+        let bit = |has: bool, bit| if has { bit } else { 0 };
+        let has = bit(self.friction, FRICTION) | bit(self.weight, WEIGHT);
+        (has | bit(self.actuators, ACTUATORS)).put(sink);
+        [self.longest_frame, self.fastest_tick].put(sink);
+        self.budget.put(sink);
+        [self.stiffest, self.stiffness, self.friction_now].put(sink);
+        self.memory_now.put(sink);
+        self.mode.put(sink);
+        self.name.write(sink);
+    }
+
+    /// Reads the payload of info (FRAME 5.5); fails if it is too short, or if a code, a bit or a character is not permitted.
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        fields.at_least(Self::HEAD_BYTES)?;
+        let (version, number) = (fields.get()?, fields.get()?);
+        let [vertices, surfaces, has] = fields.take();
+        require(has <= FRICTION | WEIGHT | ACTUATORS, FaultKind::Value)?;
+        Ok(Self {
+            version,
+            number,
+            vertices,
+            surfaces,
+            friction: has & FRICTION != 0,
+            weight: has & WEIGHT != 0,
+            actuators: has & ACTUATORS != 0,
+            longest_frame: fields.get()?,
+            fastest_tick: fields.get()?,
+            budget: fields.get()?,
+            stiffest: fields.get()?,
+            stiffness: fields.get()?,
+            friction_now: fields.get()?,
+            memory_now: fields.get()?,
+            mode: fields.get()?,
+            name: Text::read(fields)?,
+        })
+    }
+}

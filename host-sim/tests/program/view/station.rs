@@ -1,0 +1,163 @@
+//! A board that is a thread of the test: the program of real boards behind a unix socket, with a tick every millisecond.
+
+use std::collections::VecDeque;
+use std::io::{ErrorKind, Read, Write};
+use std::os::unix::net::{UnixListener, UnixStream};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
+use stiction_firmware::device::{FromLine, NoActuators, Servo};
+use stiction_firmware::safety::Limits;
+use stiction_firmware::station::{Link, Setup, Station};
+use stiction_wire::{Mode, NumberType, frame_bytes, scene_bytes};
+
+const V: usize = 8;
+const S: usize = 2;
+const LONGEST: usize = frame_bytes(scene_bytes(V, S));
+
+/// What it has after power-up; a client sends its own.
+const SCENE: Description<'static, f32> = Description {
+    vertices: &[[0.0, 0.0]],
+    start: [0.0, 1.0, 0.0],
+    weight: 0.0,
+    holding_point: None,
+    reach: 1.0,
+    stiffness_translation: 100.0,
+    stiffness_rotation: 0.0,
+    surfaces: &[SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        friction_static: 0.5,
+        friction_dynamic: 0.3,
+        memory: None,
+    }],
+};
+
+/// A board, until it is dropped.
+pub(crate) struct Board {
+    is_wanted: Arc<AtomicBool>,
+    /// It is pulled out as soon as this is set, and comes back at once.
+    pub(crate) is_pulled: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Board {
+    /// With a solver in f32.
+    pub(crate) fn f32(place: &Path) -> Self {
+        Self::behind::<f32>(place, NumberType::F32)
+    }
+
+    /// With a solver in fixed point.
+    pub(crate) fn fixed(place: &Path) -> Self {
+        Self::behind::<Fixed>(place, NumberType::Fixed)
+    }
+
+    fn behind<R: Real<Si = f32>>(place: &Path, number: NumberType) -> Self {
+        let setup = Setup {
+            name: "a thread",
+            number,
+            line_rate: 1_000_000,
+            fastest_tick: 1_000,
+            work_rate: u32::MAX,
+            limits: Limits::DEFAULT,
+            passivity: None,
+            mode: Mode::DEFAULT,
+            scene: SCENE,
+        };
+        // A station has its setup for good.
+        let setup: &'static Setup = Box::leak(Box::new(setup));
+        let listener = UnixListener::bind(place).expect("a socket");
+        listener.set_nonblocking(true).expect("an option");
+        let (is_wanted, is_pulled) = (Arc::new(AtomicBool::new(true)), Arc::default());
+        let (wanted, pulled) = (Arc::clone(&is_wanted), Arc::clone(&is_pulled));
+        let thread = thread::spawn(move || {
+            while wanted.load(Ordering::Relaxed) {
+                match listener.accept() {
+                    Ok((stream, _)) => serve::<R>(setup, stream, &wanted, &pulled),
+                    Err(_) => thread::sleep(Duration::from_millis(5)),
+                }
+            }
+        });
+        Self {
+            is_wanted,
+            is_pulled,
+            thread: Some(thread),
+        }
+    }
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        self.is_wanted.store(false, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// From power-up until the line is gone.
+fn serve<R: Real<Si = f32>>(
+    setup: &'static Setup,
+    stream: UnixStream,
+    wanted: &AtomicBool,
+    pulled: &AtomicBool,
+) {
+    stream.set_nonblocking(true).expect("an option");
+    let station = Station::<R, V, S, Full, LONGEST>::new(setup);
+    let mut station = station.expect("a board");
+    let begun = Instant::now();
+    let mut line = Line {
+        stream,
+        came: VecDeque::new(),
+        begun,
+    };
+    let (mut due, mut servo) = (begun, Servo::new((FromLine, NoActuators)));
+    while wanted.load(Ordering::Relaxed) && !pulled.swap(false, Ordering::Relaxed) {
+        if !line.listen() {
+            return;
+        }
+        let now_us = begun.elapsed().as_micros() as u32;
+        station.tick(now_us, &mut line, &mut servo);
+        due += Duration::from_millis(1);
+        thread::sleep(due.saturating_duration_since(Instant::now()));
+    }
+}
+
+struct Line {
+    stream: UnixStream,
+    came: VecDeque<u8>,
+    begun: Instant,
+}
+
+impl Line {
+    /// Takes what has come; false at the end.
+    fn listen(&mut self) -> bool {
+        let mut bytes = [0; 4096];
+        match self.stream.read(&mut bytes) {
+            Ok(0) => false,
+            Ok(count) => {
+                self.came.extend(&bytes[..count]);
+                true
+            }
+            Err(error) => error.kind() == ErrorKind::WouldBlock,
+        }
+    }
+}
+
+impl Link for Line {
+    fn take(&mut self) -> Option<u8> {
+        self.came.pop_front()
+    }
+
+    fn send(&mut self, frame: &[u8]) -> bool {
+        self.stream.write_all(frame).is_ok()
+    }
+
+    fn now_ns(&mut self) -> u32 {
+        self.begun.elapsed().as_nanos() as u32
+    }
+}
