@@ -8,11 +8,11 @@ use crate::written::WrittenScene;
 
 /// The file's indices of the solver's obstacles, corners and sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Indices(Vec<Kept>);
+pub struct Indices(Vec<Remaining>);
 
 /// An obstacle of which at least a part is in range.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Kept {
+struct Remaining {
     obstacle: usize,
     /// For each of its corners, the file's index, which is also that of the side that begins there; for an added corner, that of the
     /// previous corner.
@@ -138,7 +138,7 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
             vertices: corners.iter().map(|corner| corner.place).collect(),
             ..obstacle.clone()
         });
-        indices.push(Kept {
+        indices.push(Remaining {
             obstacle: i,
             corners: corners.iter().map(|corner| corner.number).collect(),
         });

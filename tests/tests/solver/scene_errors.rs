@@ -132,7 +132,7 @@ fn places_are_reported_by_the_larger_coordinate() {
             s.vertices = vec![[-1.0, far], [1.0, far]];
         });
     }
-    // The same holds if the position is wrong relative to the others.
+    // So it is if the position is wrong relative to the others.
     refused_by_all(Parameter::Vertex(3), 1.5, |s| {
         (s.vertices[2], s.vertices[3]) = ([-0.5, 0.3], [-1.0, 1.5]);
     });

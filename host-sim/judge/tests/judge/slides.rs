@@ -275,7 +275,7 @@ fn thresholds_of_memory_lengths() {
         let normal = |part: f64, x: f64| {
             let parsed = self::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
-            // The same without the weight of 1 N and its friction.
+            // Without the weight of 1 N and its friction.
             lighten(&parsed, &mut frame, part * threshold);
             frame
         };
