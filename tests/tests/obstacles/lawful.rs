@@ -33,9 +33,17 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
     }
 }
 
-/// Scenes that currently break a law: number type, evolution, number.
-const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
-const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
+/// Scenes that currently break a law, of the larger samples: number type, evolution, number.
+///
+/// In the worlds two corners lie on one line, one of them without friction, and the state is `two-vertex` instead of `edge`.
+const KNOWN_WORLDS: &[(&str, &str, u64)] = &[
+    ("f64", "path", 72),
+    ("f64", "path", 189),
+    ("f64", "frame", 72),
+    ("f64", "frame", 189),
+];
+/// A body that is jammed by a hand some hundred body sizes away has two contacts at one corner.
+const KNOWN_ROOMS: &[(&str, &str, u64)] = &[("f32", "path", 80), ("f32", "path", 152)];
 
 /// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {

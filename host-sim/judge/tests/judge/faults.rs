@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use stiction_judge::{Event, Evolution, Frame, Scene, State, Status, law};
 
-use crate::drag::{Drag, LAWFUL, drag, drag_scene, first_slip};
+use crate::drag::{Drag, LAWFUL, drag, drag_scene};
 use crate::write::{broken, judged, lines, on};
 
 /// The laws that the dragged box breaks after a fault in one of its frames.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Judge, Scene, State, Status};
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Status};
 use stiction_judge::{InputError, Source, Survey, Touch, Trace};
 use tempfile::TempDir;
 
