@@ -49,8 +49,7 @@ fn judge(
         Number::F32 => write::<f32>(case, &run, &file)?,
         Number::Fixed => write::<Fixed>(case, &run, &file)?,
     }
-    let source = case.scene.source();
-    let scene = Scene::parse(source.file(), source.text())?;
+    let scene = Scene::from(&case.scene.written);
     let frames = Trace::open(&file, &scene)?;
     let mut judge = check::judge(scene, number, evolution);
     let broken = survey.unlawful;

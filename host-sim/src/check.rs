@@ -127,7 +127,7 @@ fn open_scene(name: &Path) -> Result<Scene, InputError> {
         return Scene::read(name);
     }
     match scenes::find(name) {
-        Some(source) => Scene::parse(source.file(), source.text()),
+        Some(source) => Scene::parse(source),
         None => Err(InputError::of_file(name, scenes::unknown(name))),
     }
 }

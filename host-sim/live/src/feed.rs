@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use stiction_insertion::Meter;
+use stiction_judge::insertion::Meter;
 use stiction_scene::SceneFile;
 
 use crate::counts::Counts;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use stiction_core::{Hand, Present};
-use stiction_insertion::Meter;
+use stiction_judge::insertion::Meter;
 use web_time::Instant;
 
 use crate::body::{Body, Setting};

@@ -12,7 +12,7 @@ use stiction_host_sim::number::Number;
 use stiction_host_sim::trace::{Format, TraceWriter};
 use stiction_host_sim::{plot, record};
 use stiction_judge::{Survey, Trace};
-use stiction_scene::SceneFile;
+use stiction_scene::{SceneFile, Source};
 
 use crate::refused;
 use crate::rows::Rows;
@@ -147,7 +147,7 @@ fn judged(head: &Head, rows: Rows<'_>) -> Result<(u64, String), Box<dyn Error + 
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("trace.jsonl");
     write(head, rows, &file, Format::JsonLines)?;
-    let scene = stiction_judge::Scene::parse(&file, &head.text)?;
+    let scene = stiction_judge::Scene::parse(Source::new(&file, head.text.as_str()))?;
     let frames = Trace::open(&file, &scene)?;
     let mut judge = judge(scene, head.run.number, head.run.evolution);
     let mut survey = Survey::new(WORST);

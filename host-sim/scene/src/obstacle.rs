@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Fallback, Friction, Owner};
+use crate::friction::{Coefficients, Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
@@ -35,7 +35,8 @@ pub(crate) fn obstacles(
     for (i, given) in document.obstacle.iter().enumerate() {
         let obstacle = obstacle(check, i, given, fallback)?;
         let name = given.get_ref().name.as_ref();
-        names.take(check, ("obstacle", i), &obstacle.name, (name, given.span()))?;
+        let place = name.map_or(given.span(), Spanned::span).start;
+        names.take(check, ("obstacle", i), &obstacle.name, place)?;
         checked.push(obstacle);
     }
     Ok(checked)
@@ -65,7 +66,7 @@ fn obstacle(
         slip: obstacle.slip.as_ref(),
         memory: obstacle.memory.as_ref(),
     };
-    let Friction {
+    let Coefficients {
         stick,
         slip,
         memory,

@@ -4,7 +4,7 @@ use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Fallback, Friction, Owner};
+use crate::friction::{Coefficients, Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
@@ -36,7 +36,8 @@ pub(crate) fn surfaces(
     for (i, given) in document.surface.iter().enumerate() {
         let surface = surface(check, i, given, fallback)?;
         let name = given.get_ref().name.as_ref();
-        names.take(check, ("surface", i), &surface.name, (name, given.span()))?;
+        let place = name.map_or(given.span(), Spanned::span).start;
+        names.take(check, ("surface", i), &surface.name, place)?;
         checked.push(surface);
     }
     Ok(checked)
@@ -64,7 +65,7 @@ fn surface(
         slip: surface.slip.as_ref(),
         memory: surface.memory.as_ref(),
     };
-    let Friction {
+    let Coefficients {
         stick,
         slip,
         memory,

@@ -9,7 +9,7 @@ use crate::meter::small_angles;
 use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
-use stiction_insertion::{Diagram, Insertion, Meter, Verdict};
+use stiction_judge::insertion::{Diagram, Insertion, Meter, Verdict};
 
 /// Height of a panel, and room between two [px].
 const HEIGHT: f64 = 430.0;

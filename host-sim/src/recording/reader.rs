@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use stiction_scene::Sample;
-use stiction_text::{LONGEST_WHOLE, Lines};
+use stiction_scene::text::{LONGEST_WHOLE, Lines};
 
 use super::line::{ChangeLine, End, LineIn};
 use super::{Change, Head, PIECE, VERSION};
@@ -102,7 +102,7 @@ impl Recording {
     /// Fails if it cannot be read, or is no recording.
     pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
         // Of any length: it is read line by line.
-        let opened = stiction_text::open(file, u64::MAX);
+        let opened = stiction_scene::text::open(file, u64::MAX);
         let opened = opened.map_err(|problem| RecordingError::File {
             file: file.to_owned(),
             problem,

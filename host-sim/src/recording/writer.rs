@@ -137,5 +137,5 @@ pub(crate) fn is_being_written(place: &Path) -> bool {
             Err(TryLockError::WouldBlock)
         )
     };
-    stiction_text::open(place, u64::MAX).is_ok_and(locked)
+    stiction_scene::text::open(place, u64::MAX).is_ok_and(locked)
 }

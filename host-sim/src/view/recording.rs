@@ -288,7 +288,7 @@ impl Recording {
     /// # Errors
     /// Fails if it is missing.
     pub(super) fn file(&self) -> Result<File, String> {
-        let opened = stiction_text::open(&self.place, u64::MAX);
+        let opened = stiction_scene::text::open(&self.place, u64::MAX);
         opened.map_err(|problem| format!("{}: {problem}", self.place.display()))
     }
 }

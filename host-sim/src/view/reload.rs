@@ -50,11 +50,11 @@ pub(super) fn begin(
 impl Watch {
     /// Runs until the program ends.
     fn go(self) {
-        let mut shown = stiction_text::read(&self.file);
+        let mut shown = stiction_scene::text::read(&self.file);
         let mut last = shown.clone();
         loop {
             thread::sleep(EVERY);
-            let content = stiction_text::read(&self.file);
+            let content = stiction_scene::text::read(&self.file);
             let is_whole = content == last;
             last = content;
             if !is_whole || last == shown {

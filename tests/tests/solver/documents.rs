@@ -121,10 +121,10 @@ fn documents(folder: &str) -> Vec<PathBuf> {
 /// The anchor of a heading, as repository hosts generate it.
 fn anchor(heading: &str) -> String {
     let text = heading.trim_start_matches('#').trim().to_lowercase();
-    let kept = text
+    let letters = text
         .chars()
         .filter(|c| c.is_alphanumeric() || " -_".contains(*c));
-    kept.collect::<String>().replace(' ', "-")
+    letters.collect::<String>().replace(' ', "-")
 }
 
 /// Folders with documents.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::json;
-use stiction_insertion::Meter;
+use stiction_judge::insertion::Meter;
 use stiction_scene::{ObstacleInfo, SurfaceInfo};
 
 use super::text;

@@ -2,48 +2,27 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::plane::{Side, Vec2, add, cross, dot, left, length, middle, placed, scaled, sides, sub};
-use crate::{Meter, Peg};
+use super::plane::{Side, Vec2, add, cross, dot, left, length, middle, placed, scaled, sides, sub};
+use super::{Meter, Peg};
+use crate::scene::{Obstacle, Scene, Surface};
 
 /// The largest clearance c of a peg in its hole: above it, a friction of 1 wedges no peg.
 pub const MOST_CLEARANCE: f64 = 1.0 - FRAC_1_SQRT_2;
 /// Tolerance of parallel sides (rad): over the length of a peg, their distance changes by a thousandth of a clearance of a thousandth.
 const PARALLEL: f64 = 1e-6;
 
-/// The items in the plane, world frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
-    /// The vertices of the body (m), body frame, counter-clockwise.
-    pub body: &'a [Vec2],
-    /// x, y (m), theta (rad) of the body at the start.
-    pub start: [f64; 3],
-    /// Half-planes: unit normal towards the free side and offset (m).
-    pub surfaces: &'a [(Vec2, f64)],
-    /// The obstacles.
-    pub obstacles: &'a [Solid<'a>],
-}
-
-/// An obstacle.
-#[derive(Clone, Copy, Debug)]
-pub struct Solid<'a> {
-    /// Its corners (m), world frame, counter-clockwise.
-    pub vertices: &'a [Vec2],
-    /// mu_d
-    pub friction: f64,
-}
-
 /// A wall of a hole, and its friction.
 type Wall = (Side, f64);
 
 impl Meter {
     /// The meter of a scene that has a peg and a hole.
-    pub fn find(scene: &Scene<'_>) -> Option<Self> {
+    pub fn find(scene: &Scene) -> Option<Self> {
         let walls: Vec<(usize, Wall)> = (scene.obstacles.iter().enumerate())
             .flat_map(|(k, solid)| {
-                sides(solid.vertices).map(move |side| (k, (side, solid.friction)))
+                sides(&solid.vertices).map(move |side| (k, (side, solid.friction_dynamic)))
             })
             .collect();
-        let pegs = Peg::all(scene.body);
+        let pegs = Peg::all(&scene.vertices);
         let mut best: Option<([f64; 2], Self)> = None;
         for (i, &(a, one)) in walls.iter().enumerate() {
             for &(_, other) in walls[..i].iter().filter(|(b, _)| *b != a) {
@@ -63,12 +42,12 @@ impl Meter {
 
     /// The rank of a peg and hole, lower is better: the clearance, as far as it differs, then the distance from the
     /// start to the mouth (m).
-    fn rank(&self, scene: &Scene<'_>) -> [f64; 2] {
+    fn rank(&self, scene: &Scene) -> [f64; 2] {
         let apart = length(sub(self.mouth, start(scene)));
         [(self.clearance() / PARALLEL).round(), apart]
     }
 
-    fn of(scene: &Scene<'_>, peg: &Peg, walls: [Wall; 2]) -> Option<Self> {
+    fn of(scene: &Scene, peg: &Peg, walls: [Wall; 2]) -> Option<Self> {
         let [(a, mu_a), (b, mu_b)] = walls;
         if !are_opposite(a.normal, b.normal) {
             return None;
@@ -114,14 +93,14 @@ impl Meter {
 }
 
 /// The mean of the body's vertices at the start (m).
-fn start(scene: &Scene<'_>) -> Vec2 {
+fn start(scene: &Scene) -> Vec2 {
     let sum = scene
-        .body
+        .vertices
         .iter()
         .fold([0.0; 2], |sum, &vertex| add(sum, vertex));
     placed(
         scene.start,
-        scaled(sum, 1.0 / scene.body.len().max(1) as f64),
+        scaled(sum, 1.0 / scene.vertices.len().max(1) as f64),
     )
 }
 
@@ -130,9 +109,9 @@ fn are_opposite(a: Vec2, b: Vec2) -> bool {
 }
 
 /// Whether a point is in, on or behind an item, to within `near` (m).
-fn is_covered(scene: &Scene<'_>, point: Vec2, near: f64) -> bool {
-    let behind = |&(normal, offset): &(Vec2, f64)| dot(normal, point) <= offset + near;
-    let within = |solid: &Solid<'_>| match solid.vertices {
+fn is_covered(scene: &Scene, point: Vec2, near: f64) -> bool {
+    let behind = |surface: &Surface| dot(surface.normal, point) <= surface.offset + near;
+    let within = |solid: &Obstacle| match solid.vertices.as_slice() {
         [pin] => length(sub(point, *pin)) <= near,
         vertices => sides(vertices).all(|side| {
             let along = scaled(
@@ -174,7 +153,7 @@ impl Peg {
     /// The peg in a pose, with the tip at the end that points inwards: the unit axis, the ends of the tip and the opposite ends (m),
     /// world frame.
     pub(crate) fn pointing(&self, pose: [f64; 3], inwards: Vec2) -> Placed {
-        let axis = crate::plane::turned(self.axis, pose[2]);
+        let axis = super::plane::turned(self.axis, pose[2]);
         let ends = self.ends.map(|ends| ends.map(|end| placed(pose, end)));
         let [towards, away] = ends;
         match dot(axis, inwards) > 0.0 {

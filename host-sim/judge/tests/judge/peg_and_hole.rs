@@ -1,6 +1,7 @@
 //! What counts as a peg and a hole, and what does not.
 
-use stiction_insertion::{MOST_CLEARANCE, Meter, Scene, Solid};
+use stiction_judge::insertion::{MOST_CLEARANCE, Meter};
+use stiction_judge::{Obstacle, Scene};
 
 type Vec2 = [f64; 2];
 
@@ -10,19 +11,31 @@ fn block([left, right]: Vec2, [low, high]: Vec2) -> Vec<Vec2> {
     vec![[left, low], [right, low], [right, high], [left, high]]
 }
 
-fn find(body: &[Vec2], start: [f64; 3], obstacles: &[Vec<Vec2>]) -> Option<Meter> {
-    let solids: Vec<Solid<'_>> = (obstacles.iter().enumerate())
-        .map(|(k, vertices)| Solid {
-            vertices,
-            friction: 0.5 - 0.1 * k as f64,
-        })
-        .collect();
-    Meter::find(&Scene {
-        body,
+/// A body among obstacles, each with its mu_d.
+pub(crate) fn among(body: &[Vec2], start: [f64; 3], obstacles: &[(&Vec<Vec2>, f64)]) -> Scene {
+    let obstacle = |&(vertices, friction): &(&Vec<Vec2>, f64)| Obstacle {
+        name: String::new(),
+        vertices: vertices.clone(),
+        friction_static: friction,
+        friction_dynamic: friction,
+        memory: None,
+    };
+    Scene {
+        vertices: body.to_vec(),
         start,
-        surfaces: &[],
-        obstacles: &solids,
-    })
+        weight: 0.0,
+        holding_point: None,
+        stiffness_translation: 1.0,
+        stiffness_rotation: 1.0,
+        surfaces: Vec::new(),
+        obstacles: obstacles.iter().map(obstacle).collect(),
+    }
+}
+
+fn find(body: &[Vec2], start: [f64; 3], obstacles: &[Vec<Vec2>]) -> Option<Meter> {
+    let frictions = (0..).map(|k| 0.5 - 0.1 * f64::from(k));
+    let obstacles: Vec<_> = obstacles.iter().zip(frictions).collect();
+    Meter::find(&among(body, start, &obstacles))
 }
 
 fn hole() -> Vec<Vec<Vec2>> {

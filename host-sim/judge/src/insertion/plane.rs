@@ -2,28 +2,7 @@
 
 use libm::{hypot, sincos};
 
-/// A vector or a position (m).
-pub(crate) type Vec2 = [f64; 2];
-
-pub(crate) fn add(a: Vec2, b: Vec2) -> Vec2 {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-pub(crate) fn sub(a: Vec2, b: Vec2) -> Vec2 {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-pub(crate) fn scaled(a: Vec2, factor: f64) -> Vec2 {
-    [a[0] * factor, a[1] * factor]
-}
-
-pub(crate) fn dot(a: Vec2, b: Vec2) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(crate) fn cross(a: Vec2, b: Vec2) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
+pub(crate) use crate::vector::{Vec2, add, cross, dot, scaled, sub};
 
 pub(crate) fn length([x, y]: Vec2) -> f64 {
     hypot(x, y)

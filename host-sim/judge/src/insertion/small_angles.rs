@@ -1,7 +1,7 @@
 //! F_z by Whitney's formulas for small angles, from the pose of the unloaded peg (m, rad, N). They ignore weight.
 
-use crate::Meter;
-use crate::plane::{cross, dot, left, placed, sub, turned};
+use super::Meter;
+use super::plane::{cross, dot, left, placed, sub, turned};
 
 /// The hand and its spring, world frame.
 #[derive(Clone, Copy, Debug)]

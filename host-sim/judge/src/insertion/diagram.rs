@@ -1,6 +1,6 @@
 //! The jamming diagram at a depth: F_x/F_z horizontally, M/(r F_z) vertically, both dimensionless.
 
-use crate::plane::Vec2;
+use super::plane::Vec2;
 
 /// Whitney's parallelogram.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::find::Placed;
-use crate::plane::{Vec2, add, cross, dot, left, scaled, sub};
-use crate::wedge::is_wedged;
-use crate::{Diagram, Meter};
+use super::find::Placed;
+use super::plane::{Vec2, add, cross, dot, left, scaled, sub};
+use super::wedge::is_wedged;
+use super::{Diagram, Meter};
 
 /// Uncertainty due to rounding of a ratio of forces, and so of a position in the diagram, relative to its size: in f32, the
 /// friction of a sliding contact equals mu_d N more accurately than this.

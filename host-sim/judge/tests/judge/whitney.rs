@@ -1,10 +1,11 @@
 //! The meter against known results for a peg in a hole: the exact balance of OBSTACLES 11, the wedging table, the parallelogram.
 
 use proptest::prelude::*;
-use stiction_insertion::{
-    Diagram, Insertion, Meter, Reaction, Scene, Solid, Springs, Verdict, deepest_wedge,
-    least_friction,
+use stiction_judge::insertion::{
+    Diagram, Insertion, Meter, Reaction, Springs, Verdict, deepest_wedge, least_friction,
 };
+
+use crate::peg_and_hole::among;
 
 type Vec2 = [f64; 2];
 
@@ -22,14 +23,8 @@ fn plate(width: f64) -> [Vec<Vec2>; 2] {
 
 fn meter(width: f64, friction: f64) -> Meter {
     let plate = plate(width);
-    let obstacles = [&plate[0], &plate[1]].map(|vertices| Solid { vertices, friction });
-    Meter::find(&Scene {
-        body: &PEG,
-        start: [0.0; 3],
-        surfaces: &[],
-        obstacles: &obstacles,
-    })
-    .expect("a peg in a hole")
+    let obstacles = [&plate[0], &plate[1]].map(|wall| (wall, friction));
+    Meter::find(&among(&PEG, [0.0; 3], &obstacles)).expect("a peg in a hole")
 }
 
 /// Corner of the mouth at `left` on the peg's left side.
@@ -322,10 +317,10 @@ proptest! {
         let turned = |p: Vec2| [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]];
         let moved = |p: Vec2| { let [a, b] = turned(p); [a + x, b + y] };
         let plate = plate(0.0201).map(|vertices| vertices.into_iter().map(moved).collect::<Vec<_>>());
-        let obstacles = [&plate[0], &plate[1]].map(|vertices| Solid { vertices, friction: 0.1 });
+        let obstacles = [&plate[0], &plate[1]].map(|wall| (wall, 0.1));
         let pose = [5.05e-5, -0.0099428, 0.01005715];
         let placed = |[px, py, theta]: [f64; 3]| { let [a, b] = moved([px, py]); [a, b, theta + turn] };
-        let scene = Scene { body: &PEG, start: placed([0.0, 0.0, 0.0]), surfaces: &[], obstacles: &obstacles };
+        let scene = among(&PEG, placed([0.0, 0.0, 0.0]), &obstacles);
         let there = Meter::find(&scene).expect("a peg in a hole");
         let contacts = [at_mouth(pose[2], 0.01005, [20.0, -2.0]), at_tip(pose, [15.0, 1.5])];
         let carried = contacts.map(|contact| Reaction {

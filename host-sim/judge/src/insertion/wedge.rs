@@ -1,7 +1,7 @@
 //! Wedging: two contacts on opposite walls that bear any load, because the line between them is inside both cones.
 
-use crate::plane::{cross, dot, sub};
-use crate::read::Reaction;
+use super::plane::{cross, dot, sub};
+use super::read::Reaction;
 
 /// Whether the line between two contacts is within atan mu of both normals, which point towards each other.
 pub(crate) fn is_wedged(friction: f64, a: &Reaction, b: &Reaction) -> bool {

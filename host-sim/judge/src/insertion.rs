@@ -1,5 +1,5 @@
 //! Whitney's meter of a peg in a hole: how deep the peg is, the load on it, and whether that load slides it in or jams it. It uses
-//! only the scene and one frame (pose, contacts with forces) and shares no code with the solver. f64, SI units.
+//! only the scene and one frame (pose, contacts with forces). f64, SI units.
 //!
 //! ```text
 //! body, obstacles, half-planes, start ─ Meter::find ─┐
@@ -57,7 +57,7 @@ mod small_angles;
 mod wedge;
 
 pub use diagram::Diagram;
-pub use find::{MOST_CLEARANCE, Scene, Solid};
+pub use find::MOST_CLEARANCE;
 pub use read::{Insertion, Reaction, Verdict};
 pub use small_angles::{SmallAngles, Springs};
 pub use wedge::{deepest_wedge, least_friction};
