@@ -80,7 +80,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             println!(
                 "{} {evolution:?}: {}",
                 number.name(),
-                check::verdict(&survey, &check::Notes::default())
+                check::verdict(&survey, &check::Remarks::default())
             );
             frames += survey.frames;
             unlawful += survey.unlawful;

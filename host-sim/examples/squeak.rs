@@ -1,5 +1,5 @@
 //! A door that squeaks, as a WAV file: the pin of its hinge rubs in its bushing, sticks and slips, and what the friction does to the leaf
-//! is heard. The solver makes a step with every sample, 48 000 a second, in f32; a bank of resonators is the leaf.
+//! sounds. The solver makes a step with every sample, 48 000 a second, in f32; a bank of resonators is the leaf.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example squeak -- squeak.wav
@@ -168,7 +168,7 @@ impl Mode {
     }
 }
 
-/// What is heard of a force: the leaf rings where it changes. The loudest sample is [`PEAK`].
+/// The sound of a force: the leaf rings where it changes. The loudest sample is [`PEAK`].
 fn sound(force: &[f32]) -> Vec<f64> {
     let mut modes = MODES.map(Mode::new);
     let mut ring: Vec<f64> = force

@@ -216,8 +216,8 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
 
 /// The description of a board in a recording.
 fn recording_head(about: &About, scene: &SceneFile) -> Head {
-    let dials = (about.number.into(), about.mode.evolution);
-    Head::of(scene, dials, &maker(about))
+    let evolution = about.mode.evolution;
+    Head::of(scene, about.number.into(), evolution, &maker(about))
 }
 
 /// The board as the maker of a recording.

@@ -31,7 +31,7 @@ pub enum WriteError {
     },
     /// It exists already, and may be somebody's work.
     #[error("{}: is there already and stays as it is, allowed: another name", .0.display())]
-    Kept(PathBuf),
+    Exists(PathBuf),
     /// It would replace another output.
     #[error(
         "{}: would be written by {} and by {}, allowed: a name for each",

@@ -7,7 +7,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use stiction_core::Evolution;
-use stiction_live::say::{Fares, Source};
+use stiction_live::outbound::{Fares, Runner};
 use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
@@ -60,8 +60,8 @@ pub(crate) struct Identity {
 
 impl Identity {
     /// The description for clients.
-    pub(crate) fn source(&self) -> Source<'_> {
-        Source::Board {
+    pub(crate) fn source(&self) -> Runner<'_> {
+        Runner::Board {
             name: &self.name,
             number: self.number.name(),
             r#where: &self.place,

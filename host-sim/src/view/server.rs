@@ -17,12 +17,12 @@ use tokio::sync::{Semaphore, mpsc, watch};
 use tokio::task::spawn_blocking;
 use tokio_util::io::ReaderStream;
 
-use super::doors::Seat;
-use super::feed::Feed;
-use super::kept::Kept;
+use super::connections::Seat;
+use super::feed::SharedFeed;
 use super::orders::Order;
 use super::pictures::picture;
-use super::recording::Recording;
+use super::recording::LiveRecording;
+use super::retained::Retained;
 use super::upload::upload;
 use super::{client, page, written};
 use crate::board::Identity;
@@ -35,7 +35,7 @@ const AT_ONCE: usize = 4 << 10;
 
 /// Data that every client needs.
 pub(super) struct Hub {
-    pub(super) feed: Arc<Feed>,
+    pub(super) feed: Arc<SharedFeed>,
     pub(super) orders: mpsc::Sender<Order>,
     pub(super) scenes: Vec<Offer>,
     /// The board that has the solver.
@@ -47,7 +47,7 @@ pub(super) struct Hub {
     pub(super) uploads: Arc<Semaphore>,
     pub(super) scene_places: Arc<Semaphore>,
     /// Uploaded paths, and recordings.
-    pub(super) kept: Kept,
+    pub(super) retained: Retained,
 }
 
 impl Hub {
@@ -60,9 +60,9 @@ impl Hub {
     pub(super) fn tidy(&self) {
         let recorded = self.feed.read().recorded.clone();
         if let Some(recorded) = recorded {
-            self.kept.keep(recorded);
+            self.retained.keep(recorded);
         }
-        self.kept.tidy();
+        self.retained.tidy();
     }
 }
 
@@ -221,7 +221,7 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
 }
 
 /// A file of a recording, and its bytes.
-fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
+fn content(recorded: &LiveRecording, file: &str) -> Result<(Body, u64), String> {
     let file = match file {
         "trace.jsonl" => recorded.trace()?,
         "recording.jsonl" => recorded.file()?,

@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// The data that is held.
 #[derive(Debug, Default)]
-pub(super) struct Kept(Mutex<Vec<Arc<dyn Any + Send + Sync>>>);
+pub(super) struct Retained(Mutex<Vec<Arc<dyn Any + Send + Sync>>>);
 
-impl Kept {
+impl Retained {
     /// Adds data, once.
     pub(super) fn keep(&self, large: Arc<dyn Any + Send + Sync>) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -42,16 +42,16 @@ mod tests {
 
     #[test]
     fn what_the_solver_lets_go_is_dropped_by_another_thread() {
-        let (dropped, heard) = channel();
-        let (kept, large) = (Kept::default(), Arc::new(Large(dropped)));
-        kept.keep(Arc::clone(&large) as _);
-        kept.keep(Arc::clone(&large) as _);
-        kept.tidy();
-        assert!(heard.try_recv().is_err(), "the solver has it");
+        let (dropped, lost) = channel();
+        let (retained, large) = (Retained::default(), Arc::new(Large(dropped)));
+        retained.keep(Arc::clone(&large) as _);
+        retained.keep(Arc::clone(&large) as _);
+        retained.tidy();
+        assert!(lost.try_recv().is_err(), "the solver has it");
         let solver = thread::spawn(move || drop(large));
         solver.join().expect("it ends");
-        assert!(heard.try_recv().is_err(), "it is kept");
-        kept.tidy();
-        assert_eq!(heard.try_recv(), Ok(thread::current().id()));
+        assert!(lost.try_recv().is_err(), "it is held");
+        retained.tidy();
+        assert_eq!(lost.try_recv(), Ok(thread::current().id()));
     }
 }

@@ -1,10 +1,6 @@
 //! `stiction board --emulate` and `stiction info --emulate` from the command line to the emulator and back. What is not
 //! installed is skipped with the command that installs it; with CI=true it must be there.
-#![cfg(unix)]
-
-mod common;
-
-use common::{Folder, text};
+use crate::common::{Folder, text};
 use stiction_tools::process::may_skip;
 
 /// The folder's program with an emulated board, patient with a slow machine: what it prints; nothing where something is

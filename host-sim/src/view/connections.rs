@@ -28,7 +28,7 @@ const BREATH: Duration = Duration::from_millis(50);
 
 /// Accepts clients until `stop`, and waits until they are gone.
 pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch::Receiver<bool>) {
-    let doors = Doors::default();
+    let connections = Connections::default();
     loop {
         let accepted = tokio::select! {
             () = ended(&mut stop) => break,
@@ -39,13 +39,13 @@ pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch
             continue;
         };
         // A connection without a place is closed.
-        if let Some(seat) = doors.enter() {
+        if let Some(seat) = connections.enter() {
             // A frame does not wait for the acknowledgement of the previous one. If this cannot be set, frames are only later.
             let _ = stream.set_nodelay(true);
             tokio::spawn(connection(stream, router.clone(), seat, stop.clone()));
         }
     }
-    while !doors.seats().taken.is_empty() {
+    while !connections.seats().taken.is_empty() {
         sleep(BREATH).await;
     }
 }
@@ -79,16 +79,25 @@ async fn connection(
 
 /// The present connections.
 #[derive(Debug, Default)]
-struct Doors(Arc<Mutex<Seats>>);
+struct Connections(Arc<Mutex<Seats>>);
 
 #[derive(Debug, Default)]
 struct Seats {
-    /// Number, whether it has sent something, and the notification that its place is lost; the oldest first.
-    taken: VecDeque<(u64, bool, Arc<Notify>)>,
+    /// The oldest first.
+    taken: VecDeque<Occupied>,
     next: u64,
 }
 
-impl Doors {
+#[derive(Debug)]
+struct Occupied {
+    number: u64,
+    /// Its connection has sent something.
+    is_active: bool,
+    /// Notified when the place is lost.
+    lost: Arc<Notify>,
+}
+
+impl Connections {
     fn seats(&self) -> MutexGuard<'_, Seats> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -97,13 +106,16 @@ impl Doors {
     fn enter(&self) -> Option<Arc<Seat>> {
         let mut seats = self.seats();
         if seats.taken.len() >= MOST {
-            let silent = seats.taken.iter().position(|(_, is_heard, _)| !is_heard)?;
-            let (_, _, lost) = seats.taken.remove(silent)?;
-            lost.notify_one();
+            let silent = seats.taken.iter().position(|place| !place.is_active)?;
+            seats.taken.remove(silent)?.lost.notify_one();
         }
         let (number, lost) = (seats.next, Arc::new(Notify::new()));
         seats.next += 1;
-        seats.taken.push_back((number, false, Arc::clone(&lost)));
+        seats.taken.push_back(Occupied {
+            number,
+            is_active: false,
+            lost: Arc::clone(&lost),
+        });
         Some(Arc::new(Seat {
             seats: Arc::clone(&self.0),
             number,
@@ -122,11 +134,11 @@ pub(super) struct Seat {
 
 impl Seat {
     /// A client of the socket sent a message or answered a ping: it keeps its place.
-    pub(super) fn hear(&self) {
+    pub(super) fn mark_active(&self) {
         let mut seats = self.seats.lock().unwrap_or_else(PoisonError::into_inner);
-        let own = seats.taken.iter_mut().find(|seat| seat.0 == self.number);
-        if let Some((_, is_heard, _)) = own {
-            *is_heard = true;
+        let mut places = seats.taken.iter_mut();
+        if let Some(own) = places.find(|place| place.number == self.number) {
+            own.is_active = true;
         }
     }
 
@@ -139,7 +151,7 @@ impl Seat {
 impl Drop for Seat {
     fn drop(&mut self) {
         let mut seats = self.seats.lock().unwrap_or_else(PoisonError::into_inner);
-        seats.taken.retain(|seat| seat.0 != self.number);
+        seats.taken.retain(|place| place.number != self.number);
     }
 }
 
@@ -156,17 +168,17 @@ mod tests {
     }
 
     #[test]
-    fn a_newcomer_gets_the_place_of_the_oldest_that_was_not_heard() {
-        let doors = Doors::default();
-        let seats: Vec<Arc<Seat>> = (0..MOST).filter_map(|_| doors.enter()).collect();
+    fn a_newcomer_gets_the_place_of_the_oldest_that_was_silent() {
+        let connections = Connections::default();
+        let seats: Vec<Arc<Seat>> = (0..MOST).filter_map(|_| connections.enter()).collect();
         assert_eq!(seats.len(), MOST);
-        seats[0].hear();
-        let late = doors.enter().expect("a place");
+        seats[0].mark_active();
+        let late = connections.enter().expect("a place");
         assert!(!is_lost(&seats[0]) && is_lost(&seats[1]) && !is_lost(&seats[2]));
-        seats[2..].iter().for_each(|seat| seat.hear());
-        late.hear();
-        assert!(doors.enter().is_none(), "all are heard");
+        seats[2..].iter().for_each(|seat| seat.mark_active());
+        late.mark_active();
+        assert!(connections.enter().is_none(), "all are active");
         drop(late);
-        assert!(doors.enter().is_some());
+        assert!(connections.enter().is_some());
     }
 }

@@ -17,9 +17,9 @@ const TITLE: usize = 60;
 
 /// The folder of recordings.
 #[derive(Clone, Debug)]
-pub(super) struct Shelf(PathBuf);
+pub(super) struct Archive(PathBuf);
 
-impl Shelf {
+impl Archive {
     /// Returns the given folder, or that of this program in the system's folder for application data; if there is none, the
     /// folder in which the program was started.
     pub(super) fn new(given: Option<PathBuf>) -> Self {
@@ -113,25 +113,25 @@ mod tests {
     #[test]
     fn nothing_is_written_over_and_the_newest_is_found() {
         let folder = tempfile::tempdir().expect("a folder");
-        let shelf = Shelf::new(Some(folder.path().join("new").join("folder")));
-        assert!(shelf.newest_first().is_empty() && shelf.stock().is_none());
+        let archive = Archive::new(Some(folder.path().join("new").join("folder")));
+        assert!(archive.newest_first().is_empty() && archive.stock().is_none());
         let source = scenes::find(Path::new("box-flat")).expect("a scene");
         let scene = SceneFile::parse(source, Number::F32.limit()).expect("a scene");
         let run = Run::of(&scene, Number::F32, Evolution::Path);
         let head = Head::new(&scene, &Settings::default());
-        let begin = || shelf.begin(&head, &run).expect("a recording");
+        let begin = || archive.begin(&head, &run).expect("a recording");
         let (first, second) = (begin(), begin());
         let [a, b] = [&first, &second].map(|recording| recording.place().to_owned());
         assert_eq!(b.file_name(), Some(OsStr::new("box-flat-2.jsonl")));
-        assert!(shelf.newest_first().is_empty(), "both are being written");
+        assert!(archive.newest_first().is_empty(), "both are being written");
         first.finish_live().expect("written");
-        assert_eq!(shelf.newest_first(), [a.as_path()]);
+        assert_eq!(archive.newest_first(), [a.as_path()]);
         drop(second);
         let later = SystemTime::now() + Duration::from_secs(1);
         let file = fs::File::options().append(true).open(&b).expect("there");
         file.set_modified(later).expect("a time");
         drop(file);
-        assert_eq!(shelf.newest_first(), [b, a]);
+        assert_eq!(archive.newest_first(), [b, a]);
         assert_eq!(named("../a b\u{e4}"), "---a-b\u{e4}");
     }
 }

@@ -9,7 +9,7 @@ use serde_json::json;
 use crate::scenes::Offer;
 
 pub use frame::News;
-pub use state::{By, Recorded, Replayed, Status, state};
+pub use state::{By, Downloadable, Replayed, Status, state};
 
 /// Version of the protocol.
 const VERSION: u32 = 1;
@@ -53,7 +53,7 @@ impl Fares {
 /// What runs the solver.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-pub enum Source<'a> {
+pub enum Runner<'a> {
     /// The program or the page itself.
     Core,
     /// A board.
@@ -70,7 +70,7 @@ pub enum Source<'a> {
 }
 
 /// Returns the first message to a client.
-pub fn hello(client: u32, scenes: &[Offer], source: &Source<'_>) -> String {
+pub fn hello(client: u32, scenes: &[Offer], source: &Runner<'_>) -> String {
     let names: Vec<_> = scenes.iter().map(|scene| &scene.name).collect();
     let stories: Vec<_> = scenes.iter().map(|scene| &scene.story).collect();
     json!({

@@ -3,7 +3,7 @@
 use std::io;
 use std::net::{SocketAddr, TcpListener, UdpSocket};
 
-use super::outward::{self, Format};
+use super::outward::{self, PoseFormat};
 use super::{ViewArgs, ViewError};
 use crate::report;
 
@@ -51,12 +51,12 @@ pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
 }
 
 /// The sockets of renderers and trackers.
-pub(super) struct Ends {
-    pub(super) out: Vec<(UdpSocket, Format)>,
-    pub(super) inward: Vec<(UdpSocket, Format)>,
+pub(super) struct Endpoints {
+    pub(super) out: Vec<(UdpSocket, PoseFormat)>,
+    pub(super) inward: Vec<(UdpSocket, PoseFormat)>,
 }
 
-impl Ends {
+impl Endpoints {
     /// Opens the sockets requested by the arguments.
     ///
     /// # Errors
@@ -67,8 +67,8 @@ impl Ends {
             inward: Vec::new(),
         };
         let outward = [
-            ("--osc", &args.osc, Format::Osc),
-            ("--opentrack", &args.opentrack, Format::OpenTrack),
+            ("--osc", &args.osc, PoseFormat::Osc),
+            ("--opentrack", &args.opentrack, PoseFormat::OpenTrack),
         ];
         for (option, address, format) in outward {
             let Some(address) = address else { continue };
@@ -80,8 +80,8 @@ impl Ends {
             ends.out.push((socket, format));
         }
         let inward = [
-            (args.osc_in, Format::Osc),
-            (args.opentrack_in, Format::OpenTrack),
+            (args.osc_in, PoseFormat::Osc),
+            (args.opentrack_in, PoseFormat::OpenTrack),
         ];
         for (port, format) in inward {
             let Some(port) = port else { continue };

@@ -1,10 +1,5 @@
 //! A folder of its own for every test, and the program run in it.
 
-#![allow(
-    dead_code,
-    reason = "compiled into every test program, none of which uses all of it"
-)]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output};
@@ -51,10 +46,15 @@ keyframes = [
 ]
 "#;
 
+/// [`SCENE`] with this in its section `[hand]`.
+pub(crate) fn with_hand(hand: &str) -> String {
+    let (before, _) = SCENE.split_once("[hand]").expect("a hand section");
+    format!("{before}[hand]\n{hand}\n")
+}
+
 /// [`SCENE`] with a recorded path instead of keyframes.
 pub(crate) fn scene_with_path(path: &str, rest: &str) -> String {
-    let hand = SCENE.find("[hand]").expect("a hand section");
-    format!("{}[hand]\npath = {path:?}\n{rest}\n", &SCENE[..hand])
+    with_hand(&format!("path = {path:?}\n{rest}"))
 }
 
 /// A folder with files.

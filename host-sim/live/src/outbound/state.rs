@@ -3,7 +3,6 @@
 use serde::Serialize;
 use serde_json::json;
 use stiction_judge::insertion::Meter;
-use stiction_scene::{ObstacleInfo, SurfaceInfo};
 
 use super::text;
 use crate::pair::Pair;
@@ -21,7 +20,7 @@ pub struct Status {
     /// The file of that recording.
     pub recording_file: Option<String>,
     /// The recording that can be downloaded.
-    pub recorded: Option<Recorded>,
+    pub recorded: Option<Downloadable>,
     /// The path that the hand follows.
     pub replay: Option<Replayed>,
     /// The holder of the hand.
@@ -36,7 +35,7 @@ pub struct Status {
 
 /// A finished recording.
 #[derive(Clone, Debug, Serialize)]
-pub struct Recorded {
+pub struct Downloadable {
     /// Duration from the first tick to the last (s).
     pub seconds: f64,
     /// Number of records.
@@ -115,25 +114,6 @@ pub fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
 fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
     // A recording may have begun elsewhere: start, holding point and reach are those after a reset.
     let (scene, of_stage) = (&pair.setting.scene, &stage.scene);
-    let surface = |surface: &SurfaceInfo| {
-        json!({
-            "name": surface.name,
-            "normal": surface.normal,
-            "offset": surface.offset,
-            "static": surface.friction_static,
-            "dynamic": surface.friction_dynamic,
-            "memory": surface.memory,
-        })
-    };
-    let obstacle = |obstacle: &ObstacleInfo| {
-        json!({
-            "name": obstacle.name,
-            "vertices": obstacle.vertices,
-            "static": obstacle.friction_static,
-            "dynamic": obstacle.friction_dynamic,
-            "memory": obstacle.memory,
-        })
-    };
     let peg = |meter: &Meter| {
         json!({
             "radius": meter.radius,
@@ -142,15 +122,13 @@ fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
             "length": meter.length,
         })
     };
-    let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
-    let obstacles: Vec<_> = scene.obstacles.iter().map(obstacle).collect();
     let [x, y] = stage.home.position;
     json!({
         "title": scene.title,
         "story": of_stage.source().story(),
         "body": scene.vertices,
-        "surfaces": surfaces,
-        "obstacles": obstacles,
+        "surfaces": scene.surfaces,
+        "obstacles": scene.obstacles,
         "peg": pair.meter.as_deref().map(peg),
         "weight": scene.weight,
         "grasp": of_stage.holding_point,

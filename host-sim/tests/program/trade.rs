@@ -1,8 +1,6 @@
 //! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, a README.
 
-mod common;
-
-use common::{Folder, text};
+use crate::common::{Folder, text};
 use serde_json::Value;
 use stiction_host_sim::trade::{Memory, RATES, Setting};
 use stiction_tools::process::may_skip;

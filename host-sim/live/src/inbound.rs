@@ -170,7 +170,7 @@ pub enum Path {
 
 /// A message, and the id for its answer.
 #[derive(Clone, Debug)]
-pub struct Said {
+pub struct Incoming {
     /// The id for the answer, if there is one.
     pub id: Option<i64>,
     /// The message, or what is wrong with it.
@@ -178,7 +178,7 @@ pub struct Said {
 }
 
 /// Reads a message.
-pub fn read(text: &str) -> Said {
+pub fn read(text: &str) -> Incoming {
     if text.len() > LONGEST {
         return refused(None, format!("{} bytes, allowed: {LONGEST}", text.len()));
     }
@@ -195,11 +195,11 @@ pub fn read(text: &str) -> Said {
     };
     let message = Message::deserialize(Value::Object(object));
     let message = message.map_err(|error| error.to_string()).and_then(within);
-    Said { id, message }
+    Incoming { id, message }
 }
 
-fn refused(id: Option<i64>, problem: String) -> Said {
-    Said {
+fn refused(id: Option<i64>, problem: String) -> Incoming {
+    Incoming {
         id,
         message: Err(problem),
     }
@@ -227,7 +227,16 @@ fn within(message: Message) -> Result<Message, String> {
                 "`parameters` is empty, allowed: stiffness_translation, stiffness_rotation, static, dynamic, memory".to_owned(),
             );
         }
-        _ => {}
+        Message::LetGo {}
+        | Message::Scene { .. }
+        | Message::Set { .. }
+        | Message::Number { .. }
+        | Message::Evolution { .. }
+        | Message::Pause { .. }
+        | Message::Reset { .. }
+        | Message::Defaults {}
+        | Message::Record { .. }
+        | Message::Replay { .. } => {}
     }
     Ok(message)
 }

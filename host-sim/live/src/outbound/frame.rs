@@ -50,7 +50,7 @@ impl Formulas {
         let (meter, frame, scene) = (latest.meter.as_deref()?, &latest.frame, &latest.scene);
         let depth = meter::read(meter, frame)?.depth;
         let springs = [scene.stiffness_translation, scene.stiffness_rotation];
-        let small = meter::small_angles((meter, depth), frame, springs);
+        let small = meter::small_angles(meter, depth, frame, springs);
         Some(Self {
             one_point: small.one_point,
             two_points: small.two_points,
