@@ -13,7 +13,7 @@ pub(crate) struct Sloped<R> {
     pub(crate) slope: R,
 }
 
-/// The same, with bounds that hold on the whole motion.
+/// Value and slope at a point, with bounds that hold on the whole motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<R> {
     pub(crate) value: R,
@@ -35,11 +35,11 @@ pub(crate) trait Quantity<R: Real>:
     /// A value, and what else is known about it.
     fn known(value: R, slope: impl FnOnce() -> R, bounds: impl FnOnce() -> Bounds<R>) -> Self;
     fn value(&self) -> R;
-    /// The same multiplied by `k`.
+    /// This quantity multiplied by `k`.
     fn times(self, k: R) -> Self;
-    /// The same with suprema that cover only a window from here.
+    /// This quantity with suprema that cover only a window from here.
     fn within(self, window: R) -> Self;
-    /// The same everywhere.
+    /// A quantity with this value everywhere.
     fn constant(value: R) -> Self {
         let bounds = || Bounds {
             error: R::rounding(value.abs()),
@@ -254,7 +254,7 @@ impl<Q> QuantityVec<Q> {
             y: Q::constant(v.y),
         }
     }
-    /// The same with suprema that cover only a window from here.
+    /// This quantity with suprema that cover only a window from here.
     pub(crate) fn within<R: Real>(self, window: R) -> Self
     where
         Q: Quantity<R>,

@@ -18,7 +18,7 @@ pub(crate) use obstacles::{Among, Known, Reached, Short, Sizes, Tip, Watch, firs
 pub(crate) struct Placed<R> {
     /// The point in the world.
     pub(crate) point: Vec2<R>,
-    /// The same point in the body frame.
+    /// The point in the body frame.
     pub(crate) body_point: Vec2<R>,
     pub(crate) orientation: Orientation<R>,
     /// The surface on which the point lies exactly: gaps to it are measured from the point.
@@ -59,6 +59,32 @@ impl<R: Real> Placed<R> {
             return place - self.point;
         }
         self.arm(scene, contact.vertex)
+    }
+
+    /// Returns whether two contacts are collinear, with the same friction: together they are an edge.
+    pub(crate) fn are_in_line<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        if !W::CORNERS {
+            return a.surface == b.surface;
+        }
+        let [first, second] = [a, b].map(|pair| scene.surface(pair.surface).friction);
+        first == second && self.lie_in_line(scene, [a, b])
+    }
+
+    /// Returns whether two contacts are collinear and face the same direction, to the least displacement: determined from the tilt, as the
+    /// heights of contacts close to each other do not show it.
+    pub(crate) fn lie_in_line<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        if a.surface == b.surface && !a.is_corner() && !b.is_corner() {
+            return true;
+        }
+        if !a.is_corner() && a.vertex == b.vertex {
+            return false;
+        }
+        let rotation = self.orientation.rotation();
+        let [first, second] = [a, b].map(|pair| scene.face(pair, rotation).normal);
+        let apart = self.arm_to(scene, b) - self.arm_to(scene, a);
+        first.dot(second) > R::ZERO
+            && first.cross(second).abs() <= R::MICRO
+            && first.dot(apart).abs() <= R::from_int(4) * R::MICRO
     }
 
     /// The gap between a vertex and a surface, with its rounding.
@@ -124,7 +150,7 @@ impl<R: Real> Placed<R> {
             for vertex in scene.vertex_indices() {
                 let gap = height + normal.dot(scene.vertex(vertex) - self.body_point);
                 if gap <= tolerance {
-                    // No more than two contacts of one surface; of more than four surfaces the first four are kept.
+                    // No more than two contacts of one surface; of more than four surfaces the first four count.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }
@@ -145,7 +171,7 @@ impl<R: Real> Placed<R> {
                 let is_lower = |other: &u8| (gap(*other), *other) < (gap(vertex), vertex);
                 let lower = scene.vertex_indices().filter(is_lower).count();
                 if gap(vertex) <= tolerance && lower < 2 {
-                    // Of more than four surfaces the first four are kept.
+                    // Of more than four surfaces the first four count.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }

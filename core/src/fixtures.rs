@@ -84,7 +84,7 @@ pub(crate) fn scene<const V: usize, const S: usize>(
     sprung(vertices, angles, 1.0)
 }
 
-/// The same in a grip of a stiffness.
+/// A body on planes through the origin at these angles (rad), in a grip of this k_theta / (k_h L²).
 pub(crate) fn sprung<const V: usize, const S: usize>(
     vertices: &[[f64; 2]],
     angles: &[f64; S],

@@ -4,7 +4,8 @@
 use crate::friction::SlidingEdge;
 use crate::geometry::{Angle, Pose, Vec2};
 use crate::real::Real;
-use crate::world::{Surface, World};
+use crate::surface::Surface;
+use crate::world::World;
 
 /// The hand's hold on the body: the boundary condition of every equilibrium.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,7 +55,7 @@ impl<R: Real> Grip<R> {
         }
     }
 
-    /// The same, but not beyond the other grip.
+    /// This grip moved toward another one, but not beyond it, by a given change.
     pub(crate) fn toward(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
         let changes = self.displacement_to(to).changes(scene);
         let part = if changes > change {

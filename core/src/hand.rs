@@ -72,13 +72,20 @@ impl<F: Real> Hand<F> {
             tilted: false,
         }
     }
-    /// The same hand with its switch off.
+    /// This hand with its switch off.
     #[must_use]
     pub fn released(self) -> Self {
         Self {
             held: false,
             ..self
         }
+    }
+    /// A hand at the same place, turned by whole turns; their number saturates.
+    #[must_use]
+    pub fn turned(self, turns: i32) -> Self {
+        let mut hand = self;
+        hand.angle.turns = hand.angle.turns.saturating_add(turns);
+        hand
     }
     /// False if a component is infinite or NaN.
     pub fn is_finite(&self) -> bool {
@@ -99,8 +106,8 @@ pub struct TrackerSample<F> {
     pub held: bool,
 }
 
-/// An axis of the tracker's frame with a direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An axis of the tracker's frame with a direction; +x by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Axis {
     /// 0, 1 or 2: x, y or z.
     pub index: usize,
@@ -184,7 +191,7 @@ impl<F: Real> Projection<F> {
     ///
     /// The orientation is the twist followed by a swing about an axis in the plane. Beyond a swing of 170 degrees the hand is
     /// [`tilted`](Hand::tilted): there the error of the twist is more than 11 times that of the tracker. Where the twist is undefined (a
-    /// swing of half a turn) the last angle is kept.
+    /// swing of half a turn) the last angle stays.
     pub fn planar(&mut self, sample: &TrackerSample<F>) -> Option<Hand<F>> {
         let [x, y, z, w] = sample.orientation;
         let finite = |values: &[F]| values.iter().all(|v| v.is_finite());

@@ -65,6 +65,7 @@
 //! | add a table with an edge, a step, a post or a hole | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
 //! | choose between exact and cheap | [`Evolution`], [`Solver`] |
 //! | keep and replay a run | [`State`] |
+//! | change the scene or its parameters in mid-contact | [`Solver::carry`], [`Present`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
 //! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
 //! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
@@ -101,6 +102,7 @@ struct Readme;
 mod balance_curve;
 mod body;
 mod bounded;
+mod carry;
 mod certified;
 mod contact;
 mod detect;
@@ -113,6 +115,7 @@ mod friction;
 mod geometry;
 mod grip;
 mod hand;
+mod hold;
 mod list;
 mod load;
 mod log;
@@ -131,6 +134,7 @@ mod si;
 mod sign;
 mod solver;
 mod state;
+mod surface;
 mod thresholds;
 mod transition;
 mod units;
@@ -140,11 +144,13 @@ mod world;
 mod wrench2;
 mod wrench_cone;
 
+pub use carry::{Carried, CarryError, Present, reach_again};
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};
 pub use forces::{Contact, Contacts, Touch, Touches, Touching, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
+pub use hold::Hold;
 pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless, WithObstacles};
 pub use output::Output;
 #[cfg(feature = "comparison")]

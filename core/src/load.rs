@@ -8,8 +8,9 @@ use crate::geometry::{Orientation, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
+use crate::surface::Surface;
 use crate::thresholds::Thresholds;
-use crate::world::{Surface, World};
+use crate::world::World;
 use crate::wrench2::Wrench2;
 
 /// The load of hand and weight on a body, about a point that is fixed in it.
@@ -66,7 +67,7 @@ impl<R: Real> Load<R> {
         scene.swings(self.lever - self.centroid)
     }
 
-    /// The same body with another orientation about the point.
+    /// The load of the body turned to another orientation about the point.
     pub(crate) fn turned(
         &self,
         scene: &impl World<R>,
@@ -103,7 +104,7 @@ impl<R: Real> Load<R> {
         self.fits(self.hold.length_bound())
     }
 
-    /// The same with the moments about a sliding foot, bounded by its lever.
+    /// Returns whether the number type can represent the pull, the turn, and the moments of both about a sliding foot, bounded by its lever.
     pub(crate) fn is_representable_sliding(&self) -> bool {
         let lever = self.lever.length_bound();
         self.fits(self.hold.length_bound().max(lever * lever))
@@ -125,7 +126,7 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// The same, times cos(lambda), if the point slides along a surface with its reaction on an edge of the friction cone (E10): wherever
+    /// The moment of a turn about the point, times cos(lambda), if the point slides along a surface with its reaction on an edge of the friction cone (E10): wherever
     /// its foot is now, the moment is taken about the foot at which that edge balances the load.
     pub(crate) fn sliding<H: SecondHarmonic<R>>(
         &self,
@@ -204,7 +205,7 @@ impl<R: Real> Load<R> {
         R::of_sums(self.size())
     }
 
-    /// The same including the foot, which is rounded as a coordinate.
+    /// The rounding of forces and moments at a point, including the foot, which is rounded as a coordinate.
     pub(crate) fn rounding_with_foot(&self) -> R {
         self.rounding() + R::rounding(self.placed.point.length_bound())
     }

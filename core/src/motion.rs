@@ -6,7 +6,8 @@ use crate::contact::Pair;
 use crate::detect::Placed;
 use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::world::{Surface, World};
+use crate::surface::Surface;
+use crate::world::World;
 
 /// The body at a point of a motion, and its velocity per unit of the motion's parameter.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@
 use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::real::Real;
-use crate::world::Surface;
+use crate::surface::Surface;
 use core::fmt::Debug;
 use core::ops::Range;
 use heapless::Vec;

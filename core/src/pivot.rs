@@ -7,7 +7,8 @@ use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::Grip;
 use crate::load::Load;
 use crate::real::Real;
-use crate::world::{Surface, World};
+use crate::surface::Surface;
+use crate::world::World;
 
 /// A vertex that is held at a point of its surface, and the angle of the body about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +108,7 @@ impl<R: Real> Pivot<R> {
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
-    /// The same as the result of a search: no farther than to the end of its side.
+    /// Moves the foot as a slide does, as the result of a search: no farther than to the end of its side.
     pub(crate) fn slide_on_side(
         &mut self,
         scene: &impl World<R>,
@@ -133,7 +134,7 @@ impl<R: Real> Pivot<R> {
         self.foot = if sign > R::ZERO { high } else { low };
     }
 
-    /// The same pivot after a slide along t and a turn. Compiled once per image.
+    /// This pivot after a slide along t and a turn. Compiled once per image.
     #[inline(never)]
     pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
         Self {

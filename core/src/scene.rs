@@ -10,8 +10,9 @@ use crate::list::gather;
 use crate::model::{Full, Model};
 use crate::obstacle::{Corner, Obstacles, Round};
 use crate::real::Real;
+use crate::surface::Surface;
 use crate::units::Units;
-use crate::world::{Surface, World};
+use crate::world::World;
 use core::ops::Range;
 use heapless::Vec;
 

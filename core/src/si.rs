@@ -8,7 +8,7 @@ use crate::real::Real;
 pub trait SiFloat: Real<Si = Self> {
     /// The nearest value of this type.
     fn narrow(value: f64) -> Self;
-    /// The same value as f64.
+    /// This value as f64.
     fn widen(self) -> f64;
     /// The bits, those of f32 in the lower half.
     fn bits(self) -> u64;

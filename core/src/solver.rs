@@ -6,6 +6,7 @@ use crate::event::{Event, Status};
 use crate::geometry::{Angle, Vec2};
 use crate::grip::Grip;
 use crate::hand::Hand;
+use crate::hold::Hold;
 use crate::log::Log;
 use crate::model::{Full, Model};
 use crate::obstacle::Obstacles;
@@ -113,8 +114,7 @@ pub struct State<R: Real> {
     /// phi - theta at which the rotational spring rests.
     rest_offset: Angle<R>,
     held: bool,
-    /// The hand has taken hold before.
-    was_held: bool,
+    hold: Hold,
     hand: Hand<R::Si>,
     /// Why the pose is not a balance: this belongs to the grip, not to the frame, and is therefore reported until the hand moves.
     unrest: Status,
@@ -128,6 +128,18 @@ impl<R: Real> State<R> {
     pub fn hand(&self) -> &Hand<R::Si> {
         &self.hand
     }
+
+    /// How the hand came to hold the body, or, if it has let go, came to hold it last.
+    pub fn hold(&self) -> Hold {
+        self.hold
+    }
+
+    /// A body that is not held now was held in this way.
+    pub(crate) fn keep_hold(&mut self, hold: Hold) {
+        if self.hold == Hold::Never {
+            self.hold = hold;
+        }
+    }
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
@@ -140,7 +152,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// The same solver with the other evolution; an existing state remains valid.
+    /// This solver with an evolution; an existing state remains valid.
     #[must_use]
     pub fn with_evolution(mut self, evolution: Evolution) -> Self {
         self.evolution = evolution;
@@ -250,7 +262,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             grip: Grip::default(),
             rest_offset: Angle::default(),
             held: false,
-            was_held: false,
+            hold: Hold::Never,
             hand: Hand::default(),
             unrest: Status::Ok,
             errand: Errand::NONE,
@@ -297,7 +309,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         log: &mut Log<R>,
     ) -> bool {
         let pose = state.contact.pose(&self.scene);
-        let given = (self.scene.holding_point).filter(|_| !state.was_held);
+        let given = (self.scene.holding_point).filter(|_| state.hold == Hold::Never);
         let (holding_point, rest_offset) = match given {
             Some(point) => (point, Angle::default()),
             None => {
@@ -317,11 +329,13 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.limit(Status::Saturated);
             return false;
         }
-        if given.is_none() {
+        state.hold = if given.is_none() {
             log.event(Event::Grasp);
-        }
+            Hold::Taken
+        } else {
+            Hold::Given
+        };
         state.held = true;
-        state.was_held = true;
         state.rest_offset = rest_offset;
         state.grip = grip;
         state.contact.set_regime(Regime::LOOSE);

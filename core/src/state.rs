@@ -350,7 +350,10 @@ impl<R: Real> ContactState<R> {
                 })
             }
             [other]
-                if W::EDGES && scene.are_in_line([pivot.contact, other], &pivot.placed(scene)) =>
+                if W::EDGES
+                    && pivot
+                        .placed(scene)
+                        .are_in_line(scene, [pivot.contact, other]) =>
             {
                 Self::Edge(Edge::new(pivot, other))
             }

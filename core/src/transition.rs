@@ -146,83 +146,100 @@ pub(crate) fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
 
 /// The arm of a slip that ended at mu_d N.
 pub(crate) fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
-        ContactState::Edge(_) => Transition::EdgeSlips,
-        ContactState::TwoVertex(_) => Transition::TwoSlips,
-        _ => Transition::VertexSlips,
+    match state.kind() {
+        StateKind::Edge => Transition::EdgeSlips,
+        StateKind::TwoVertex => Transition::TwoSlips,
+        StateKind::NonContact | StateKind::SingleVertex | StateKind::Corner | StateKind::Locked => {
+            Transition::VertexSlips
+        }
     }
 }
 
 /// The arm of contacts that begin to slide with the hand.
 pub(crate) fn slide_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
-        ContactState::Edge(_) => Transition::EdgeSlides,
-        ContactState::TwoVertex(_) => Transition::TwoSlides,
-        _ => Transition::VertexSlides,
+    match state.kind() {
+        StateKind::Edge => Transition::EdgeSlides,
+        StateKind::TwoVertex => Transition::TwoSlides,
+        StateKind::NonContact | StateKind::SingleVertex | StateKind::Corner | StateKind::Locked => {
+            Transition::VertexSlides
+        }
     }
 }
 
 /// The arm of contacts that stick after a slide.
 pub(crate) fn halt_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
-        ContactState::Edge(_) => Transition::EdgeStops,
-        ContactState::TwoVertex(_) => Transition::TwoStops,
-        _ => Transition::VertexStops,
+    match state.kind() {
+        StateKind::Edge => Transition::EdgeStops,
+        StateKind::TwoVertex => Transition::TwoStops,
+        StateKind::NonContact | StateKind::SingleVertex | StateKind::Corner | StateKind::Locked => {
+            Transition::VertexStops
+        }
     }
 }
 
 /// The arm of a balance that folds.
 pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
-        ContactState::Free(_) => Transition::FreeFolds,
-        ContactState::TwoVertex(_) => Transition::TwoSnaps,
-        ContactState::Corner(_) => Transition::CornerSnaps,
-        _ => Transition::VertexSnaps,
+    match state.kind() {
+        StateKind::NonContact => Transition::FreeFolds,
+        StateKind::TwoVertex => Transition::TwoSnaps,
+        StateKind::Corner => Transition::CornerSnaps,
+        StateKind::SingleVertex | StateKind::Edge | StateKind::Locked => Transition::VertexSnaps,
     }
 }
 
 /// The arm of a body that leaves all surfaces.
 pub(crate) fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
-        ContactState::Edge(_) => Transition::EdgeLifts,
-        ContactState::TwoVertex(_) => Transition::TwoLifts,
-        ContactState::Corner(_) => Transition::CornerLifts,
-        ContactState::Locked(_) => Transition::LockedLifts,
-        _ => Transition::VertexLifts,
+    match state.kind() {
+        StateKind::Edge => Transition::EdgeLifts,
+        StateKind::TwoVertex => Transition::TwoLifts,
+        StateKind::Corner => Transition::CornerLifts,
+        StateKind::Locked => Transition::LockedLifts,
+        StateKind::NonContact | StateKind::SingleVertex => Transition::VertexLifts,
     }
 }
 
 /// The arm and the event of an additional contact.
 pub(crate) fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
     use StateKind as Kind;
-    match (before, after) {
-        (Kind::NonContact, Kind::Edge) => (Transition::FreeLands, Event::Land),
-        (Kind::NonContact, Kind::TwoVertex) => (Transition::FreeTouchesTwo, Event::Touch),
-        (Kind::NonContact, Kind::Corner) => (Transition::FreeCorners, Event::Touch),
-        (Kind::NonContact, Kind::Locked) => (Transition::FreeJams, Event::Jam),
-        (Kind::NonContact, _) => (Transition::FreeTouches, Event::Touch),
-        (Kind::SingleVertex, Kind::Edge) => (Transition::VertexLands, Event::Land),
-        (Kind::SingleVertex, Kind::Corner) => (Transition::VertexCorners, Event::Touch),
-        (Kind::SingleVertex, Kind::Locked) => (Transition::VertexJams, Event::Jam),
-        (Kind::SingleVertex, _) => (Transition::VertexTouchesTwo, Event::Touch),
-        (Kind::Edge, _) => (Transition::EdgeJams, Event::Jam),
-        (Kind::Corner, _) => (Transition::CornerJams, Event::Jam),
-        (Kind::TwoVertex | Kind::Locked, _) => (Transition::TwoJams, Event::Jam),
+    match before {
+        Kind::NonContact => match after {
+            Kind::Edge => (Transition::FreeLands, Event::Land),
+            Kind::TwoVertex => (Transition::FreeTouchesTwo, Event::Touch),
+            Kind::Corner => (Transition::FreeCorners, Event::Touch),
+            Kind::Locked => (Transition::FreeJams, Event::Jam),
+            Kind::NonContact | Kind::SingleVertex => (Transition::FreeTouches, Event::Touch),
+        },
+        Kind::SingleVertex => match after {
+            Kind::Edge => (Transition::VertexLands, Event::Land),
+            Kind::Corner => (Transition::VertexCorners, Event::Touch),
+            Kind::Locked => (Transition::VertexJams, Event::Jam),
+            Kind::NonContact | Kind::SingleVertex | Kind::TwoVertex => {
+                (Transition::VertexTouchesTwo, Event::Touch)
+            }
+        },
+        Kind::Edge => (Transition::EdgeJams, Event::Jam),
+        Kind::Corner => (Transition::CornerJams, Event::Jam),
+        Kind::TwoVertex | Kind::Locked => (Transition::TwoJams, Event::Jam),
     }
 }
 
 /// The arm and the event of contacts that open, with or without a slide of those that last.
 pub(crate) fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, Event) {
-    match (before, after) {
-        (StateKind::Edge, _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),
-        (StateKind::Edge, _) => (Transition::EdgeTips, Event::Tip),
-        (StateKind::TwoVertex, _) if sliding => (Transition::TwoOpensSliding, Event::Lift),
-        (StateKind::TwoVertex, _) => (Transition::TwoOpens, Event::Lift),
-        (StateKind::Corner, _) => (Transition::CornerSlides, Event::Lift),
-        (_, StateKind::Edge) => (Transition::LockedSlidesEdge, Event::Lift),
-        (_, StateKind::TwoVertex) => (Transition::LockedSlidesTwo, Event::Lift),
-        (_, StateKind::Corner) => (Transition::LockedCorners, Event::Lift),
-        _ => (Transition::LockedTips, Event::Tip),
+    use StateKind as Kind;
+    match before {
+        Kind::Edge if sliding => (Transition::EdgeTipsSliding, Event::Tip),
+        Kind::Edge => (Transition::EdgeTips, Event::Tip),
+        Kind::TwoVertex if sliding => (Transition::TwoOpensSliding, Event::Lift),
+        Kind::TwoVertex => (Transition::TwoOpens, Event::Lift),
+        Kind::Corner => (Transition::CornerSlides, Event::Lift),
+        Kind::NonContact | Kind::SingleVertex | Kind::Locked => match after {
+            Kind::Edge => (Transition::LockedSlidesEdge, Event::Lift),
+            Kind::TwoVertex => (Transition::LockedSlidesTwo, Event::Lift),
+            Kind::Corner => (Transition::LockedCorners, Event::Lift),
+            Kind::NonContact | Kind::SingleVertex | Kind::Locked => {
+                (Transition::LockedTips, Event::Tip)
+            }
+        },
     }
 }
 

@@ -1,56 +1,13 @@
 //! The states' view of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces / (k_h L).
 
 use crate::contact::Pair;
-use crate::detect::Placed;
 use crate::forces::Touch;
-use crate::friction::{Coulomb, SlidingEdge};
 use crate::geometry::{Rotation, Vec2};
 use crate::obstacle::{Corner, Round};
 use crate::real::Real;
+pub(crate) use crate::surface::Surface;
 use crate::thresholds::Thresholds;
 use core::ops::Range;
-
-/// A checked surface, lengths / L.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Surface<R> {
-    /// n: unit normal to the free side.
-    pub(crate) normal: Vec2<R>,
-    /// t = (n_y, -n_x)
-    pub(crate) tangent: Vec2<R>,
-    /// b: the free side is n·p >= b.
-    pub(crate) offset: R,
-    /// The point of the surface that is nearest to the origin.
-    pub(crate) origin: Vec2<R>,
-    /// Friction on this surface.
-    pub(crate) friction: Coulomb<R>,
-}
-
-impl<R: Real> Surface<R> {
-    /// A surface that nothing reaches.
-    pub(crate) const NOWHERE: Self = Self {
-        normal: Vec2::new(R::ZERO, R::ONE),
-        tangent: Vec2::new(R::ONE, R::ZERO),
-        offset: R::LEAST,
-        origin: Vec2::ZERO,
-        friction: Coulomb::FRICTIONLESS,
-    };
-
-    /// The directions of a contact that slides along sign·t.
-    pub(crate) fn sliding(&self, sign: R) -> SlidingEdge<R> {
-        self.friction
-            .sliding_along((self.normal, self.tangent), sign)
-    }
-
-    /// The direction of an edge of the friction cone from its (normal, friction) components.
-    pub(crate) fn direction(&self, (normal, friction): (R, R)) -> Vec2<R> {
-        self.normal * normal + self.tangent * friction
-    }
-
-    /// (N, T) of the contact that bears a force on the body.
-    pub(crate) fn reaction(&self, force: Vec2<R>) -> (R, R) {
-        (-self.normal.dot(force), -self.tangent.dot(force))
-    }
-}
 
 /// The interface of a scene to the states. The constants are known to the compiler: code that a scene cannot need is not compiled in.
 pub(crate) trait World<R: Real>: Sized {
@@ -145,32 +102,6 @@ pub(crate) trait World<R: Real>: Sized {
                 side: index,
             }
         }
-    }
-
-    /// Returns whether two contacts are collinear, with the same friction: together they are an edge.
-    fn are_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
-        if !Self::CORNERS {
-            return a.surface == b.surface;
-        }
-        let [first, second] = [a, b].map(|pair| self.surface(pair.surface).friction);
-        first == second && self.lie_in_line([a, b], placed)
-    }
-
-    /// Returns whether two contacts are collinear and face the same direction, to the least displacement: determined from the tilt, as the
-    /// heights of contacts close to each other do not show it.
-    fn lie_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
-        if a.surface == b.surface && !a.is_corner() && !b.is_corner() {
-            return true;
-        }
-        if !a.is_corner() && a.vertex == b.vertex {
-            return false;
-        }
-        let rotation = placed.orientation.rotation();
-        let [first, second] = [a, b].map(|pair| self.face(pair, rotation).normal);
-        let apart = placed.arm_to(self, b) - placed.arm_to(self, a);
-        first.dot(second) > R::ZERO
-            && first.cross(second).abs() <= R::MICRO
-            && first.dot(apart).abs() <= R::from_int(4) * R::MICRO
     }
 
     /// Where the side of a contact begins and ends along t; for a half-plane beyond all numbers.

@@ -29,7 +29,7 @@ pub(crate) struct Bearing<R> {
 
 /// One edge of the friction cone of a contact.
 #[derive(Clone, Copy, Debug)]
-struct Edge<R> {
+struct ConeEdge<R> {
     wrench: Wrench2<R>,
     contact: usize,
     /// Its components along n and along t.
@@ -40,7 +40,7 @@ struct Edge<R> {
 /// The cone of bearable wrenches.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct WrenchCone<R: Real> {
-    edges: Vec<Edge<R>, MAX_EDGES>,
+    edges: Vec<ConeEdge<R>, MAX_EDGES>,
     /// The levers of the contacts, from the pivot.
     levers: Vec<Vec2<R>, MAX_CONTACTS>,
     /// The work done with it so far, in units of work.
@@ -67,7 +67,7 @@ impl<R: Real> WrenchCone<R> {
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
         for &(n, t) in &bearing.edges {
             let force = bearing.normal * n + bearing.tangent * t;
-            let edge = Edge {
+            let edge = ConeEdge {
                 wrench: Wrench2 {
                     force,
                     moment: bearing.lever.cross(force),

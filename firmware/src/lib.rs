@@ -21,6 +21,7 @@
 //! safety.rs      the limits of the force on the hand, and when it is zero
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! knob.rs        a haptic device of one motor and one encoder
+//! devices.rs     the numbers of the devices at the boards
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
 //! speed.rs       how much work processors do per second
@@ -39,6 +40,7 @@ pub mod board;
 pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
+pub mod devices;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod knob;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]

@@ -68,7 +68,7 @@ impl<const N: usize> Line<N> {
         self.to_send.take()
     }
 
-    /// The same, but the byte remains the next one.
+    /// The next byte to be sent, which remains the next one. Only the interrupt may call it.
     pub fn peek(&self) -> Option<u8> {
         self.to_send.peek()
     }

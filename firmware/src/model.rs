@@ -26,8 +26,8 @@ pub trait BoardModel: Model {
 
     /// The obstacles of a scene as given: a slice of descriptions, or nothing.
     type Surroundings<'a>: Copy + Debug;
-    /// The same, stored.
-    type Kept: Clone + Debug + PartialEq;
+    /// The obstacles of a scene, stored with all that they refer to.
+    type Stored: Clone + Debug + PartialEq;
     /// The messages that the board receives.
     type Command<'a>: Message<'a> + Into<CommandAmong<'a>>;
     /// The messages that it sends.
@@ -60,22 +60,26 @@ pub trait BoardModel: Model {
     ) -> Result<T, SceneError<f32>>;
 
     /// Stores obstacles; `None` if there is no room for them.
-    fn keep(obstacles: Self::Surroundings<'_>) -> Option<Self::Kept>;
+    fn keep(obstacles: Self::Surroundings<'_>) -> Option<Self::Stored>;
 
     /// Passes the stored obstacles to a function.
-    fn with_kept<T>(kept: &Self::Kept, look: impl for<'a> FnOnce(Self::Surroundings<'a>) -> T)
-    -> T;
+    fn with_stored<T>(
+        stored: &Self::Stored,
+        look: impl for<'a> FnOnce(Self::Surroundings<'a>) -> T,
+    ) -> T;
 
     /// Friction and memory length of every obstacle.
-    fn set_friction(kept: &mut Self::Kept, new: &Parameters);
+    fn set_friction(stored: &mut Self::Stored, new: &Parameters);
 
     /// mu_s, mu_d and memory length of the first obstacle.
-    fn first_friction(kept: &Self::Kept) -> Option<([f32; 2], Option<f32>)>;
+    fn first_friction(stored: &Self::Stored) -> Option<([f32; 2], Option<f32>)>;
 
     /// Passes the report of forces, with the contacts of a state, to `send`.
     fn with_forces<R: Real<Si = f32>, const V: usize, const S: usize, T>(
         forces: Forces<'_>,
-        at: (&Solver<R, V, S, Self>, Option<&State<R>>, &Self::Kept),
+        solver: &Solver<R, V, S, Self>,
+        state: Option<&State<R>>,
+        stored: &Self::Stored,
         send: impl FnOnce(Self::Report<'_>) -> T,
     ) -> T
     where
@@ -89,7 +93,7 @@ impl<const FRICTION: bool, const WEIGHT: bool> BoardModel for Parts<FRICTION, WE
     const CONTACT_BYTES: usize = 19;
     const NO_OBSTACLES: () = ();
     type Surroundings<'a> = ();
-    type Kept = ();
+    type Stored = ();
     type Command<'a> = Command<'a>;
     type Report<'a> = Report<'a>;
 
@@ -116,7 +120,7 @@ impl<const FRICTION: bool, const WEIGHT: bool> BoardModel for Parts<FRICTION, WE
     fn keep((): ()) -> Option<()> {
         Some(())
     }
-    fn with_kept<T>((): &(), look: impl FnOnce(()) -> T) -> T {
+    fn with_stored<T>((): &(), look: impl FnOnce(()) -> T) -> T {
         look(())
     }
     fn set_friction((): &mut (), _: &Parameters) {}
@@ -125,7 +129,9 @@ impl<const FRICTION: bool, const WEIGHT: bool> BoardModel for Parts<FRICTION, WE
     }
     fn with_forces<R: Real<Si = f32>, const V: usize, const S: usize, T>(
         forces: Forces<'_>,
-        _: (&Solver<R, V, S, Self>, Option<&State<R>>, &()),
+        _: &Solver<R, V, S, Self>,
+        _: Option<&State<R>>,
+        (): &(),
         send: impl FnOnce(Report<'_>) -> T,
     ) -> T {
         send(Report::Forces(forces))
@@ -134,7 +140,7 @@ impl<const FRICTION: bool, const WEIGHT: bool> BoardModel for Parts<FRICTION, WE
 
 /// Obstacles as they were given, with room for O of them and C corners.
 #[derive(Clone, Debug, PartialEq)]
-pub struct KeptObstacles<const O: usize, const C: usize> {
+pub struct StoredObstacles<const O: usize, const C: usize> {
     corners: Vec<[f32; 2], C>,
     rows: Vec<Row, O>,
 }
@@ -169,7 +175,7 @@ impl<const O: usize, const C: usize, M: Model> BoardModel for WithObstacles<O, C
     const CONTACT_BYTES: usize = 28;
     const NO_OBSTACLES: &'static [ObstacleDescription<'static, f32>] = &[];
     type Surroundings<'a> = &'a [ObstacleDescription<'a, f32>];
-    type Kept = KeptObstacles<O, C>;
+    type Stored = StoredObstacles<O, C>;
     type Command<'a> = CommandAmong<'a>;
     type Report<'a> = ReportAmong<'a>;
 
@@ -193,31 +199,31 @@ impl<const O: usize, const C: usize, M: Model> BoardModel for WithObstacles<O, C
         obstacles.descriptions(&mut corners, &mut places).map(take)
     }
 
-    fn keep(obstacles: &[ObstacleDescription<'_, f32>]) -> Option<Self::Kept> {
-        let mut kept = KeptObstacles {
+    fn keep(obstacles: &[ObstacleDescription<'_, f32>]) -> Option<Self::Stored> {
+        let mut stored = StoredObstacles {
             corners: Vec::new(),
             rows: Vec::new(),
         };
         for obstacle in obstacles {
-            kept.corners.extend_from_slice(obstacle.vertices).ok()?;
+            stored.corners.extend_from_slice(obstacle.vertices).ok()?;
             let row = Row {
                 corners: obstacle.vertices.len(),
                 friction_static: obstacle.friction_static,
                 friction_dynamic: obstacle.friction_dynamic,
                 memory: obstacle.memory,
             };
-            kept.rows.push(row).ok()?;
+            stored.rows.push(row).ok()?;
         }
-        Some(kept)
+        Some(stored)
     }
 
-    fn with_kept<T>(
-        kept: &Self::Kept,
+    fn with_stored<T>(
+        stored: &Self::Stored,
         look: impl for<'a> FnOnce(&'a [ObstacleDescription<'a, f32>]) -> T,
     ) -> T {
-        let mut rest = kept.corners.as_slice();
+        let mut rest = stored.corners.as_slice();
         let mut obstacles: Vec<_, O> = Vec::new();
-        for row in &kept.rows {
+        for row in &stored.rows {
             // The number of corners is the sum over the rows, and there is one row for each obstacle.
             let (vertices, after) = rest.split_at_checked(row.corners).unwrap_or((rest, &[]));
             rest = after;
@@ -231,26 +237,28 @@ impl<const O: usize, const C: usize, M: Model> BoardModel for WithObstacles<O, C
         look(&obstacles)
     }
 
-    fn set_friction(kept: &mut Self::Kept, new: &Parameters) {
-        for row in &mut kept.rows {
+    fn set_friction(stored: &mut Self::Stored, new: &Parameters) {
+        for row in &mut stored.rows {
             row.friction_static = new.friction_static;
             row.friction_dynamic = new.friction_dynamic;
             row.memory = new.memory;
         }
     }
 
-    fn first_friction(kept: &Self::Kept) -> Option<([f32; 2], Option<f32>)> {
-        let first = kept.rows.first()?;
+    fn first_friction(stored: &Self::Stored) -> Option<([f32; 2], Option<f32>)> {
+        let first = stored.rows.first()?;
         let coefficients = [first.friction_static, first.friction_dynamic];
         Some((coefficients, first.memory))
     }
 
     fn with_forces<R: Real<Si = f32>, const V: usize, const S: usize, T>(
         forces: Forces<'_>,
-        (solver, state, kept): (&Solver<R, V, S, Self>, Option<&State<R>>, &Self::Kept),
+        solver: &Solver<R, V, S, Self>,
+        state: Option<&State<R>>,
+        stored: &Self::Stored,
         send: impl FnOnce(ReportAmong<'_>) -> T,
     ) -> T {
-        if kept.rows.is_empty() {
+        if stored.rows.is_empty() {
             return send(ReportAmong::Common(Report::Forces(forces)));
         }
         let touches = state.map(|state| solver.touches(state)).unwrap_or_default();

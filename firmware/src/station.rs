@@ -40,7 +40,7 @@ use crate::safety::Flags;
 use command::Next;
 use intake::Intake;
 use outbox::Outbox;
-use report::Told;
+use report::Reported;
 use stiction_core::{Real, Wrench};
 use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping,
@@ -67,7 +67,7 @@ struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     intake: Intake,
     /// Samples of the line that were passed to the control loop.
     stepped: u16,
-    told: Told,
+    reported: Reported,
     outbox: Outbox,
     /// At the end of the last turn.
     flags: Flags,
@@ -114,7 +114,7 @@ where
                 bytes_per_turn: setup.bytes_per_turn(&mode),
                 intake: Intake::new(&mode),
                 stepped: 0,
-                told: Told::new(),
+                reported: Reported::new(),
                 outbox: Outbox::new(),
                 flags: Flags::default(),
                 latched: false,
@@ -205,7 +205,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             CommandAmong::SceneAmong(scene) => {
                 if M::AMONG {
                     self.intake.follow(sequence);
-                    return self.scene_among((&scene, reference), now_us, link);
+                    return self.scene_among(&scene, reference, now_us, link);
                 }
                 // Not a command without room for obstacles.
                 return Next::More;
@@ -269,7 +269,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.flags = turn.flags;
         self.latched = turn.latched;
         // A sample that arrived is in the pose, however old it is by now.
-        self.told.silent = turn.flags.silent && sample.is_none();
+        self.reported.silent = turn.flags.silent && sample.is_none();
         if let Some(output) = &turn.output {
             self.happened(output, now_us, link);
         }
@@ -283,7 +283,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     fn arrived(&mut self, now_us: u32) -> Option<Sample> {
         let arrived = self.intake.take()?;
         self.stepped = self.stepped.wrapping_add(1);
-        self.told.follows(arrived.sequence);
+        self.reported.follows(arrived.sequence);
         Some(Sample {
             hand: arrived.hand,
             number: self.stepped,
@@ -296,7 +296,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         let sample = sample?;
         let [number, _] = sample.number.to_le_bytes();
         self.intake.measured();
-        self.told.follows(number);
+        self.reported.follows(number);
         Some(sample)
     }
 }

@@ -1,9 +1,6 @@
 //! The knob: from counts to the hand, from the force to the motor; and with a scene, a rough plate under a point.
 
-#[path = "pantograph/bench.rs"]
-mod bench;
-
-use bench::Bench;
+use crate::bench::Bench;
 use core::f64::consts::TAU;
 use std::cell::Cell;
 use std::rc::Rc;

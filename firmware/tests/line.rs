@@ -12,7 +12,7 @@ fn silence_is_noticed_before_20_ms_have_passed() {
         for phase in [0, 1, 499, 500, 999] {
             let mut silence = Silence::new(20_000);
             assert!(silence.is_silent(start, NEXT));
-            silence.hear(start);
+            silence.restart(start);
             let at = |tick: u32| start.wrapping_add(phase + tick * 1_000);
             let zero = (0..30)
                 .find(|&tick| silence.is_silent(at(tick), NEXT))
@@ -29,7 +29,7 @@ fn silence_is_noticed_before_20_ms_have_passed() {
 fn silence_is_noticed_in_time_where_a_tick_is_late() {
     for late in [0, 2, 27, 1_000, 2_499] {
         let mut silence = Silence::new(20_000);
-        silence.hear(1);
+        silence.restart(1);
         let ticks = [5_000, 10_000, 15_000, 20_000 + late];
         let noticed = ticks.into_iter().find(|&now| silence.is_silent(now, 7_500));
         let age = noticed.unwrap() - 1;
@@ -38,19 +38,19 @@ fn silence_is_noticed_in_time_where_a_tick_is_late() {
 }
 
 #[test]
-fn silence_lasts_until_something_is_heard_however_often_the_clock_wraps() {
+fn silence_lasts_until_something_is_received_however_often_the_clock_wraps() {
     let mut silence = Silence::new(20_000);
-    silence.hear(0);
+    silence.restart(0);
     let mut now = 0u32;
     for _ in 0..10_000 {
         now = now.wrapping_add(1_234_567);
         assert!(silence.is_silent(now, NEXT));
     }
-    silence.hear(now);
+    silence.restart(now);
     assert!(!silence.is_silent(now, NEXT));
     assert_eq!(silence.count, 1);
     // A time stamp slightly ahead of the clock counts as now.
-    silence.hear(now.wrapping_add(3));
+    silence.restart(now.wrapping_add(3));
     assert!(!silence.is_silent(now, NEXT));
 }
 

@@ -4,28 +4,29 @@
 //! ```text
 //! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace, recording
 //!                              ├─ session ─ line ─ link ══╪═ board (or emulate)
-//! hand.csv ─┬─ feed ─ stream ──┘   heard ─ steps ─ flight ┤
+//! hand.csv ─┬─ feed ─ stream ──┘  message ─ steps ─ pending ┤
 //! tracker ──┘                                             ├─ verify: the host's solver on the same samples
 //!                                                         └─ counts, latency ─ print
 //! ```
 
 mod address;
 mod audience;
-mod away;
 mod counts;
 mod emulate;
 mod error;
 mod feed;
-mod flight;
-mod heard;
 mod info;
 mod latency;
 mod line;
 mod link;
 mod live;
+mod message;
+mod pending;
 mod print;
+mod reconnect;
 mod record;
 mod refusal;
+mod request;
 mod session;
 mod setup;
 mod steps;
@@ -33,7 +34,6 @@ mod stream;
 mod tracker;
 mod usb;
 mod verify;
-mod wish;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -60,9 +60,9 @@ use crate::{report, stop};
 use audience::Console;
 use emulate::Image;
 use feed::Feed;
-use heard::About;
+use message::About;
 use print::Screen;
-use session::{Mail, Session};
+use session::{Inbox, Session};
 use setup::Setup;
 use stiction_live::input::open_path;
 use stiction_live::number::Number;
@@ -150,7 +150,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     }
     let (placement, timeout) = (&scene.hand.placement, args.connect.timeout());
     args.tracker
-        .start(placement, timeout, stream.mail.sender.clone())?;
+        .start(placement, timeout, stream.inbox.sender.clone())?;
     let result = stream.run(session);
     let is_good = end(stream, args)?;
     result.map(|()| is_good)
@@ -218,8 +218,8 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
 
 /// The description of a board in a recording.
 fn recording_head(about: &About, scene: &SceneFile) -> Head {
-    let dials = (about.number.into(), about.mode.evolution);
-    Head::of(scene, dials, &maker(about))
+    let evolution = about.mode.evolution;
+    Head::of(scene, about.number.into(), evolution, &maker(about))
 }
 
 /// The board as the maker of a recording.
@@ -239,9 +239,9 @@ fn maker(about: &About) -> Maker {
 /// Fails if the board is missing or does not answer.
 pub fn info(args: &InfoArgs) -> Result<(), BoardError> {
     stop::listen();
-    let (mut address, mut mail) = (args.connect.address(Image::Plain)?, Mail::new());
+    let (mut address, mut inbox) = (args.connect.address(Image::Plain)?, Inbox::new());
     let timeout = args.connect.timeout();
-    let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, Instant::now())?;
+    let (mut session, about) = Session::begin(&mut address, &mut inbox, timeout, Instant::now())?;
     report::print(&info::about(&about));
     // Only the mode can request it, and the user of the board chooses the mode.
     if about.mode.health_every == 0 {
@@ -249,7 +249,7 @@ pub fn info(args: &InfoArgs) -> Result<(), BoardError> {
         return Ok(());
     }
     let period = Duration::from_millis(about.mode.health_every.into());
-    let text = match session.wait_for_health(&mut mail, period + timeout)? {
+    let text = match session.wait_for_health(&mut inbox, period + timeout)? {
         Some(health) => info::health(&health),
         None => "how it fares: it did not say so in time\n".to_owned(),
     };

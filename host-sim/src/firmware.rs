@@ -33,5 +33,5 @@ pub fn workspace() -> &'static Path {
 /// The environment variable that names the folder of the workspace, for a program that is installed elsewhere.
 pub const SOURCES: &str = "STICTION_SOURCES";
 
-/// The folder with the packages of boards, which identifies the workspace.
+/// The folder with the package of the boards, which identifies the workspace.
 const BOARDS: &str = "firmware/boards";

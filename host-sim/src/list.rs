@@ -16,8 +16,8 @@ use stiction_live::scenes;
 /// The arguments of `stiction scenes`.
 #[derive(Args, Clone, Debug)]
 pub struct ScenesArgs {
-    /// Folder to write all scene files into, and a small picture (SVG) of each; a scene file there that is not the bundled one is
-    /// kept, and is an error
+    /// Folder to write all scene files into, and a small picture (SVG) of each; a scene file there that is not the bundled one stays
+    /// as it is, and is an error
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

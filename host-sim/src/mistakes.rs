@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use stiction_text::nearest;
+use stiction_scene::text::nearest;
 
 use crate::command::described;
 use stiction_live::scenes;

@@ -83,7 +83,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         &record,
     )?;
     let (frames, mut samples) = (path.frames(rate), path.frames(rate));
-    let mut progress = Progress::new(frames.len(), args.quiet);
+    let mut progress = RunProgress::new(frames.len(), args.quiet);
     let time = settings.simulate(&scene, frames, |frame| {
         progress.advance();
         summary.add(&frame);
@@ -120,7 +120,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
 }
 
 /// A progress bar that appears after a second, on a terminal.
-struct Progress {
+struct RunProgress {
     begun: Instant,
     done: u64,
     total: u64,
@@ -128,7 +128,7 @@ struct Progress {
     quiet: bool,
 }
 
-impl Progress {
+impl RunProgress {
     /// The bar is updated once in this number of frames.
     const INTERVAL: u64 = 1024;
 
@@ -157,7 +157,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for RunProgress {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

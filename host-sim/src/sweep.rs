@@ -220,7 +220,7 @@ fn inputs(plan: &Plan, shard: Shard, header: &[u8]) -> String {
 
 /// The digest of a file, which may be long.
 fn digest_of(file: &Path) -> Result<String, String> {
-    let mut file = stiction_text::open(file, HandPath::LONGEST)?;
+    let mut file = stiction_scene::text::open(file, HandPath::LONGEST)?;
     let mut digest = Sha256::new();
     io::copy(&mut file, &mut digest).map_err(|error| error.to_string())?;
     Ok(format!("{:x}", digest.finalize()))

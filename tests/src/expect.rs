@@ -10,11 +10,15 @@ pub fn close(what: &str, got: f64, want: f64, bound: f64) {
     );
 }
 
-/// The number of repetitions: `release` in an optimised build, `debug` otherwise.
-pub const fn budget(release: usize, debug: usize) -> usize {
-    if cfg!(debug_assertions) {
-        debug
-    } else {
-        release
+/// How often a test repeats: `daily` as a rule, `long` if the environment variable `STICTION_TESTS` is `long`, as in
+/// `tests/check.sh --all`.
+///
+/// # Panics
+/// If the variable has another value than `daily` or `long`.
+pub fn times<N>(daily: N, long: N) -> N {
+    match std::env::var("STICTION_TESTS").as_deref() {
+        Err(_) | Ok("" | "daily") => daily,
+        Ok("long") => long,
+        Ok(other) => panic!("STICTION_TESTS is {other:?}, allowed: daily, long"),
     }
 }

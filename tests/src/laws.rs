@@ -75,19 +75,28 @@ pub fn creep<R: Number>(setup: &Setup, last: &Frame, next: &Frame) -> Finding {
 
 /// A judge with the scene as the number type rounds it, and that type's bounds.
 pub fn judge_of<R: Number>(setup: &Setup, evolution: Evolution) -> Judge {
-    let bounds = Bounds {
+    judge_within::<R>(setup, evolution, bounds::<R>())
+}
+
+/// The bounds of a number type.
+pub const fn bounds<R: Number>() -> Bounds {
+    Bounds {
         residual: R::RESIDUAL,
         gap: R::GAP,
         far: true,
         slip: R::RESIDUAL,
         exact: 2.0 * R::GAP,
         rounding: R::ROUNDING,
-    };
-    judge_within::<R>(setup, evolution, bounds)
+    }
 }
 
 /// A judge with the scene as the number type rounds it.
 pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Bounds) -> Judge {
+    Judge::new(scene::<R>(setup), bounds, evolution_of(evolution))
+}
+
+/// The scene of the judge, as the number type rounds it.
+pub fn scene<R: Number>(setup: &Setup) -> Scene {
     let setup = setup.rounded::<R>();
     let surface = |(i, s): (usize, &SurfaceDescription<f64>)| {
         let [x, y] = s.normal;
@@ -101,7 +110,7 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
         }
     };
     let surfaces = setup.surfaces.iter().enumerate().map(surface).collect();
-    let scene = Scene {
+    Scene {
         vertices: setup.vertices,
         start: setup.start,
         weight: setup.weight,
@@ -110,12 +119,15 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
         stiffness_rotation: setup.stiffness_rotation,
         surfaces,
         obstacles: Vec::new(),
-    };
-    let evolution = match evolution {
+    }
+}
+
+/// The evolution by its name for the judge.
+pub const fn evolution_of(evolution: Evolution) -> stiction_judge::Evolution {
+    match evolution {
         Evolution::Path => stiction_judge::Evolution::Path,
         Evolution::Frame => stiction_judge::Evolution::Frame,
-    };
-    Judge::new(scene, bounds, evolution)
+    }
 }
 
 /// Frame `i` in the judge's format, one second after the frame before it.
@@ -151,6 +163,6 @@ pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
 }
 
 /// The item that the judge knows by this name.
-fn named<T>(find: impl Fn(&str) -> Option<T>, name: &str) -> T {
+pub(crate) fn named<T>(find: impl Fn(&str) -> Option<T>, name: &str) -> T {
     find(name).unwrap_or_else(|| panic!("the judge does not know {name:?}"))
 }

@@ -2,7 +2,6 @@
 //! collects frames as f64, an independent judge of the laws, and random scenes.
 
 pub mod counted;
-pub mod diagram;
 pub mod draw;
 pub mod expect;
 pub mod extremes;
@@ -10,13 +9,15 @@ pub mod haptic;
 pub mod laws;
 pub mod number;
 pub mod obstacles;
+pub mod pantograph;
 pub mod random;
 pub mod reference;
 pub mod run;
 pub mod scenes;
 pub mod setup;
+pub mod station;
 
-pub use expect::{budget, close};
+pub use expect::{close, times};
 pub use laws::judge;
 pub use number::Number;
 pub use random::Scenario;

@@ -1,8 +1,7 @@
 //! Scenes among obstacles with corners: convex polygons, thin walls, pins. A scene and its runs in any number type, the cases with
-//! known answers, a judge of single frames that uses only geometry and statics, random scenes, closed rooms, and pegs in holes. SI
-//! units, world frame, unless stated otherwise.
+//! known answers, the judge on single frames, random scenes, closed rooms, and pegs in holes. SI units, world frame, unless stated
+//! otherwise.
 
-pub mod before_judge;
 pub mod cases;
 pub mod compare;
 pub mod guard;
@@ -16,5 +15,5 @@ pub mod shape;
 pub mod survey;
 pub mod worlds;
 
-pub use run::{Contact, Frame, Run};
+pub use run::Run;
 pub use scene::{Among, Obstacle};

@@ -8,7 +8,7 @@
 //! The law: a slide is a motion with the hand; a slip, under the frozen hand, needs *stiction*. Stiction is one bit of the body: with
 //! it, friction at rest is mu_s; without it, mu_d. One vertex or an edge gets the bit when N reaches N* = k_h memory / (mu_s - mu_d),
 //! and keeps it after a slip that ends at N* or more; two contacts on two surfaces get or keep it when the longer of their displacements
-//! in a slip is at least a memory length. Without the bit, contacts that yield slide. A touch from free flight clears the bit.
+//! in a slip is at least a memory length. Without the bit, contacts that yield slide. A touch from the air clears the bit.
 //!
 //! Rules where the law leaves a choice:
 //! * A foot is compared with the memory length of its own surface; a memory below 2^-19 body sizes counts as that.
@@ -41,7 +41,7 @@
 //! * Friction of a flat contact between different coefficients is shared in proportion to mu N; the contact has stiction if the sum of N /
 //!   N* is 1 or more.
 //! * Two contacts of one obstacle closer than 2^-19 body sizes are one: the new one, because the body continues to turn about it. Of
-//!   several that close at one place, the one whose gap was largest before is kept; then a vertex, then the lowest index.
+//!   several that close at one place, the one whose gap was largest before stays; then a vertex, then the lowest index.
 //! * Coplanar sides of equal friction are one side, named after the first of them. If corners of two obstacles coincide, only the first
 //!   can be touched; a corner elsewhere on or in another obstacle or a half-plane cannot be touched.
 //! * A body that is let go moves straight, in holding point and angle, until something obstructs

@@ -192,6 +192,13 @@ pub fn run<R: Number>(setup: &Setup, evolution: Evolution, hands: &[[f64; 3]]) -
     std::iter::once(first).chain(rest).collect()
 }
 
+/// The solvers of the three number types are compiled with this crate, once, and not with every test program that runs them: a generic
+/// function is compiled where it is first needed.
+pub static COMPILED: [Whole; 3] = [run::<f64>, run::<f32>, run::<stiction_core::Fixed>];
+
+/// A whole run, as [`run`].
+type Whole = fn(&Setup, Evolution, &[[f64; 3]]) -> Vec<Frame>;
+
 /// Straight lines between keyframes, each in equal frames, both ends included.
 pub fn polyline(keyframes: &[[f64; 3]], frames_per_leg: usize) -> Vec<[f64; 3]> {
     let leg = |pair: &[[f64; 3]]| {

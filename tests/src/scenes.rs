@@ -70,7 +70,7 @@ pub fn box_on_a_vertex() -> Scenario {
     from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
 }
 
-/// The same box flat on the floor.
+/// The box of the benchmarks flat on the floor.
 pub fn box_flat() -> Scenario {
     let setup = Setup::bench_box()
         .standing(0, [0.0, 0.0], 0.0)
@@ -78,7 +78,7 @@ pub fn box_flat() -> Scenario {
     from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
 }
 
-/// The same box, tilted by 30 degrees, with one vertex on the floor and one on a wall; it is pressed into both and
+/// The box of the benchmarks, tilted by 30 degrees, with one vertex on the floor and one on a wall; it is pressed into both and
 /// dragged up along the wall.
 pub fn box_as_a_ladder() -> Scenario {
     let setup = Setup::bench_box()

@@ -122,7 +122,7 @@ impl Setup {
         self.surface([-1.0, 0.0], -x, friction)
     }
 
-    /// The same with a memory length (m) on every surface.
+    /// With a memory length (m) on every surface.
     #[must_use]
     pub fn remembering(mut self, memory: f64) -> Self {
         for surface in &mut self.surfaces {
@@ -131,7 +131,7 @@ impl Setup {
         self
     }
 
-    /// The same without friction anywhere.
+    /// Without friction anywhere.
     #[must_use]
     pub fn smooth(mut self) -> Self {
         for surface in &mut self.surfaces {
@@ -179,7 +179,7 @@ impl Setup {
         [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
     }
 
-    /// The same scene with every number rounded to type `R`.
+    /// The scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
         let pair = |p: [f64; 2]| p.map(R::rounded);
@@ -208,6 +208,10 @@ impl Setup {
     pub fn scene_of<R: Number, const V: usize, const S: usize, M: Model>(
         &self,
     ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {
+        self.described::<R, _>(|description| Scene::new(description))
+    }
+    /// The description in the float of a number type.
+    pub fn described<R: Number, T>(&self, take: impl FnOnce(&Description<'_, R::Si>) -> T) -> T {
         let pair = |p: [f64; 2]| p.map(R::si);
         let vertices: Vec<_> = self.vertices.iter().map(|&v| pair(v)).collect();
         let surface = |s: &SurfaceDescription<f64>| SurfaceDescription {
@@ -218,7 +222,7 @@ impl Setup {
             memory: s.memory.map(R::si),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
-        Scene::new(&Description {
+        take(&Description {
             vertices: &vertices,
             start: self.start.map(R::si),
             weight: R::si(self.weight),

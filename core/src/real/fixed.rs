@@ -9,8 +9,8 @@
 //! | sin(x) / x | 1.2 |
 
 use super::Real;
+use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use fixed::types::I8F24;
 use product::RAIL;
 
 mod angle;
@@ -64,15 +64,23 @@ pub(super) mod samples;
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
 // The most negative number of the format never occurs: the rails are symmetric, so that -x and |x| are exact.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
-pub struct Fixed(I8F24);
+#[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
+pub struct Fixed(i32);
 
 impl Fixed {
     const fn new(bits: i32) -> Self {
-        Self(I8F24::from_bits(bits))
+        Self(bits)
     }
     const fn bits(self) -> i32 {
-        self.0.to_bits()
+        self.0
+    }
+}
+
+/// The number itself, not its bits.
+impl fmt::Debug for Fixed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = f64::from(self.0) / f64::from(1 << product::PLACES);
+        f.debug_tuple("Fixed").field(&number).finish()
     }
 }
 

@@ -5,8 +5,8 @@ use crate::friction::Coulomb;
 use crate::geometry::{Vec2, normalized};
 use crate::model::Model;
 use crate::real::Real;
+use crate::surface::Surface;
 use crate::units::Units;
-use crate::world::Surface;
 use heapless::Vec;
 
 mod obstacles;
@@ -144,17 +144,24 @@ fn check_model_friction<F: Real, M: Model>(mu_s: F, parameter: Parameter) -> Che
     require(M::FRICTION || mu_s == F::ZERO, parameter, mu_s, allowed)
 }
 
-/// mu_s >= mu_d >= 0 and the memory length, each with its name.
-fn check_friction<F: Real>(
-    (mu_s, fixed): (F, Parameter),
-    (mu_d, sliding): (F, Parameter),
-    (memory, length): (Option<F>, Parameter),
-) -> Checked<F> {
-    require(mu_d >= F::ZERO, sliding, mu_d, "0 or more")?;
-    let allowed = "not less than the dynamic friction";
-    require(mu_s >= mu_d, fixed, mu_s, allowed)?;
-    let given = memory.unwrap_or(F::ZERO);
-    require(given >= F::ZERO, length, given, "0 or more")
+/// The friction of a surface or an obstacle as it is given.
+struct Friction<F> {
+    mu_s: F,
+    mu_d: F,
+    /// The memory length (m).
+    memory: Option<F>,
+}
+
+impl<F: Real> Friction<F> {
+    /// Checks that mu_s >= mu_d >= 0, and the memory length; `names`: of the three.
+    fn check(&self, names: [Parameter; 3]) -> Checked<F> {
+        let [fixed, sliding, length] = names;
+        require(self.mu_d >= F::ZERO, sliding, self.mu_d, "0 or more")?;
+        let allowed = "not less than the dynamic friction";
+        require(self.mu_s >= self.mu_d, fixed, self.mu_s, allowed)?;
+        let given = self.memory.unwrap_or(F::ZERO);
+        require(given >= F::ZERO, length, given, "0 or more")
+    }
 }
 
 /// Checks the vertices; returns the largest distance between two of them, 0 for a point.
@@ -232,11 +239,16 @@ pub(super) fn surfaces<R: Real, const S: usize>(
         )?;
         require(true, Parameter::Offset(i), d.offset, "a finite number")?;
         let (mu_s, mu_d) = (d.friction_static, d.friction_dynamic);
-        check_friction(
-            (mu_s, Parameter::FrictionStatic(i)),
-            (mu_d, Parameter::FrictionDynamic(i)),
-            (d.memory, Parameter::Memory(i)),
-        )?;
+        let friction = Friction {
+            mu_s,
+            mu_d,
+            memory: d.memory,
+        };
+        friction.check([
+            Parameter::FrictionStatic(i),
+            Parameter::FrictionDynamic(i),
+            Parameter::Memory(i),
+        ])?;
         let memory = d
             .memory
             .map_or(default_memory(), |memory| units.length_from_si(memory));

@@ -9,7 +9,8 @@ use crate::list::gather;
 use crate::model::{Model, WithObstacles};
 use crate::obstacle::{Corner, Round};
 use crate::real::Real;
-use crate::world::{Surface, World};
+use crate::surface::Surface;
+use crate::world::World;
 use heapless::Vec;
 use union::{Outline, Side, cover, cover_hollows, join};
 
@@ -149,7 +150,7 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
         for surface in description.surfaces {
             let (x, y) = normalized(surface.normal[0], surface.normal[1]);
             let offset = self.units.length_from_si(surface.offset);
-            cover(corners, &lines, (Vec2::new(x, y), offset));
+            cover(corners, &lines, Vec2::new(x, y), offset);
         }
     }
 

@@ -1,7 +1,7 @@
 //! The facets of the cone: where a load leaves it, and which motion then begins. A contact without an edge in the facet opens, one with
 //! both edges in it sticks, one with a single edge in it slides.
 
-use super::{Edge, WrenchCone};
+use super::{ConeEdge, WrenchCone};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::work;
@@ -26,7 +26,7 @@ impl<R: Real> WrenchCone<R> {
         first
     }
 
-    /// The same for several roundings.
+    /// For each rounding the fraction of the path from one load to another after which the contacts cannot bear it any more, if any.
     pub(crate) fn first_yields<const N: usize>(
         &self,
         from: Wrench2<R>,
@@ -86,7 +86,7 @@ impl<R: Real> WrenchCone<R> {
     }
 
     /// The motion if two edges alone bear the load, and it crosses their facet with an inner normal.
-    fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Wrench2<R>) -> Yield<R> {
+    fn incipient(&self, a: &ConeEdge<R>, b: &ConeEdge<R>, normal: Wrench2<R>) -> Yield<R> {
         if a.contact == b.contact {
             Yield::Pivot { contact: a.contact }
         } else {
@@ -99,7 +99,7 @@ impl<R: Real> WrenchCone<R> {
 
     /// The direction along t in which the contact of an edge slides when the load crosses the facet with an inner normal: against the
     /// friction; without friction the normal is the motion itself.
-    fn slides(&self, edge: &Edge<R>, normal: Wrench2<R>) -> R {
+    fn slides(&self, edge: &ConeEdge<R>, normal: Wrench2<R>) -> R {
         if edge.friction != R::ZERO {
             return -edge.friction.sign();
         }
@@ -147,14 +147,14 @@ impl<R: Real> WrenchCone<R> {
     fn each_end(
         &self,
         (plane, sharpness): (Wrench2<R>, R),
-        edges: [&Edge<R>; 2],
+        edges: [&ConeEdge<R>; 2],
         visit: &mut dyn FnMut(Wrench2<R>, R, Yield<R>),
     ) {
         for edge in edges {
             let across = plane.cross(edge.wrench);
             let end = across.over(across.size());
             for normal in [end, end.scaled(-R::ONE)] {
-                let is_end = |other: &Edge<R>| normal.dot(other.wrench) >= -R::in_plane();
+                let is_end = |other: &ConeEdge<R>| normal.dot(other.wrench) >= -R::in_plane();
                 if self.edges.iter().all(is_end) {
                     let contact = edge.contact;
                     visit(normal, sharpness, Yield::Pivot { contact });

@@ -86,16 +86,16 @@ impl<R: Real> WrenchCone<R> {
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
-    /// Like [`Self::share`], edge by edge, and the residual of the load. If the reactions are beyond all numbers but bear a fraction of the
+    /// The components of the load edge by edge, and its residual. If the reactions are beyond all numbers but bear a fraction of the
     /// load, they are reported as the largest number.
-    fn parts(&self, load: Wrench2<R>, little: R) -> (Parts<R>, R) {
+    fn parts(&self, load: Wrench2<R>, little: R) -> (Components<R>, R) {
         let nearest = self.nearest(load, little);
         if nearest.beyond && nearest.left > little {
             let step = R::digits();
             let (mut small, mut times) = (load.over(step), step);
             while small.size() > little * step {
                 let Nearest { parts, left, .. } = self.nearest(small, little);
-                let parts: Parts<R> = gather(parts.iter().map(|&part| part * times));
+                let parts: Components<R> = gather(parts.iter().map(|&part| part * times));
                 let is_borne = left <= little.min(small.size() * R::divisor());
                 let mut reactions = parts.chunks(2).map(|pair| {
                     let parts = pair.iter();
@@ -172,14 +172,14 @@ impl<R: Real> WrenchCone<R> {
         }
     }
 
-    fn none(&self) -> Parts<R> {
+    fn none(&self) -> Components<R> {
         gather(self.edges.iter().map(|_| R::ZERO))
     }
 
     /// The residual of a load after components along the edges.
     // Compiled once per image.
     #[inline(never)]
-    fn remainder(&self, load: Wrench2<R>, parts: &Parts<R>) -> Wrench2<R> {
+    fn remainder(&self, load: Wrench2<R>, parts: &Components<R>) -> Wrench2<R> {
         let edges = self.edges.iter().zip(parts);
         edges.fold(load, |remainder, (edge, &part)| Wrench2 {
             force: remainder.force + edge.wrench.force * part,
@@ -216,7 +216,7 @@ impl<R: Real> WrenchCone<R> {
         self.refined(edges, found, (load, little))
     }
 
-    /// The same from known components, and the volume of the edges.
+    /// The components along three edges that bear a load, refined from known ones; with them the volume of the edges.
     fn refined(
         &self,
         edges: [usize; 3],
@@ -305,11 +305,11 @@ impl<R: Real> WrenchCone<R> {
     }
 }
 
-type Parts<R> = Vec<R, MAX_EDGES>;
+type Components<R> = Vec<R, MAX_EDGES>;
 
 /// The components along the edges that come closest to bearing a load.
 struct Nearest<R: Real> {
-    parts: Parts<R>,
+    parts: Components<R>,
     /// The size of their residual.
     left: R,
     /// Others would need components beyond all numbers.
@@ -317,7 +317,7 @@ struct Nearest<R: Real> {
 }
 
 /// Adds to the components along some edges; no component falls below zero.
-fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
+fn add<R: Real>(parts: &mut Components<R>, more: &[(usize, R)]) {
     for &(edge, part) in more {
         if let Some(sum) = parts.get_mut(edge) {
             *sum = (*sum + part).max(R::ZERO);

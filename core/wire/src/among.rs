@@ -3,13 +3,13 @@
 
 use crate::command::Command;
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink, is_sliding_sign, require};
 use crate::forces::Forces;
-use crate::list::Item;
+use crate::layout::layout;
 use crate::message::Wire;
-use crate::obstacles::SceneAmong;
-use crate::reply::{Reply, is_of_obstacles};
+use crate::reply::Reply;
 use crate::report::{LONGEST_REPORT, REPLY, Report};
+use crate::scene::{SceneAmong, SceneCommand};
 use crate::{VERSION, VERSION_AMONG};
 use stiction_core::{Contact, Touch, Touching};
 
@@ -42,6 +42,8 @@ pub struct Room {
     pub corners: u8,
 }
 
+layout! { Room { obstacles: u8, corners: u8 } }
+
 /// A contact among obstacles: a [`Contact`] with what touches what, and the direction of its normal. SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactAmong {
@@ -57,6 +59,12 @@ pub struct ContactAmong {
     pub friction: f32,
     /// 0 if it sticks, 1 or -1 if it slides along t or against it with the hand.
     pub sliding: i8,
+}
+
+layout! {
+    ContactAmong {
+        touch: Touch, direction: [f32; 2], point: [f32; 2], normal: f32, friction: f32, sliding: i8
+    } if |contact| is_sliding_sign(contact.sliding)
 }
 
 impl ContactAmong {
@@ -118,13 +126,16 @@ impl<'a> Wire<'a> for CommandAmong<'a> {
     fn write(&self, sink: &mut impl Sink) {
         match self {
             Self::Common(command) => command.write(sink),
-            Self::SceneAmong(scene) => scene.write(sink),
+            Self::SceneAmong(among) => among.scene.write(Some(&among.obstacles), sink),
         }
     }
 
-    fn read(code: u8, fields: Fields<'a>) -> Result<Self, FaultKind> {
+    fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
-            SCENE_AMONG => SceneAmong::read(&fields).map(Self::SceneAmong),
+            SCENE_AMONG => {
+                let (scene, obstacles) = SceneCommand::read_among(&mut fields)?;
+                Ok(Self::SceneAmong(SceneAmong { scene, obstacles }))
+            }
             _ => Command::read(code, fields).map(Self::Common),
         }
     }
@@ -152,7 +163,7 @@ impl<'a> Wire<'a> for ReportAmong<'a> {
 
     fn version(&self) -> u8 {
         match self {
-            Self::Common(Report::Reply(reply)) if is_of_obstacles(reply.subject) => VERSION_AMONG,
+            Self::Common(Report::Reply(reply)) if reply.subject.is_of_obstacles() => VERSION_AMONG,
             // A client that does not know the room goes on without it.
             Self::Common(_) | Self::Room(_) => VERSION,
             Self::ForcesAmong(_) => VERSION_AMONG,
@@ -169,21 +180,20 @@ impl<'a> Wire<'a> for ReportAmong<'a> {
 
     fn write(&self, sink: &mut impl Sink) {
         match self {
-            Self::Common(Report::Reply(reply)) => reply.write_among(sink),
+            Self::Common(Report::Reply(reply)) => reply.write(true, sink),
             Self::Common(report) => report.write(sink),
-            Self::Room(room) => sink.put(&[room.obstacles, room.corners]),
+            Self::Room(room) => room.put(sink),
             Self::ForcesAmong(forces) => forces.write(sink),
         }
     }
 
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
-            REPLY => Reply::read_among(&mut fields).map(|reply| Self::Common(Report::Reply(reply))),
-            ROOM => {
-                fields.exactly(2)?;
-                let [obstacles, corners] = fields.take();
-                Ok(Self::Room(Room { obstacles, corners }))
+            REPLY => {
+                let reply = Reply::read(&mut fields, true)?;
+                Ok(Self::Common(Report::Reply(reply)))
             }
+            ROOM => fields.only().map(Self::Room),
             FORCES_AMONG => Forces::read(&mut fields).map(Self::ForcesAmong),
             _ => Report::read(code, fields).map(Self::Common),
         }
@@ -195,93 +205,61 @@ const HALF_PLANE: u8 = u8::MAX;
 /// Marks a side of the body that a corner of an obstacle touches.
 const BODY_SIDE: u8 = 0x80;
 
-/// The three bytes of a touch: vertex or side of the body, obstacle, and which of its sides or corners, or which half-plane. `None` if an
-/// index is too large for them.
-fn touch_bytes(touch: Touch) -> Option<[u8; 3]> {
-    let of_body = |index: usize| u8::try_from(index).ok().filter(|byte| *byte < BODY_SIDE);
-    let of_obstacle = |index: usize| u8::try_from(index).ok().filter(|byte| *byte < HALF_PLANE);
-    Some(match touch {
-        Touch::Surface { vertex, surface } => {
-            [of_body(vertex)?, HALF_PLANE, u8::try_from(surface).ok()?]
-        }
-        Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        } => [
-            of_body(vertex)?,
-            of_obstacle(obstacle)?,
-            u8::try_from(side).ok()?,
-        ],
-        Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        } => [
-            of_body(body_side)? | BODY_SIDE,
-            of_obstacle(obstacle)?,
-            u8::try_from(corner).ok()?,
-        ],
-    })
-}
-
-/// A half-plane has no corner.
-const fn is_touch([of_body, obstacle]: [u8; 2]) -> bool {
-    of_body & BODY_SIDE == 0 || obstacle != HALF_PLANE
-}
-
-/// The touch of three bytes, the inverse of [`touch_bytes`]; they have already been validated.
-fn touch([of_body, obstacle, index]: [u8; 3]) -> Touch {
-    let [on_body, obstacle_index, index] = [of_body & !BODY_SIDE, obstacle, index].map(usize::from);
-    if obstacle == HALF_PLANE {
-        Touch::Surface {
-            vertex: on_body,
-            surface: index,
-        }
-    } else if of_body & BODY_SIDE == 0 {
-        Touch::Side {
-            vertex: on_body,
-            obstacle: obstacle_index,
-            side: index,
-        }
-    } else {
-        Touch::Corner {
-            obstacle: obstacle_index,
-            corner: index,
-            body_side: on_body,
-        }
-    }
-}
-
-impl Item for ContactAmong {
-    const BYTES: usize = 28;
+/// Vertex or side of the body; obstacle; which of its sides or corners, or which half-plane.
+impl Field for Touch {
+    const BYTES: usize = 3;
     fn put(&self, sink: &mut impl Sink) {
-        match touch_bytes(self.touch) {
-            Some(bytes) => sink.put(&bytes),
-            None => sink.refuse(),
+        let (mark, of_body, obstacle, index) = match *self {
+            Self::Surface { vertex, surface } => (0, vertex, None, surface),
+            Self::Side {
+                vertex,
+                obstacle,
+                side,
+            } => (0, vertex, Some(obstacle), side),
+            Self::Corner {
+                obstacle,
+                corner,
+                body_side,
+            } => (BODY_SIDE, body_side, Some(obstacle), corner),
+        };
+        let of_body = u8::try_from(of_body).ok().filter(|&i| i < BODY_SIDE);
+        let obstacle = match obstacle {
+            Some(obstacle) => u8::try_from(obstacle).ok().filter(|&i| i < HALF_PLANE),
+            None => Some(HALF_PLANE),
+        };
+        match (of_body, obstacle) {
+            (Some(of_body), Some(obstacle)) => {
+                sink.put(&[of_body | mark, obstacle]);
+                index.put(sink);
+            }
+            (None, _) | (_, None) => sink.refuse(),
         }
-        sink.f32s(&self.direction);
-        sink.f32s(&self.point);
-        sink.f32s(&[self.normal, self.friction]);
-        sink.byte(self.sliding.cast_unsigned());
     }
-    /// Reads a contact in the order of FRAME 5.9; its bytes have already been validated.
-    fn get(fields: &mut Fields<'_>) -> Self {
-        let touch = touch(fields.take());
-        let (direction, point) = (fields.f32s(), fields.f32s());
-        let [normal, friction] = fields.f32s();
-        Self {
-            touch,
-            direction,
-            point,
-            normal,
-            friction,
-            sliding: fields.u8().cast_signed(),
-        }
-    }
-    fn valid(bytes: &[u8]) -> bool {
-        let is_one = bytes.first_chunk().is_some_and(|touch| is_touch(*touch));
-        let sliding = bytes.last().map(|byte| byte.cast_signed());
-        is_one && sliding.is_some_and(|sign| (-1..=1).contains(&sign))
+    fn get(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+        let [of_body, obstacle] = fields.take();
+        let index: usize = fields.get()?;
+        let (is_corner, of_body) = (of_body & BODY_SIDE != 0, usize::from(of_body & !BODY_SIDE));
+        let is_half_plane = obstacle == HALF_PLANE;
+        let obstacle = usize::from(obstacle);
+        // A half-plane has no corner.
+        require(!(is_corner && is_half_plane), FaultKind::Value)?;
+        Ok(if is_half_plane {
+            Self::Surface {
+                vertex: of_body,
+                surface: index,
+            }
+        } else if is_corner {
+            Self::Corner {
+                obstacle,
+                corner: index,
+                body_side: of_body,
+            }
+        } else {
+            Self::Side {
+                vertex: of_body,
+                obstacle,
+                side: index,
+            }
+        })
     }
 }

@@ -1,11 +1,12 @@
 //! Messages to the board (FRAME 4).
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink};
+use crate::layout::{coded, layout};
 use crate::message::Wire;
 use crate::mode::Mode;
 use crate::scene::SceneCommand;
-use stiction_core::{Angle, Hand, TrackerSample};
+use stiction_core::{Hand, TrackerSample};
 
 /// A message to the board. Each one except the samples of the hand is answered: [`Command::Hello`] by
 /// [`Report::Info`](crate::Report::Info), [`Command::Ping`] by [`Report::Pong`](crate::Report::Pong), the others by
@@ -59,56 +60,22 @@ pub struct Parameters {
     pub memory: Option<f32>,
 }
 
-impl Parameters {
-    fn write(&self, sink: &mut impl Sink) {
-        sink.f32s(&[
-            self.stiffness_translation,
-            self.stiffness_rotation,
-            self.friction_static,
-            self.friction_dynamic,
-        ]);
-        sink.option(self.memory);
-    }
-
-    /// Reads the payload of parameters (FRAME 4.3); fails if its length is wrong or its flag is neither 0 nor 1.
-    fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
-        fields.exactly(21)?;
-        let [
-            stiffness_translation,
-            stiffness_rotation,
-            friction_static,
-            friction_dynamic,
-        ] = fields.f32s();
-        Ok(Self {
-            stiffness_translation,
-            stiffness_rotation,
-            friction_static,
-            friction_dynamic,
-            memory: fields.option()?,
-        })
+layout! {
+    Parameters {
+        stiffness_translation: f32, stiffness_rotation: f32, friction_static: f32,
+        friction_dynamic: f32, memory: Option<f32>
     }
 }
 
-/// What a reset restores.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Reset {
-    /// The body, to the start pose of its scene.
-    #[default]
-    Body,
-    /// Everything, as after power-up: scene, parameters, mode, counters.
-    Everything,
-}
-
-impl Reset {
-    /// Both, in the order of their codes.
-    pub const ALL: [Self; 2] = [Self::Body, Self::Everything];
-
-    /// The name in a log.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Body => "body",
-            Self::Everything => "everything",
-        }
+coded! {
+    /// What a reset restores.
+    #[derive(Default)]
+    pub enum Reset {
+        /// The body, to the start pose of its scene.
+        #[default]
+        Body = "body",
+        /// Everything, as after power-up: scene, parameters, mode, counters.
+        Everything = "everything",
     }
 }
 
@@ -151,71 +118,29 @@ impl<'a> Wire<'a> for Command<'a> {
         }
     }
 
-    /// Writes the payload of each command in the order of its table in FRAME 4.
     fn write(&self, sink: &mut impl Sink) {
         match self {
-            Self::Hand(hand) => write_hand(hand, sink),
-            Self::Tracker(sample) => {
-                sink.f32s(&sample.position);
-                sink.f32s(&sample.orientation);
-                sink.byte(u8::from(sample.held));
-            }
-            Self::Parameters(parameters) => parameters.write(sink),
-            Self::Scene(scene) => scene.write(sink),
-            Self::Mode(mode) => mode.write(sink),
+            Self::Hand(hand) => hand.put(sink),
+            Self::Tracker(sample) => sample.put(sink),
+            Self::Parameters(parameters) => parameters.put(sink),
+            Self::Scene(scene) => scene.write(None, sink),
+            Self::Mode(mode) => mode.put(sink),
             Self::Hello | Self::Ping => {}
-            Self::Reset(reset) => sink.code(&Reset::ALL, reset),
+            Self::Reset(reset) => reset.put(sink),
         }
     }
 
-    /// Reads the payload of a type; fails if the type is unknown, the length is wrong, or a flag or code has no meaning.
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
-            HAND => read_hand(&mut fields).map(Self::Hand),
-            TRACKER => read_tracker(&mut fields).map(Self::Tracker),
-            PARAMETERS => Parameters::read(&mut fields).map(Self::Parameters),
+            HAND => fields.only().map(Self::Hand),
+            TRACKER => fields.only().map(Self::Tracker),
+            PARAMETERS => fields.only().map(Self::Parameters),
             SCENE => SceneCommand::read(&mut fields).map(Self::Scene),
-            MODE => {
-                fields.exactly(Mode::BYTES)?;
-                Mode::read(&mut fields).map(Self::Mode)
-            }
+            MODE => fields.only().map(Self::Mode),
             HELLO => fields.exactly(0).map(|()| Self::Hello),
             PING => fields.exactly(0).map(|()| Self::Ping),
-            RESET => {
-                fields.exactly(1)?;
-                fields.code(&Reset::ALL).map(Self::Reset)
-            }
+            RESET => fields.only().map(Self::Reset),
             _ => Err(FaultKind::UnknownType),
         }
     }
-}
-
-fn write_hand(hand: &Hand<f32>, sink: &mut impl Sink) {
-    sink.f32s(&hand.position);
-    sink.f32(hand.angle.rest);
-    sink.i32(hand.angle.turns);
-    sink.f32(hand.depth);
-    sink.byte(u8::from(hand.held));
-}
-
-fn read_hand(fields: &mut Fields<'_>) -> Result<Hand<f32>, FaultKind> {
-    fields.exactly(21)?;
-    let [x, y, rest] = fields.f32s();
-    let turns = fields.i32();
-    Ok(Hand {
-        position: [x, y],
-        angle: Angle { turns, rest },
-        depth: fields.f32(),
-        held: fields.flag()?,
-        tilted: false,
-    })
-}
-
-fn read_tracker(fields: &mut Fields<'_>) -> Result<TrackerSample<f32>, FaultKind> {
-    fields.exactly(29)?;
-    Ok(TrackerSample {
-        position: fields.f32s(),
-        orientation: fields.f32s(),
-        held: fields.flag()?,
-    })
 }

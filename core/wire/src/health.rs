@@ -1,31 +1,19 @@
 //! The condition of a board, on the wire (FRAME 5.6).
 
-use crate::fault::{FaultKind, Faults};
-use crate::fields::{Fields, Sink};
+use crate::fault::Faults;
+use crate::layout::{coded, layout};
 
-/// Whether a board outputs force to the hand, and if not, why.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Drive {
-    /// Force is output, or would be if the board had actuators.
-    #[default]
-    On,
-    /// No fresh sample of the hand: no force until samples return.
-    Silent,
-    /// A fault: no force until [`Reset::Everything`](crate::Reset::Everything).
-    Latched,
-}
-
-impl Drive {
-    /// All, in the order of their codes.
-    pub const ALL: [Self; 3] = [Self::On, Self::Silent, Self::Latched];
-
-    /// The name in a log.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::On => "on",
-            Self::Silent => "silent",
-            Self::Latched => "latched",
-        }
+coded! {
+    /// Whether a board outputs force to the hand, and if not, why.
+    #[derive(Default)]
+    pub enum Drive {
+        /// Force is output, or would be if the board had actuators.
+        #[default]
+        On = "on",
+        /// No fresh sample of the hand: no force until samples return.
+        Silent = "silent",
+        /// A fault: no force until [`Reset::Everything`](crate::Reset::Everything).
+        Latched = "latched",
     }
 }
 
@@ -54,41 +42,9 @@ pub struct Health {
     pub faults: Faults,
 }
 
-impl Health {
-    pub(crate) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
-
-    /// Writes the payload of health (FRAME 5.6).
-    pub(crate) fn write(&self, sink: &mut impl Sink) {
-        sink.code(&Drive::ALL, &self.drive);
-        let counts = [
-            self.ticks,
-            self.missed_ticks,
-            self.samples,
-            self.late_samples,
-            self.lost_frames,
-            self.unsent,
-            self.worst_step,
-            self.worst_tick,
-        ];
-        for count in counts.into_iter().chain(self.faults.counts()) {
-            sink.u32(count);
-        }
-    }
-
-    /// Reads the payload of health (FRAME 5.6); fails if its length is wrong or the code of the drive has no meaning.
-    pub(crate) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
-        fields.exactly(Self::BYTES)?;
-        Ok(Self {
-            drive: fields.code(&Drive::ALL)?,
-            ticks: fields.u32(),
-            missed_ticks: fields.u32(),
-            samples: fields.u32(),
-            late_samples: fields.u32(),
-            lost_frames: fields.u32(),
-            unsent: fields.u32(),
-            worst_step: fields.u32(),
-            worst_tick: fields.u32(),
-            faults: Faults::from_counts(core::array::from_fn(|_| fields.u32())),
-        })
+layout! {
+    Health {
+        drive: Drive, ticks: u32, missed_ticks: u32, samples: u32, late_samples: u32,
+        lost_frames: u32, unsent: u32, worst_step: u32, worst_tick: u32, faults: Faults
     }
 }

@@ -1,30 +1,20 @@
 //! What a board is, on the wire (FRAME 5.5).
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink, require};
+use crate::layout::coded;
 use crate::list::Text;
 use crate::mode::Mode;
 
-/// The number type of a board's solver.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum NumberType {
-    /// `f32`.
-    #[default]
-    F32,
-    /// [`Fixed`](stiction_core::Fixed).
-    Fixed,
-}
-
-impl NumberType {
-    /// Both, in the order of their codes.
-    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
-
-    /// The name, as on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Fixed => "fixed",
-        }
+coded! {
+    /// The number type of a board's solver.
+    #[derive(Default)]
+    pub enum NumberType {
+        /// `f32`.
+        #[default]
+        F32 = "f32",
+        /// [`Fixed`](stiction_core::Fixed).
+        Fixed = "fixed",
     }
 }
 
@@ -65,56 +55,53 @@ pub struct Info<'a> {
     pub name: Text<'a>,
 }
 
+const FRICTION: u8 = 1;
+const WEIGHT: u8 = 1 << 1;
+const ACTUATORS: u8 = 1 << 2;
+
 impl<'a> Info<'a> {
     const HEAD_BYTES: usize = 44 + Mode::BYTES;
     /// With the longest name.
     pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
-    /// Writes the payload of info (FRAME 5.5).
     pub(crate) fn write(&self, sink: &mut impl Sink) {
-        sink.put(&self.version);
-        sink.code(&NumberType::ALL, &self.number);
-        sink.put(&[self.vertices, self.surfaces]);
-        let has = [self.friction, self.weight, self.actuators];
-        let [friction, weight, actuators] = has.map(u8::from);
-        sink.parts(&[friction, weight << 1, actuators << 2]);
-        sink.u16(self.longest_frame);
-        sink.u16(self.fastest_tick);
-        sink.u32(self.budget);
-        for pair in [self.stiffest, self.stiffness, self.friction_now] {
-            sink.f32s(&pair);
-        }
-        sink.option(self.memory_now);
-        self.mode.write(sink);
+        self.version.put(sink);
+        self.number.put(sink);
+        [self.vertices, self.surfaces].put(sink);
+        let bit = |has: bool, bit| if has { bit } else { 0 };
+        let has = bit(self.friction, FRICTION) | bit(self.weight, WEIGHT);
+        (has | bit(self.actuators, ACTUATORS)).put(sink);
+        [self.longest_frame, self.fastest_tick].put(sink);
+        self.budget.put(sink);
+        [self.stiffest, self.stiffness, self.friction_now].put(sink);
+        self.memory_now.put(sink);
+        self.mode.put(sink);
         self.name.write(sink);
     }
 
     /// Reads the payload of info (FRAME 5.5); fails if it is too short, or if a code, a bit or a character is not permitted.
     pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
-        let version = fields.take();
-        let number = fields.code(&NumberType::ALL)?;
+        let (version, number) = (fields.get()?, fields.get()?);
         let [vertices, surfaces, has] = fields.take();
-        if has > 7 {
-            return Err(FaultKind::Value);
-        }
+        require(has <= FRICTION | WEIGHT | ACTUATORS, FaultKind::Value)?;
         Ok(Self {
             version,
             number,
             vertices,
             surfaces,
-            friction: has & 1 != 0,
-            weight: has & 2 != 0,
-            actuators: has & 4 != 0,
-            longest_frame: fields.u16(),
-            fastest_tick: fields.u16(),
-            budget: fields.u32(),
-            stiffest: fields.f32s(),
-            stiffness: fields.f32s(),
-            friction_now: fields.f32s(),
-            memory_now: fields.option()?,
-            mode: Mode::read(fields)?,
-            name: Text::read(fields.remaining()).ok_or(FaultKind::Value)?,
+            friction: has & FRICTION != 0,
+            weight: has & WEIGHT != 0,
+            actuators: has & ACTUATORS != 0,
+            longest_frame: fields.get()?,
+            fastest_tick: fields.get()?,
+            budget: fields.get()?,
+            stiffest: fields.get()?,
+            stiffness: fields.get()?,
+            friction_now: fields.get()?,
+            memory_now: fields.get()?,
+            mode: fields.get()?,
+            name: Text::read(fields)?,
         })
     }
 }

@@ -41,10 +41,11 @@
 mod among;
 mod command;
 mod fault;
-mod fields;
+mod field;
 mod forces;
 mod health;
 mod info;
+mod layout;
 mod line;
 mod list;
 mod logitech;
@@ -67,11 +68,11 @@ pub use list::{List, Text};
 pub use logitech::{LogitechDecoder, LogitechRecord, REQUEST as LOGITECH_REQUEST};
 pub use message::Message;
 pub use mode::{Mode, Stepping};
-pub use obstacles::{ObstacleList, SceneAmong, obstacle_bytes};
+pub use obstacles::{ObstacleList, obstacle_bytes};
 pub use pose::{EventSet, Pose};
 pub use reply::{Reason, Reply, Subject};
 pub use report::{LONGEST_REPORT, Pong, Report};
-pub use scene::{SceneCommand, scene_bytes};
+pub use scene::{SceneAmong, SceneCommand, scene_bytes};
 
 /// The version of the format, which is the first byte of every frame that a scene without obstacles needs.
 pub const VERSION: u8 = 2;
@@ -97,6 +98,8 @@ pub struct Reference {
     /// The sequence number.
     pub sequence: u8,
 }
+
+layout::layout! { Reference { code: u8, sequence: u8 } }
 
 /// Follows the sequence numbers of received frames and counts how many were lost between them.
 ///

@@ -1,7 +1,7 @@
 //! Frames on the line: head, payload and checksum, COBS-framed, ended by a 0 byte (FRAME 2); and back, byte by byte.
 
 use crate::fault::{Fault, FaultKind, Faults};
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink};
 use crate::message::Message;
 use crate::{Frame, Reference, VERSION};
 use cobs::{DecodeResult, DecoderState, EncoderState, PushResult};
@@ -39,7 +39,7 @@ impl<'a, M: Message<'a>> Frame<M> {
     pub fn encode<'o>(&self, out: &'o mut [u8]) -> Option<&'o [u8]> {
         let mut line = Line::new(out);
         line.put(&[self.message.version(), self.message.code(), self.sequence]);
-        line.u32(self.time);
+        self.time.put(&mut line);
         self.message.write(&mut line);
         line.end()
     }

@@ -1,22 +1,9 @@
 //! Lists within a payload: on one side the sender's items, on the other the bytes as received, without copying.
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink, require};
+use crate::field::{Field, Fields, Sink, require};
 use core::fmt;
-
-/// An item of a list: a fixed number of bytes.
-pub trait Item: Copy {
-    /// The length in bytes.
-    const BYTES: usize;
-    /// Writes the item as bytes.
-    fn put(&self, sink: &mut impl Sink);
-    /// Reads an item from valid bytes.
-    fn get(fields: &mut Fields<'_>) -> Self;
-    /// Returns whether the flags and codes in these bytes have a meaning. If there are none, any bytes are valid.
-    fn valid(_bytes: &[u8]) -> bool {
-        true
-    }
-}
+use stiction_core::{Parameter, SceneError};
 
 /// A list in a message. One that was received points into the receiver's buffer.
 ///
@@ -38,14 +25,21 @@ enum Items<'a, T> {
     Received { bytes: &'a [u8], count: usize },
 }
 
-impl<'a, T: Item> List<'a, T> {
-    /// The next `count` items of a payload; fails if it is too short.
+impl<'a, T: Field> List<'a, T> {
+    /// The next `count` items of a payload, which is long enough; fails if a flag or code in one of them has no meaning.
     pub(crate) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
         let bytes = fields.bytes(count.saturating_mul(T::BYTES));
-        require(bytes.chunks(T::BYTES).all(T::valid), FaultKind::Value)?;
+        let mut items = bytes.chunks(T::BYTES);
+        items.try_for_each(|item| T::get(&mut Fields::new(item)).map(|_| ()))?;
         Ok(Self {
             items: Items::Received { bytes, count },
         })
+    }
+    /// The rest of a payload: the number of items, and the items; fails if the length does not match.
+    pub(crate) fn rest(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        let count: usize = fields.get()?;
+        fields.exactly(count.saturating_mul(T::BYTES))?;
+        Self::take(fields, count)
     }
     /// The number of items.
     pub const fn len(&self) -> usize {
@@ -65,7 +59,7 @@ impl<'a, T: Item> List<'a, T> {
             Items::Received { bytes, .. } => {
                 let rest = bytes.get(index.saturating_mul(T::BYTES)..)?;
                 let one = rest.get(..T::BYTES)?;
-                Some(T::get(&mut Fields::new(one)))
+                T::get(&mut Fields::new(one)).ok()
             }
         }
     }
@@ -74,11 +68,45 @@ impl<'a, T: Item> List<'a, T> {
         let list = *self;
         (0..list.len()).filter_map(move |i| list.get(i))
     }
+    /// The items, copied to the given places.
+    ///
+    /// # Errors
+    /// There are more than fit.
+    pub(crate) fn copied<'b>(
+        &self,
+        parameter: Parameter,
+        places: &'b mut [T],
+    ) -> Result<&'b [T], SceneError<f32>> {
+        copied(self.iter(), self.len(), parameter, places).map(|items| &*items)
+    }
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         for item in self.iter() {
             item.put(sink);
         }
     }
+}
+
+/// The items of a list, copied to the given places.
+///
+/// # Errors
+/// There are more than fit.
+pub(crate) fn copied<T>(
+    items: impl Iterator<Item = T>,
+    count: usize,
+    parameter: Parameter,
+    places: &mut [T],
+) -> Result<&mut [T], SceneError<f32>> {
+    let Some(places) = places.get_mut(..count) else {
+        return Err(SceneError {
+            parameter,
+            value: u16::try_from(count).map_or(f32::INFINITY, f32::from),
+            allowed: "at most the capacity of the board",
+        });
+    };
+    for (place, item) in places.iter_mut().zip(items) {
+        *place = item;
+    }
+    Ok(places)
 }
 
 impl<'a, T> From<&'a [T]> for List<'a, T> {
@@ -95,13 +123,13 @@ impl<'a, T, const N: usize> From<&'a [T; N]> for List<'a, T> {
     }
 }
 
-impl<T: Item + PartialEq> PartialEq for List<'_, T> {
+impl<T: Field + PartialEq> PartialEq for List<'_, T> {
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
 }
 
-impl<T: Item + fmt::Debug> fmt::Debug for List<'_, T> {
+impl<T: Field + fmt::Debug> fmt::Debug for List<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
@@ -126,24 +154,23 @@ impl<'a> Text<'a> {
             bytes: text.as_bytes(),
         }
     }
-    /// `None` if there are characters other than printable ASCII.
-    pub(crate) fn read(bytes: &'a [u8]) -> Option<Self> {
-        let valid = bytes.iter().all(|byte| PRINTABLE.contains(byte));
-        valid.then_some(Self { bytes })
+    /// The rest of a payload; fails if there are characters other than printable ASCII.
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        let bytes = fields.remaining();
+        let printable = bytes.iter().all(|byte| PRINTABLE.contains(byte));
+        require(printable, FaultKind::Value)?;
+        Ok(Self { bytes })
     }
     fn characters(&self) -> impl Iterator<Item = u8> + use<'a> {
-        let printable = |byte: &u8| {
-            if PRINTABLE.contains(byte) {
-                *byte
-            } else {
-                b'?'
-            }
-        };
-        self.bytes.iter().take(Self::LONGEST).map(printable)
+        let sent = self.bytes.iter().take(Self::LONGEST);
+        sent.map(|byte| match PRINTABLE.contains(byte) {
+            true => *byte,
+            false => b'?',
+        })
     }
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         for byte in self.characters() {
-            sink.byte(byte);
+            byte.put(sink);
         }
     }
 }

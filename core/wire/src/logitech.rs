@@ -10,6 +10,7 @@
 //! 10..15  pitch, yaw, roll: 14 bits each, the high ones first, in 1/40 degree; R = R_y(yaw) R_x(pitch) R_z(roll)
 //! ```
 
+use crate::field::Fields;
 use stiction_core::{Real, TrackerSample};
 
 /// Asks the tracker for one record.
@@ -52,27 +53,13 @@ impl LogitechRecord {
 
     /// Decodes a record (FRAME 9): position in m, orientation as a unit quaternion, flags from the first byte.
     fn of(record: &[u8; 16]) -> Self {
-        let &[
-            flags,
-            x2,
-            x1,
-            x0,
-            y2,
-            y1,
-            y0,
-            z2,
-            z1,
-            z0,
-            pitch @ ..,
-            _,
-            _,
-            _,
-            _,
-        ] = record;
-        let &[.., yaw1, yaw0, roll1, roll0] = record;
+        let mut fields = Fields::new(record);
+        let [flags] = fields.take();
+        let position = [(); 3].map(|()| length(fields.take()));
+        let halves = [(); 3].map(|()| half_angle(fields.take()));
         Self {
-            position: [[x2, x1, x0], [y2, y1, y0], [z2, z1, z0]].map(length),
-            orientation: quaternion(pitch, [yaw1, yaw0], [roll1, roll0]),
+            position,
+            orientation: quaternion(halves),
             buttons: flags & BUTTONS,
             at_fringe: flags & FRINGE != 0,
             out_of_range: flags & OUT_OF_RANGE != 0,
@@ -98,11 +85,8 @@ fn half_angle(sevens: [u8; 2]) -> (f32, f32) {
     Real::sin_cos(f32::from_int(number(&sevens)) * HALF_ANGLE)
 }
 
-/// q = q_y(yaw) q_x(pitch) q_z(roll)
-fn quaternion(pitch: [u8; 2], yaw: [u8; 2], roll: [u8; 2]) -> [f32; 4] {
-    let (sx, cx) = half_angle(pitch);
-    let (sy, cy) = half_angle(yaw);
-    let (sz, cz) = half_angle(roll);
+/// q = q_y(yaw) q_x(pitch) q_z(roll), from sine and cosine of half of pitch, yaw and roll.
+fn quaternion([(sx, cx), (sy, cy), (sz, cz)]: [(f32, f32); 3]) -> [f32; 4] {
     [
         cy * sx * cz + sy * cx * sz,
         sy * cx * cz - cy * sx * sz,

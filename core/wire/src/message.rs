@@ -2,7 +2,7 @@
 
 use crate::VERSION;
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
+use crate::field::{Fields, Sink};
 
 /// A message of one direction: [`Command`](crate::Command), to the board, or [`Report`](crate::Report), from it.
 pub trait Message<'a>: Wire<'a> {}

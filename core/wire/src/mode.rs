@@ -1,29 +1,17 @@
 //! The operating mode of a board: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
 
-use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink, require};
+use crate::layout::{coded, layout};
 use stiction_core::{Axis, Evolution};
 
-/// When a board makes a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Stepping {
-    /// With every tick of its clock, with the newest sample.
-    #[default]
-    Timed,
-    /// With every sample, once: every sample gets a step, as in a file.
-    PerSample,
-}
-
-impl Stepping {
-    /// Both, in the order of their codes.
-    pub const ALL: [Self; 2] = [Self::Timed, Self::PerSample];
-
-    /// The name in a log.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Timed => "timed",
-            Self::PerSample => "per-sample",
-        }
+coded! {
+    /// When a board makes a step.
+    #[derive(Default)]
+    pub enum Stepping {
+        /// With every tick of its clock, with the newest sample.
+        #[default]
+        Timed = "timed",
+        /// With every sample, once: every sample gets a step, as in a file.
+        PerSample = "per-sample",
     }
 }
 
@@ -72,8 +60,12 @@ pub struct Mode {
     pub health_every: u16,
 }
 
-/// +x, +y, +z, nothing, -x, -y, -z: bit 2 is the sign.
-const NEGATIVE: u8 = 4;
+layout! {
+    Mode {
+        evolution: Evolution, stepping: Stepping, plane: [Axis; 2], events: bool, tick_rate: u16,
+        pose_every: u16, forces_every: u16, health_every: u16
+    } if |mode| { let [x, y] = mode.plane; x.index != y.index }
+}
 
 impl Default for Mode {
     fn default() -> Self {
@@ -93,45 +85,6 @@ impl Mode {
         forces_every: 0,
         health_every: 1000,
     };
-
-    pub(crate) const BYTES: usize = 13;
-
-    /// Writes the payload of mode (FRAME 4.5); refuses an axis other than 0, 1, 2.
-    pub(crate) fn write(&self, sink: &mut impl Sink) {
-        sink.code(&Evolution::ALL, &self.evolution);
-        sink.code(&Stepping::ALL, &self.stepping);
-        for axis in self.plane {
-            let sign = if axis.negative { NEGATIVE } else { 0 };
-            match u8::try_from(axis.index) {
-                Ok(index @ 0..=2) => sink.parts(&[index, sign]),
-                _ => sink.refuse(),
-            }
-        }
-        sink.byte(u8::from(self.events));
-        sink.u16(self.tick_rate);
-        sink.u16(self.pose_every);
-        sink.u16(self.forces_every);
-        sink.u16(self.health_every);
-    }
-
-    /// Reads the payload of mode (FRAME 4.5); fails if a code or flag has no meaning, or if both axes are the same.
-    pub(crate) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
-        let evolution = fields.code(&Evolution::ALL)?;
-        let stepping = fields.code(&Stepping::ALL)?;
-        let plane = [axis(fields.u8())?, axis(fields.u8())?];
-        let [first, second] = plane;
-        require(first.index != second.index, FaultKind::Value)?;
-        Ok(Self {
-            evolution,
-            stepping,
-            plane,
-            events: fields.flag()?,
-            tick_rate: fields.u16(),
-            pose_every: fields.u16(),
-            forces_every: fields.u16(),
-            health_every: fields.u16(),
-        })
-    }
 }
 
 const fn axis_along(index: usize) -> Axis {
@@ -139,13 +92,4 @@ const fn axis_along(index: usize) -> Axis {
         index,
         negative: false,
     }
-}
-
-fn axis(code: u8) -> Result<Axis, FaultKind> {
-    let index = code & !NEGATIVE;
-    require(index < 3, FaultKind::Value)?;
-    Ok(Axis {
-        index: usize::from(index),
-        negative: code & NEGATIVE != 0,
-    })
 }

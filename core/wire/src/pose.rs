@@ -1,7 +1,7 @@
 //! The pose on the wire (FRAME 5.1): 33 bytes including all framing, with the bits of the solver.
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink, at, index_of, require};
+use crate::field::{Field, Fields, Sink, code_of, entry_of, require};
 use stiction_core::{Angle, Event, Output, StateKind, Status};
 
 /// A set of events: a bit for each one, in the order of [`Event::ALL`].
@@ -11,6 +11,9 @@ pub struct EventSet {
 }
 
 impl EventSet {
+    /// The bits of all events.
+    const ALL: u16 = (1 << Event::ALL.len()) - 1;
+
     /// The events of a list.
     pub fn of(events: &[Event]) -> Self {
         let mut set = Self::default();
@@ -20,7 +23,7 @@ impl EventSet {
         set
     }
     /// Adds an event.
-    pub const fn insert(&mut self, event: Event) {
+    pub fn insert(&mut self, event: Event) {
         self.bits |= Self::bit(event);
     }
     /// Events of this set or of the other one.
@@ -31,27 +34,13 @@ impl EventSet {
         }
     }
     /// The event is in the set.
-    pub const fn contains(self, event: Event) -> bool {
+    pub fn contains(self, event: Event) -> bool {
         self.bits & Self::bit(event) != 0
     }
-    /// The bits of all events.
-    const ALL: u16 = (1 << Event::ALL.len()) - 1;
-
     /// The bit of an event: bit k for event k of [`Event::ALL`].
-    const fn bit(event: Event) -> u16 {
-        match event {
-            Event::Touch => 1,
-            Event::Lift => 1 << 1,
-            Event::Slip => 1 << 2,
-            Event::Tip => 1 << 3,
-            Event::Land => 1 << 4,
-            Event::Snap => 1 << 5,
-            Event::Jam => 1 << 6,
-            Event::Slide => 1 << 7,
-            Event::Stop => 1 << 8,
-            Event::Grasp => 1 << 9,
-            Event::Release => 1 << 10,
-        }
+    fn bit(event: Event) -> u16 {
+        let code = u32::from(code_of(&Event::ALL, &event));
+        1_u16.checked_shl(code).unwrap_or_default()
     }
 }
 
@@ -133,28 +122,27 @@ impl Pose {
 
     /// The lower bits of the type.
     pub(crate) fn state_code(&self) -> u8 {
-        index_of(&StateKind::ALL, &self.state)
+        code_of(&StateKind::ALL, &self.state)
     }
 
     pub(crate) const BYTES: usize = 20;
 
     pub(crate) fn write(&self, sink: &mut impl Sink) {
-        sink.f32s(&self.position);
-        sink.f32(self.rest);
-        sink.f32(self.depth);
+        let [x, y] = self.position;
+        [x, y, self.rest, self.depth].put(sink);
         let held = if self.held { HELD } else { 0 };
         let off = if self.force_off { FORCE_OFF } else { 0 };
-        sink.parts(&[status_code(self.status), held, off]);
-        sink.u16(self.events.bits | u16::from(self.turns) << TURNS_FROM);
-        sink.byte(self.sample);
+        (status_code(self.status) | held | off).put(sink);
+        (self.events.bits | u16::from(self.turns) << TURNS_FROM).put(sink);
+        self.sample.put(sink);
     }
 
     /// Reads the payload of a pose (FRAME 5.1) whose type has the state in its lower bits; fails if the length is wrong or a bit is set
     /// that must be 0.
     pub(crate) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
-        let [x, y, rest, depth] = fields.f32s();
-        let (flags, happened, sample) = (fields.u8(), fields.u16(), fields.u8());
+        let [x, y, rest, depth] = fields.get()?;
+        let (flags, happened): (u8, u16) = (fields.get()?, fields.get()?);
         let events = happened & !TURNS_BITS;
         let known = flags & !(STATUS | HELD | FORCE_OFF) == 0 && events & !EventSet::ALL == 0;
         require(known, FaultKind::Value)?;
@@ -164,12 +152,12 @@ impl Pose {
             rest,
             turns,
             depth,
-            state: at(&StateKind::ALL, state)?,
+            state: entry_of(&StateKind::ALL, state)?,
             status: status(flags & STATUS),
             held: flags & HELD != 0,
             force_off: flags & FORCE_OFF != 0,
             events: EventSet { bits: events },
-            sample,
+            sample: fields.get()?,
         })
     }
 }

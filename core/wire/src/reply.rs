@@ -2,61 +2,34 @@
 
 use crate::Reference;
 use crate::fault::{Fault, FaultKind};
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink};
+use crate::layout::coded;
 use crate::list::Text;
 use stiction_core::{Parameter, SceneError};
 
-/// Done, or the reason why not.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Reason {
-    /// The command was carried out.
-    #[default]
-    Done,
-    /// The frame is of another version of this format.
-    Version,
-    /// No command has this type.
-    UnknownType,
-    /// Not the length that the command has.
-    Length,
-    /// A field holds a code without a meaning.
-    Code,
-    /// A number is not allowed; the reply names it and says what is allowed.
-    Number,
-    /// The stiffness would make the haptic device unstable: b > K (T/2 + delay) does not hold.
-    NotPassive,
-    /// The board has no time, no room or no use for it.
-    Unsupported,
-    /// Not now: the board is stopped by a fault, another command is under way, or the body cannot settle where it is.
-    NotNow,
-}
-
-impl Reason {
-    /// All reasons, in the order of their codes.
-    pub const ALL: [Self; 9] = [
-        Self::Done,
-        Self::Version,
-        Self::UnknownType,
-        Self::Length,
-        Self::Code,
-        Self::Number,
-        Self::NotPassive,
-        Self::Unsupported,
-        Self::NotNow,
-    ];
-
-    /// The name in a log.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Done => "done",
-            Self::Version => "version",
-            Self::UnknownType => "unknown-type",
-            Self::Length => "length",
-            Self::Code => "code",
-            Self::Number => "number",
-            Self::NotPassive => "not-passive",
-            Self::Unsupported => "unsupported",
-            Self::NotNow => "not-now",
-        }
+coded! {
+    /// Done, or the reason why not.
+    #[derive(Default)]
+    pub enum Reason {
+        /// The command was carried out.
+        #[default]
+        Done = "done",
+        /// The frame is of another version of this format.
+        Version = "version",
+        /// No command has this type.
+        UnknownType = "unknown-type",
+        /// Not the length that the command has.
+        Length = "length",
+        /// A field holds a code without a meaning.
+        Code = "code",
+        /// A number is not allowed; the reply names it and says what is allowed.
+        Number = "number",
+        /// The stiffness would make the haptic device unstable: b > K (T/2 + delay) does not hold.
+        NotPassive = "not-passive",
+        /// The board has no time, no room or no use for it.
+        Unsupported = "unsupported",
+        /// Not now: the board is stopped by a fault, another command is under way, or the body cannot settle where it is.
+        NotNow = "not-now",
     }
 }
 
@@ -157,163 +130,123 @@ impl<'a> Reply<'a> {
     /// With the longest text.
     pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
-    pub(crate) fn write(&self, sink: &mut impl Sink) {
-        self.write_about(subject_code, sink);
-    }
-
-    /// Like [`Self::write`], for a board with room for obstacles.
-    pub(crate) fn write_among(&self, sink: &mut impl Sink) {
-        self.write_about(
-            |subject| obstacle_code(subject).unwrap_or(subject_code(subject)),
-            sink,
-        );
-    }
-
-    fn write_about(&self, code: impl FnOnce(Subject) -> (u8, [usize; 2]), sink: &mut impl Sink) {
-        self.command.write(sink);
-        sink.code(&Reason::ALL, &self.reason);
-        let (code, [first, second]) = code(self.subject);
-        sink.byte(code);
-        sink.count(first);
-        sink.count(second);
-        sink.f32s(&[self.value, self.limit]);
+    /// Writes the payload of a reply; `among`: of a board with room for obstacles, whose replies name them.
+    pub(crate) fn write(&self, among: bool, sink: &mut impl Sink) {
+        self.command.put(sink);
+        self.reason.put(sink);
+        let subject = if among || !self.subject.is_of_obstacles() {
+            self.subject
+        } else {
+            Subject::Command
+        };
+        subject.code().put(sink);
+        [self.value, self.limit].put(sink);
         self.allowed.write(sink);
     }
 
-    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        Self::read_about(fields, subject)
-    }
-
-    /// Like [`Self::read`], for a board with room for obstacles.
-    pub(crate) fn read_among(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        Self::read_about(fields, |about| match obstacle_subject(about) {
-            Some(parameter) => Ok(Subject::Scene(parameter)),
-            None => subject(about),
-        })
-    }
-
-    /// Reads the payload of a reply (FRAME 5.4), with `subject` for the three bytes of the subject and its indices.
-    fn read_about(
-        fields: &mut Fields<'a>,
-        subject: impl FnOnce([u8; 3]) -> Result<Subject, FaultKind>,
-    ) -> Result<Self, FaultKind> {
+    /// Reads the payload of a reply (FRAME 5.4); `among`: from a board with room for obstacles.
+    pub(crate) fn read(fields: &mut Fields<'a>, among: bool) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
-        let command = Reference::read(fields);
-        let reason = fields.code(&Reason::ALL)?;
-        let subject = subject(fields.take())?;
-        let [value, limit] = fields.f32s();
+        let (command, reason) = (fields.get()?, fields.get()?);
+        let subject = Subject::of(fields.get()?).filter(|s| among || !s.is_of_obstacles());
         Ok(Self {
             command,
             reason,
-            subject,
-            value,
-            limit,
-            allowed: Text::read(fields.remaining()).ok_or(FaultKind::Value)?,
+            subject: subject.ok_or(FaultKind::Value)?,
+            value: fields.get()?,
+            limit: fields.get()?,
+            allowed: Text::read(fields)?,
         })
     }
 }
 
-/// The code of a subject and the indices that belong to it.
-const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
-    match subject {
-        Subject::Command => (0, [0; 2]),
-        Subject::Scene(parameter) => match parameter {
-            Parameter::VertexCount => (1, [0; 2]),
-            Parameter::Vertex(i) => (2, [i, 0]),
-            Parameter::Start => (3, [0; 2]),
-            Parameter::Weight => (4, [0; 2]),
-            Parameter::HoldingPoint => (5, [0; 2]),
-            Parameter::Reach => (6, [0; 2]),
-            Parameter::StiffnessTranslation => (7, [0; 2]),
-            Parameter::StiffnessRotation => (8, [0; 2]),
-            Parameter::SurfaceCount => (9, [0; 2]),
-            Parameter::Normal(i) => (10, [i, 0]),
-            Parameter::Offset(i) => (11, [i, 0]),
-            Parameter::FrictionStatic(i) => (12, [i, 0]),
-            Parameter::FrictionDynamic(i) => (13, [i, 0]),
-            Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
-            Parameter::Memory(i) => (15, [i, 0]),
-            // Subjects about obstacles, for which most boards have no room: see `obstacle_code`.
-            _ => (0, [0; 2]),
-        },
-        Subject::TickRate => (32, [0; 2]),
-        Subject::LineRate => (33, [0; 2]),
+/// Codes of parameters, each with the indices that belong to it.
+macro_rules! parameters {
+    ($($code:literal = $name:ident $(($one:ident))? $({ $first:ident, $second:ident })?,)+) => {
+        /// The code of a parameter, and its indices.
+        const fn parameter_code(parameter: Parameter) -> [usize; 3] {
+            match parameter {
+                $(Parameter::$name $(($one))? $({ $first, $second })? => {
+                    parameters!(@code $code $($one)? $($first $second)?)
+                })+
+            }
+        }
+
+        /// The parameter of a code and its indices, the inverse of [`parameter_code`]; `None` for other codes.
+        const fn parameter_of([code, a, b]: [usize; 3]) -> Option<Parameter> {
+            // Most parameters have fewer indices.
+            let _ = (a, b);
+            Some(match code {
+                $($code => {
+                    $(let $one = a;)?
+                    $(let ($first, $second) = (a, b);)?
+                    Parameter::$name $(($one))? $({ $first, $second })?
+                })+
+                _ => return None,
+            })
+        }
+    };
+    (@code $code:literal) => { [$code, 0, 0] };
+    (@code $code:literal $one:ident) => { [$code, $one, 0] };
+    (@code $code:literal $first:ident $second:ident) => { [$code, $first, $second] };
+}
+
+parameters! {
+    1 = VertexCount,
+    2 = Vertex(i),
+    3 = Start,
+    4 = Weight,
+    5 = HoldingPoint,
+    6 = Reach,
+    7 = StiffnessTranslation,
+    8 = StiffnessRotation,
+    9 = SurfaceCount,
+    10 = Normal(i),
+    11 = Offset(i),
+    12 = FrictionStatic(i),
+    13 = FrictionDynamic(i),
+    14 = Penetration { surface, vertex },
+    15 = Memory(i),
+    16 = ObstacleCount,
+    17 = CornerCount,
+    18 = Corners(i),
+    19 = Corner { obstacle, corner },
+    20 = Side { obstacle, side },
+    21 = ObstacleFrictionStatic(i),
+    22 = ObstacleFrictionDynamic(i),
+    23 = ObstacleMemory(i),
+    24 = Overlap(i),
+}
+
+/// The codes that only boards with room for obstacles send, and their clients know.
+const OF_OBSTACLES: core::ops::RangeInclusive<usize> = 16..=24;
+const TICK_RATE: usize = 32;
+const LINE_RATE: usize = 33;
+
+impl Subject {
+    /// The code, and the indices that belong to it.
+    const fn code(self) -> [usize; 3] {
+        match self {
+            Self::Command => [0; 3],
+            Self::Scene(parameter) => parameter_code(parameter),
+            Self::TickRate => [TICK_RATE, 0, 0],
+            Self::LineRate => [LINE_RATE, 0, 0],
+        }
     }
-}
 
-/// The subject of a code and its indices, in a reply without obstacles; the inverse of [`subject_code`].
-fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
-    let (i, j) = (usize::from(first), usize::from(second));
-    let parameter = match code {
-        0 => return Ok(Subject::Command),
-        1 => Parameter::VertexCount,
-        2 => Parameter::Vertex(i),
-        3 => Parameter::Start,
-        4 => Parameter::Weight,
-        5 => Parameter::HoldingPoint,
-        6 => Parameter::Reach,
-        7 => Parameter::StiffnessTranslation,
-        8 => Parameter::StiffnessRotation,
-        9 => Parameter::SurfaceCount,
-        10 => Parameter::Normal(i),
-        11 => Parameter::Offset(i),
-        12 => Parameter::FrictionStatic(i),
-        13 => Parameter::FrictionDynamic(i),
-        14 => Parameter::Penetration {
-            surface: i,
-            vertex: j,
-        },
-        15 => Parameter::Memory(i),
-        32 => return Ok(Subject::TickRate),
-        33 => return Ok(Subject::LineRate),
-        _ => return Err(FaultKind::Value),
-    };
-    Ok(Subject::Scene(parameter))
-}
+    /// The subject of a code and its indices; `None` if the code has no meaning.
+    fn of(code: [usize; 3]) -> Option<Self> {
+        match code {
+            [0, ..] => Some(Self::Command),
+            [TICK_RATE, ..] => Some(Self::TickRate),
+            [LINE_RATE, ..] => Some(Self::LineRate),
+            _ => parameter_of(code).map(Self::Scene),
+        }
+    }
 
-/// The refusal is about an obstacle.
-pub(crate) const fn is_of_obstacles(subject: Subject) -> bool {
-    obstacle_code(subject).is_some()
-}
-
-/// Like [`subject_code`], for the parameters of an obstacle.
-const fn obstacle_code(subject: Subject) -> Option<(u8, [usize; 2])> {
-    let Subject::Scene(parameter) = subject else {
-        return None;
-    };
-    Some(match parameter {
-        Parameter::ObstacleCount => (16, [0; 2]),
-        Parameter::CornerCount => (17, [0; 2]),
-        Parameter::Corners(i) => (18, [i, 0]),
-        Parameter::Corner { obstacle, corner } => (19, [obstacle, corner]),
-        Parameter::Side { obstacle, side } => (20, [obstacle, side]),
-        Parameter::ObstacleFrictionStatic(i) => (21, [i, 0]),
-        Parameter::ObstacleFrictionDynamic(i) => (22, [i, 0]),
-        Parameter::ObstacleMemory(i) => (23, [i, 0]),
-        Parameter::Overlap(i) => (24, [i, 0]),
-        _ => return None,
-    })
-}
-
-/// The parameter of an obstacle for a code and its indices, the inverse of [`obstacle_code`]; `None` for other codes.
-fn obstacle_subject([code, first, second]: [u8; 3]) -> Option<Parameter> {
-    let (obstacle, index) = (usize::from(first), usize::from(second));
-    Some(match code {
-        16 => Parameter::ObstacleCount,
-        17 => Parameter::CornerCount,
-        18 => Parameter::Corners(obstacle),
-        19 => Parameter::Corner {
-            obstacle,
-            corner: index,
-        },
-        20 => Parameter::Side {
-            obstacle,
-            side: index,
-        },
-        21 => Parameter::ObstacleFrictionStatic(obstacle),
-        22 => Parameter::ObstacleFrictionDynamic(obstacle),
-        23 => Parameter::ObstacleMemory(obstacle),
-        24 => Parameter::Overlap(obstacle),
-        _ => return None,
-    })
+    /// The refusal is about an obstacle.
+    pub(crate) fn is_of_obstacles(self) -> bool {
+        let [code, ..] = self.code();
+        OF_OBSTACLES.contains(&code)
+    }
 }

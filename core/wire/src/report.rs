@@ -1,11 +1,11 @@
 //! Messages from the board (FRAME 5).
 
-use crate::Reference;
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
+use crate::field::{Field, Fields, Sink};
 use crate::forces::{Events, Forces};
 use crate::health::Health;
 use crate::info::Info;
+use crate::layout::layout;
 use crate::message::Wire;
 use crate::pose::Pose;
 use crate::reply::Reply;
@@ -58,25 +58,24 @@ pub struct Pong {
     pub time: u32,
 }
 
+layout! { Pong { sequence: u8, time: u32 } }
+
 /// The longest payload that a board sends (bytes): [`wire_bytes`](crate::wire_bytes) of it is the room that the board needs to encode its
 /// reports.
 pub const LONGEST_REPORT: usize = {
-    let others = [
-        Reply::LONGEST,
-        Forces::<Contact<f32>>::LONGEST,
-        Events::LONGEST,
-        Health::BYTES,
-    ];
-    let mut longest = Info::LONGEST;
-    let mut rest = others.as_slice();
-    while let [length, after @ ..] = rest {
-        if *length > longest {
-            longest = *length;
-        }
-        rest = after;
+    let (one, other) = (Reply::LONGEST, Forces::<Contact<f32>>::LONGEST);
+    let one = if one > other { one } else { other };
+    if one > Info::LONGEST {
+        one
+    } else {
+        Info::LONGEST
     }
-    longest
 };
+
+const _: () = assert!(
+    Events::LONGEST <= LONGEST_REPORT && Health::BYTES <= LONGEST_REPORT,
+    "they take no more room than other reports"
+);
 
 /// The contact state is added to it.
 const POSE: u8 = 0x80;
@@ -123,13 +122,10 @@ impl<'a> Wire<'a> for Report<'a> {
             Self::Pose(pose) => pose.write(sink),
             Self::Forces(forces) => forces.write(sink),
             Self::Events(events) => events.write(sink),
-            Self::Reply(reply) => reply.write(sink),
+            Self::Reply(reply) => reply.write(false, sink),
             Self::Info(info) => info.write(sink),
-            Self::Health(health) => health.write(sink),
-            Self::Pong(pong) => {
-                sink.byte(pong.sequence);
-                sink.u32(pong.time);
-            }
+            Self::Health(health) => health.put(sink),
+            Self::Pong(pong) => pong.put(sink),
         }
     }
 
@@ -139,28 +135,11 @@ impl<'a> Wire<'a> for Report<'a> {
             POSE..=LAST_POSE => Pose::read(code & 7, &mut fields).map(Self::Pose),
             FORCES => Forces::read(&mut fields).map(Self::Forces),
             EVENTS => Events::read(&mut fields).map(Self::Events),
-            REPLY => Reply::read(&mut fields).map(Self::Reply),
+            REPLY => Reply::read(&mut fields, false).map(Self::Reply),
             INFO => Info::read(&mut fields).map(Self::Info),
-            HEALTH => Health::read(&mut fields).map(Self::Health),
-            PONG => {
-                fields.exactly(5)?;
-                Ok(Self::Pong(Pong {
-                    sequence: fields.u8(),
-                    time: fields.u32(),
-                }))
-            }
+            HEALTH => fields.only().map(Self::Health),
+            PONG => fields.only().map(Self::Pong),
             _ => Err(FaultKind::UnknownType),
         }
-    }
-}
-
-impl Reference {
-    pub(crate) fn write(self, sink: &mut impl Sink) {
-        sink.byte(self.code);
-        sink.byte(self.sequence);
-    }
-    pub(crate) fn read(fields: &mut Fields<'_>) -> Self {
-        let [code, sequence] = fields.take();
-        Self { code, sequence }
     }
 }

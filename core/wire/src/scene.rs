@@ -1,17 +1,18 @@
-//! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board require.
+//! A scene on the wire, without obstacles or among them (FRAME 4.4, 4.9): one frame, as large as the capacities of the board require.
 
 use crate::fault::FaultKind;
-use crate::fields::{Fields, Sink};
-use crate::list::{Item, List};
-use stiction_core::{Description, Parameter, SceneError, SurfaceDescription};
+use crate::field::{Field, Fields, Sink};
+use crate::list::List;
+use crate::obstacles::{ObstacleList, obstacle_bytes};
+use stiction_core::{Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription};
 
 /// Bytes before the vertices.
-pub(crate) const HEAD_BYTES: usize = 39;
+const HEAD_BYTES: usize = 39;
 
 /// The bytes of the payload of a scene with these numbers of vertices and surfaces.
 pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
-    let vertices = vertices.saturating_mul(<[f32; 2] as Item>::BYTES);
-    let surfaces = surfaces.saturating_mul(<SurfaceDescription<f32> as Item>::BYTES);
+    let vertices = vertices.saturating_mul(<[f32; 2]>::BYTES);
+    let surfaces = surfaces.saturating_mul(SurfaceDescription::<f32>::BYTES);
     vertices.saturating_add(surfaces).saturating_add(HEAD_BYTES)
 }
 
@@ -60,6 +61,60 @@ pub struct SceneCommand<'a> {
     pub surfaces: List<'a, SurfaceDescription<f32>>,
 }
 
+/// A scene among obstacles in SI units.
+///
+/// ```
+/// use stiction_core::{Description, ObstacleDescription, Scene, WithObstacles};
+/// use stiction_wire::SceneAmong;
+///
+/// let table = ObstacleDescription {
+///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
+///     friction_static: 0.5,
+///     friction_dynamic: 0.3,
+///     memory: None,
+/// };
+/// let described = Description {
+///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
+///     start: [-0.05, 0.03, 0.0],
+///     weight: 1.0,
+///     holding_point: None,
+///     reach: 0.01,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[],
+/// };
+/// let obstacles = [table];
+/// let sent = SceneAmong::new(&described, &obstacles);
+///
+/// // On the board, with room for 4 vertices, 2 obstacles and 8 corners:
+/// let (mut vertices, mut corners) = ([[0.0; 2]; 4], [[0.0; 2]; 8]);
+/// let mut places = [ObstacleDescription { vertices: &[], ..table }; 2];
+/// let received = sent.scene.description(&mut vertices, &mut [])?;
+/// let obstacles = sent.obstacles.descriptions(&mut corners, &mut places)?;
+/// let scene: Scene<f32, 4, 0, WithObstacles<2, 8>> = Scene::among(&received, obstacles)?;
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneAmong<'a> {
+    /// Everything except the obstacles.
+    pub scene: SceneCommand<'a>,
+    /// The obstacles.
+    pub obstacles: ObstacleList<'a>,
+}
+
+impl<'a> SceneAmong<'a> {
+    /// From the arguments of [`Scene::among`](stiction_core::Scene::among).
+    pub fn new(
+        description: &Description<'a, f32>,
+        obstacles: &'a [ObstacleDescription<'a, f32>],
+    ) -> Self {
+        Self {
+            scene: SceneCommand::from(description),
+            obstacles: ObstacleList::from(obstacles),
+        }
+    }
+}
+
 impl<'a> From<&Description<'a, f32>> for SceneCommand<'a> {
     fn from(d: &Description<'a, f32>) -> Self {
         Self {
@@ -86,136 +141,80 @@ impl<'a> SceneCommand<'a> {
         vertices: &'b mut [[f32; 2]],
         surfaces: &'b mut [SurfaceDescription<f32>],
     ) -> Result<Description<'b, f32>, SceneError<f32>> {
-        let vertex_count = (self.vertices.len(), Parameter::VertexCount);
-        let surface_count = (self.surfaces.len(), Parameter::SurfaceCount);
         Ok(Description {
-            vertices: copied(self.vertices.iter(), vertex_count, vertices)?,
+            vertices: self.vertices.copied(Parameter::VertexCount, vertices)?,
             start: self.start,
             weight: self.weight,
             holding_point: self.holding_point,
             reach: self.reach,
             stiffness_translation: self.stiffness_translation,
             stiffness_rotation: self.stiffness_rotation,
-            surfaces: copied(self.surfaces.iter(), surface_count, surfaces)?,
+            surfaces: self.surfaces.copied(Parameter::SurfaceCount, surfaces)?,
         })
     }
 
-    pub(crate) fn write(&self, sink: &mut impl Sink) {
-        self.write_head(sink);
-        self.write_lists(sink);
-    }
-
-    /// Writes everything except the lists, with their lengths.
-    pub(crate) fn write_head(&self, sink: &mut impl Sink) {
-        sink.count(self.vertices.len());
-        sink.count(self.surfaces.len());
-        sink.byte(u8::from(self.holding_point.is_some()));
-        sink.f32s(&self.start);
-        sink.f32(self.weight);
-        sink.f32s(&self.holding_point.unwrap_or_default());
-        sink.f32s(&[
-            self.reach,
-            self.stiffness_translation,
-            self.stiffness_rotation,
-        ]);
-    }
-
-    pub(crate) fn write_lists(&self, sink: &mut impl Sink) {
+    /// Writes the payload of scene, or of scene-among.
+    pub(crate) fn write(&self, obstacles: Option<&ObstacleList<'_>>, sink: &mut impl Sink) {
+        [self.vertices.len(), self.surfaces.len()].put(sink);
+        self.holding_point.is_some().put(sink);
+        self.start.put(sink);
+        self.weight.put(sink);
+        self.holding_point.unwrap_or_default().put(sink);
+        self.reach.put(sink);
+        [self.stiffness_translation, self.stiffness_rotation].put(sink);
+        if let Some(obstacles) = obstacles {
+            [obstacles.len(), obstacles.corner_count()].put(sink);
+        }
         self.vertices.write(sink);
         self.surfaces.write(sink);
-    }
-
-    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        fields.at_least(HEAD_BYTES)?;
-        let whole = *fields;
-        let counts = fields.take().map(usize::from);
-        let [vertices, surfaces] = counts;
-        whole.exactly(scene_bytes(vertices, surfaces))?;
-        Self::take_head(fields)?.take_lists(fields, counts)
-    }
-
-    /// Reads what follows the lengths of the lists, without the lists.
-    #[inline(always)]
-    pub(crate) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
-        let given = fields.flag()?;
-        let (start, weight) = (fields.f32s(), fields.f32());
-        let holding_point = fields.f32s();
-        let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
-        Ok(Self {
-            vertices: List::from(&[]),
-            start,
-            weight,
-            holding_point: given.then_some(holding_point),
-            reach,
-            stiffness_translation,
-            stiffness_rotation,
-            surfaces: List::from(&[]),
-        })
-    }
-
-    /// With these numbers of vertices and surfaces, which follow.
-    #[inline(always)]
-    pub(crate) fn take_lists(
-        self,
-        fields: &mut Fields<'a>,
-        [vertices, surfaces]: [usize; 2],
-    ) -> Result<Self, FaultKind> {
-        Ok(Self {
-            vertices: List::take(fields, vertices)?,
-            surfaces: List::take(fields, surfaces)?,
-            ..self
-        })
-    }
-}
-
-/// The items of a list, copied; fails if there are more than fit.
-pub(crate) fn copied<T>(
-    items: impl Iterator<Item = T>,
-    (count, parameter): (usize, Parameter),
-    places: &mut [T],
-) -> Result<&[T], SceneError<f32>> {
-    let Some(places) = places.get_mut(..count) else {
-        return Err(SceneError {
-            parameter,
-            value: u16::try_from(count).map_or(f32::INFINITY, f32::from),
-            allowed: "at most the capacity of the board",
-        });
-    };
-    for (place, item) in places.iter_mut().zip(items) {
-        *place = item;
-    }
-    Ok(places)
-}
-
-impl Item for [f32; 2] {
-    const BYTES: usize = 8;
-    fn put(&self, sink: &mut impl Sink) {
-        sink.f32s(self);
-    }
-    fn get(fields: &mut Fields<'_>) -> Self {
-        fields.f32s()
-    }
-}
-
-impl Item for SurfaceDescription<f32> {
-    const BYTES: usize = 25;
-    fn put(&self, sink: &mut impl Sink) {
-        sink.f32s(&self.normal);
-        sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
-        sink.option(self.memory);
-    }
-    fn get(fields: &mut Fields<'_>) -> Self {
-        let normal = fields.f32s();
-        let [offset, friction_static, friction_dynamic] = fields.f32s();
-        Self {
-            normal,
-            offset,
-            friction_static,
-            friction_dynamic,
-            memory: fields.option().unwrap_or(None),
+        if let Some(obstacles) = obstacles {
+            obstacles.write(sink);
         }
     }
-    fn valid(bytes: &[u8]) -> bool {
-        bytes.get(20).is_some_and(|&flag| flag <= 1)
+
+    /// Reads the payload of scene (FRAME 4.4); fails if its length does not match its counts.
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        let (scene, _) = Self::read_lists(fields, false)?;
+        Ok(scene)
+    }
+
+    /// Reads the payload of scene-among (FRAME 4.9); fails if its length does not match its counts.
+    pub(crate) fn read_among(
+        fields: &mut Fields<'a>,
+    ) -> Result<(Self, ObstacleList<'a>), FaultKind> {
+        Self::read_lists(fields, true)
+    }
+
+    #[inline(always)]
+    fn read_lists(
+        fields: &mut Fields<'a>,
+        among: bool,
+    ) -> Result<(Self, ObstacleList<'a>), FaultKind> {
+        let counts = if among { <[usize; 2]>::BYTES } else { 0 };
+        fields.at_least(HEAD_BYTES.saturating_add(counts))?;
+        let whole = *fields;
+        let mut head = Fields::new(fields.bytes(HEAD_BYTES));
+        let [vertices, surfaces]: [usize; 2] = head.get()?;
+        let [obstacles, corners] = if among { fields.get()? } else { [0; 2] };
+        let of_obstacles = if among {
+            obstacle_bytes(obstacles, corners)
+        } else {
+            0
+        };
+        whole.exactly(scene_bytes(vertices, surfaces).saturating_add(of_obstacles))?;
+        let has_holding_point: bool = head.get()?;
+        let (start, weight) = (head.get()?, head.get()?);
+        let holding_point = head.get()?;
+        let scene = Self {
+            start,
+            weight,
+            holding_point: has_holding_point.then_some(holding_point),
+            reach: head.get()?,
+            stiffness_translation: head.get()?,
+            stiffness_rotation: head.get()?,
+            vertices: List::take(fields, vertices)?,
+            surfaces: List::take(fields, surfaces)?,
+        };
+        Ok((scene, ObstacleList::take(fields, [obstacles, corners])?))
     }
 }

@@ -12,8 +12,8 @@ use stiction_core::Touch;
 
 use crate::input::{Described, Hand, Scene};
 use crate::memory::{
-    Checked, Inner, Memory, Snapshot, World, begin, checked, give, given, keep, kept, solver,
-    solver_mut,
+    Checked, Inner, Memory, Snapshot, World, begin, checked, give, given, keep, solver, solver_mut,
+    stored,
 };
 use crate::output::{CONTACTS, Contact, Kind, Output, Wrench};
 use crate::result::{Error, Parameter, Result};
@@ -51,7 +51,7 @@ pub extern "C" fn stiction_init(
     if !error.is_null() && !error.is_aligned() {
         return Result::Unaligned;
     }
-    answer(begin((memory, size, abi), world))
+    answer(begin(memory, size, abi, world))
 }
 
 #[cfg(feature = "obstacles")]
@@ -244,7 +244,7 @@ pub extern "C" fn stiction_take_snapshot(memory: *const Memory, snapshot: *mut S
 #[allow(unsafe_code)]
 pub extern "C" fn stiction_restore(memory: *mut Memory, snapshot: *const Snapshot) -> Result {
     answer(solver_mut(memory).and_then(|inner| {
-        inner.run = Some(kept(snapshot)?);
+        inner.run = Some(stored(snapshot)?);
         Ok(())
     }))
 }
@@ -259,11 +259,11 @@ pub extern "C" fn stiction_error_text(
     text: *mut c_char,
     size: usize,
 ) -> Result {
-    answer(write_error(result, error, (text.cast(), size)))
+    answer(write_error(result, error, text.cast(), size))
 }
 
 #[allow(unsafe_code)]
-fn write_error(result: i32, error: *const Error, (text, size): (*mut u8, usize)) -> Checked<()> {
+fn write_error(result: i32, error: *const Error, text: *mut u8, size: usize) -> Checked<()> {
     checked(text)?;
     // No text is longer.
     let size = size.min(512);

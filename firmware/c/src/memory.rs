@@ -81,7 +81,7 @@ pub(crate) struct Inner {
 }
 
 /// The contents of a [`Snapshot`].
-struct Kept {
+struct Stored {
     mark: u32,
     run: Run,
 }
@@ -90,7 +90,7 @@ const _: () = assert!(
     size_of::<Inner>() <= size_of::<Memory>() && align_of::<Inner>() <= align_of::<Memory>()
 );
 const _: () = assert!(
-    size_of::<Kept>() <= size_of::<Snapshot>() && align_of::<Kept>() <= align_of::<Snapshot>()
+    size_of::<Stored>() <= size_of::<Snapshot>() && align_of::<Stored>() <= align_of::<Snapshot>()
 );
 
 /// The first word of memory that holds a solver, and of a snapshot that holds a run.
@@ -141,7 +141,9 @@ fn fits(memory: *mut Memory, size: usize, abi: u32) -> Checked<*mut Inner> {
 
 /// Puts a solver without a run into the memory.
 pub(crate) fn begin(
-    (memory, size, abi): (*mut Memory, usize, u32),
+    memory: *mut Memory,
+    size: usize,
+    abi: u32,
     scene: impl FnOnce() -> Checked<World>,
 ) -> Checked<()> {
     let place = fits(memory, size, abi)?;
@@ -167,7 +169,7 @@ pub(crate) fn solver<'a>(memory: *const Memory) -> Checked<&'a Inner> {
     Ok(unsafe { &*place })
 }
 
-/// The same, mutable.
+/// The contents of a memory, to be changed.
 #[allow(unsafe_code)]
 pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
     solver(memory)?;
@@ -177,8 +179,8 @@ pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
 
 /// The run of a snapshot.
 #[allow(unsafe_code)]
-pub(crate) fn kept(snapshot: *const Snapshot) -> Checked<Run> {
-    let place = checked(snapshot)?.cast::<Kept>();
+pub(crate) fn stored(snapshot: *const Snapshot) -> Checked<Run> {
+    let place = checked(snapshot)?.cast::<Stored>();
     // SAFETY: as in `solver`.
     let mark = unsafe { ptr::read(&raw const (*place).mark) };
     if mark != RUN {
@@ -191,10 +193,10 @@ pub(crate) fn kept(snapshot: *const Snapshot) -> Checked<Run> {
 /// Saves a run in a snapshot.
 pub(crate) fn keep(run: &Run, snapshot: *mut Snapshot) -> Checked<()> {
     checked(snapshot)?;
-    let kept = Kept {
+    let stored = Stored {
         mark: RUN,
         run: run.clone(),
     };
-    give(snapshot.cast(), kept);
+    give(snapshot.cast(), stored);
     Ok(())
 }

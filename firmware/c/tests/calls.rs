@@ -81,7 +81,7 @@ fn step(memory: &mut Memory, hand: &Hand) -> Output {
 }
 
 /// The outputs of a run, as bits.
-fn told(memory: &mut Memory, hand: &Hand) -> Vec<u32> {
+fn answers(memory: &mut Memory, hand: &Hand) -> Vec<u32> {
     let output = step(memory, hand);
     let mut wrench = Wrench {
         fx: 0.0,
@@ -130,12 +130,12 @@ fn a_snapshot_leads_to_the_same_bits_again() {
         stiction_take_snapshot(&*memory, snapshot.as_mut_ptr()),
         Result::Ok
     );
-    let first: Vec<_> = (300..900).map(|i| told(&mut memory, &way(i))).collect();
+    let first: Vec<_> = (300..900).map(|i| answers(&mut memory, &way(i))).collect();
     assert_eq!(
         stiction_restore(&mut *memory, snapshot.as_ptr()),
         Result::Ok
     );
-    let again: Vec<_> = (300..900).map(|i| told(&mut memory, &way(i))).collect();
+    let again: Vec<_> = (300..900).map(|i| answers(&mut memory, &way(i))).collect();
     assert_eq!(first, again);
 }
 
@@ -145,7 +145,10 @@ fn memory_can_be_moved() {
     let mut memory = begun();
     step(&mut memory, &way(10));
     let mut moved = memory.clone();
-    assert_eq!(told(&mut memory, &way(11)), told(&mut moved, &way(11)));
+    assert_eq!(
+        answers(&mut memory, &way(11)),
+        answers(&mut moved, &way(11))
+    );
 }
 
 #[test]

@@ -14,7 +14,7 @@ fn the_header_is_that_of_the_crate() {
     let mut made = Vec::new();
     builder.generate().expect("a header").write(&mut made);
     let file = folder.join("include/stiction.h");
-    if std::env::var_os("STICTION_HEADER").is_some_and(|wish| wish == "write") {
+    if std::env::var_os("STICTION_HEADER").is_some_and(|what| what == "write") {
         fs::write(&file, &made).expect("the header");
     }
     let there = fs::read(&file).expect("the header");

@@ -38,7 +38,7 @@ impl Place for Full {
             memory: None,
         };
         let surfaces = [surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)];
-        with_box((&surfaces, 1.0), |description| Scene::new(description).ok())
+        with_box(&surfaces, 1.0, |description| Scene::new(description).ok())
     }
     fn touches<R: Real>(_: &Solver<R, 4, 2>, _: &State<R>) -> Option<Touches<R::Si>> {
         None
@@ -56,7 +56,7 @@ impl Place for Among {
             memory: None,
         };
         let obstacles = [of_wood(&table), of_wood(&block), of_wood(&pin)];
-        with_box((&[], 0.0), |description| {
+        with_box(&[], 0.0, |description| {
             Scene::among(description, &obstacles).ok()
         })
     }
@@ -70,7 +70,8 @@ impl Place for Among {
 
 /// The box over these surfaces, with a weight (N).
 fn with_box<F: SiFloat, T>(
-    (surfaces, weight): (&[SurfaceDescription<F>], f64),
+    surfaces: &[SurfaceDescription<F>],
+    weight: f64,
     take: impl FnOnce(&Description<'_, F>) -> T,
 ) -> T {
     let narrow = F::narrow;

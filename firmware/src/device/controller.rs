@@ -8,7 +8,7 @@ use super::store::{Described, Store};
 use crate::model::BoardModel;
 use crate::safety::{Arrival, Arrivals, Flags, Health};
 use stiction_core::{
-    Angle, Description, Event, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
+    Angle, Description, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
 };
 
 /// The pose of the body.
@@ -53,24 +53,12 @@ pub struct Turn {
     pub latched: bool,
 }
 
-/// How the hand came to hold the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Hold {
-    /// Not yet.
-    Never,
-    /// At the scene's holding point.
-    Given,
-    /// Where it was at that moment.
-    Taken,
-}
-
 /// A run: the solver, its state after the first sample, and the last pose of the body.
 #[derive(Clone, Debug)]
 pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
     pub(super) store: Store<V, S, M>,
     pub(super) solver: Solver<R, V, S, M>,
     pub(super) state: Option<State<R>>,
-    pub(super) hold: Hold,
     /// Whole turns by which the solver's angles are less than those outside.
     pub(super) turns: i32,
     pub(super) pose: Pose,
@@ -100,7 +88,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
             store,
             solver,
             state: None,
-            hold: Hold::Never,
             turns: 0,
             pose: Pose::of(&output),
             behind: false,
@@ -109,7 +96,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
 
     /// Moves the hand to the position of a sample.
     fn step(&mut self, hand: &Hand<f32>) -> Output<f32> {
-        let hand = turned(hand, self.turns.saturating_neg());
+        let hand = hand.turned(self.turns.saturating_neg());
         let output = match &mut self.state {
             Some(state) => self.solver.step(state, hand),
             None => {
@@ -132,11 +119,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
     /// Stores the pose of the body after a step; returns the answer with the turns as seen from outside.
     pub(super) fn accept(&mut self, mut output: Output<f32>) -> Output<f32> {
         output.angle.turns = output.angle.turns.saturating_add(self.turns);
-        if output.events().contains(&Event::Grasp) {
-            self.hold = Hold::Taken;
-        } else if output.held && self.hold == Hold::Never {
-            self.hold = Hold::Given;
-        }
         self.pose = Pose::of(&output);
         self.behind = output.behind > 0.0;
         output
@@ -165,15 +147,8 @@ pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Board
     Ok(settings.apply(Solver::new(scene, settings.evolution)))
 }
 
-/// A hand rotated by whole turns.
-pub(super) fn turned(hand: &Hand<f32>, turns: i32) -> Hand<f32> {
-    let mut hand = *hand;
-    hand.angle.turns = hand.angle.turns.saturating_add(turns);
-    hand
-}
-
 /// Returns whether the solver held the last pose instead of computing an answer.
-pub(super) fn is_held_last(status: Status) -> bool {
+fn is_held_last(status: Status) -> bool {
     matches!(status, Status::Saturated | Status::HeldLast)
 }
 
@@ -256,7 +231,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         if self.demand.held_last {
             self.health.unusable_samples = self.health.unusable_samples.saturating_add(1);
         } else {
-            self.demand.heard_us = Some(sample.received_us);
+            self.demand.received_us = Some(sample.received_us);
             self.want();
         }
         Some(output)
@@ -278,7 +253,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.demand.wrench = wrench.unwrap_or_default().feedback();
     }
 
-    /// Records the duration of a step, in any unit: the longest one is kept.
+    /// Records the duration of a step, in any unit: the longest one counts.
     pub fn measured(&mut self, step: u32) {
         self.health.worst_step = self.health.worst_step.max(step);
     }
@@ -304,7 +279,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     }
 
     /// Its obstacles, in stored form.
-    pub(crate) fn obstacles(&self) -> &M::Kept {
+    pub(crate) fn obstacles(&self) -> &M::Stored {
         &self.run.store.obstacles
     }
 

@@ -2,7 +2,7 @@
 
 use crate::safety::LimitError;
 use core::fmt;
-use stiction_core::{SceneError, Status};
+use stiction_core::{CarryError, SceneError, Status};
 
 /// Why a scene, a parameter or a limit was refused. Nothing has changed then.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,16 @@ impl core::error::Error for Refusal {}
 impl From<SceneError<f32>> for Refusal {
     fn from(error: SceneError<f32>) -> Self {
         Self::Scene(error)
+    }
+}
+
+impl From<CarryError<Self>> for Refusal {
+    fn from(error: CarryError<Self>) -> Self {
+        match error {
+            CarryError::Scene(refusal) => refusal,
+            CarryError::Unsettled(status) => Self::Unsettled(status),
+            CarryError::OutOfReach => Self::OutOfReach,
+        }
     }
 }
 

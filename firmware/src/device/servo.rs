@@ -26,7 +26,7 @@ pub(super) struct Demand {
     /// The solver could not use the last sample.
     pub(super) held_last: bool,
     /// When a sample that it could use arrived (µs).
-    pub(super) heard_us: Option<u32>,
+    pub(super) received_us: Option<u32>,
     /// First sets the force to zero.
     pub(super) cut: bool,
     /// New limits.
@@ -41,7 +41,7 @@ impl Demand {
         Self {
             wrench: Wrench::default(),
             held_last: false,
-            heard_us: None,
+            received_us: None,
             cut: false,
             limits: Some(*limits),
             anew: true,
@@ -50,7 +50,7 @@ impl Demand {
 
     /// The demand was taken: only its force remains wanted.
     pub(super) fn taken(&mut self) {
-        self.heard_us = None;
+        self.received_us = None;
         self.cut = false;
         self.limits = None;
         self.anew = false;
@@ -238,8 +238,8 @@ impl<D: Source + Actuators> Servo<D> {
         if demand.cut {
             let _ = rule.cut();
         }
-        if let Some(heard_us) = demand.heard_us {
-            rule.silence.hear(heard_us);
+        if let Some(received_us) = demand.received_us {
+            rule.silence.restart(received_us);
         }
         rule.wanted = demand.wrench;
         rule.held_last = demand.held_last;

@@ -31,7 +31,7 @@ pub(super) struct Store<const V: usize, const S: usize, M: BoardModel> {
     pub(super) reach: f32,
     pub(super) stiffness_translation: f32,
     pub(super) stiffness_rotation: f32,
-    pub(super) obstacles: M::Kept,
+    pub(super) obstacles: M::Stored,
 }
 
 impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
@@ -54,7 +54,7 @@ impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
     /// Passes the stored scene, in its original form, to a function.
     pub(super) fn with_given<T>(&self, look: impl FnOnce(Described<'_, '_, M>) -> T) -> T {
         let description = &self.description();
-        M::with_kept(&self.obstacles, |obstacles| {
+        M::with_stored(&self.obstacles, |obstacles| {
             look(Described {
                 description,
                 obstacles,

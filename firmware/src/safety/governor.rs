@@ -4,7 +4,7 @@
 use super::limits::Limits;
 use stiction_core::{Real, Wrench};
 
-/// A limit is kept with this margin, for the rounding of what is computed with it.
+/// A limit is observed with this margin, for the rounding of what is computed with it.
 const MARGIN: f32 = 1.0 - 4.0 * f32::EPSILON;
 
 /// A limit of force or moment.

@@ -8,7 +8,7 @@ const HALF: u32 = 1 << 31;
 pub struct Silence {
     longest_us: u32,
     /// When the last usable sample arrived.
-    heard_us: u32,
+    last_us: u32,
     silent: bool,
     /// Times that samples stayed away for too long.
     pub count: u32,
@@ -19,7 +19,7 @@ impl Silence {
     pub fn new(longest_us: u32) -> Self {
         Self {
             longest_us,
-            heard_us: 0,
+            last_us: 0,
             silent: true,
             count: 0,
         }
@@ -31,15 +31,15 @@ impl Silence {
     }
 
     /// A usable sample arrived at a time (µs, wrapping) of the device.
-    pub fn hear(&mut self, received_us: u32) {
-        self.heard_us = received_us;
+    pub fn restart(&mut self, received_us: u32) {
+        self.last_us = received_us;
         self.silent = false;
     }
 
     /// Returns whether the last usable sample is older than permitted, or will be before `ahead_us` have passed; or whether there is none.
     /// Called in every tick: silence once noticed stays until a sample arrives, however often the clock wraps.
     pub fn is_silent(&mut self, now_us: u32, ahead_us: u32) -> bool {
-        let age = now_us.wrapping_sub(self.heard_us);
+        let age = now_us.wrapping_sub(self.last_us);
         // A time stamp in the future counts as now.
         let age = if age < HALF { age } else { 0 };
         if !self.silent && age.saturating_add(ahead_us) > self.longest_us {

@@ -2,7 +2,7 @@
 
 use super::intake::Intake;
 use super::refusal::Trouble;
-use super::{Desk, Link, Told};
+use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
 use crate::model::BoardModel;
 use stiction_core::{Output, Real, SurfaceDescription};
@@ -82,7 +82,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     #[inline(never)]
     pub(super) fn scene_among(
         &mut self,
-        (scene, command): (&SceneAmong<'_>, Reference),
+        scene: &SceneAmong<'_>,
+        command: Reference,
         now_us: u32,
         link: &mut impl Link,
     ) -> Next {
@@ -178,7 +179,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.mode = *mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(mode);
         self.intake.look_at(mode.plane);
-        self.told.count_anew();
+        self.reported.count_anew();
         Ok(())
     }
 
@@ -191,7 +192,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.mode = mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(&mode);
         self.intake = Intake::new(&mode);
-        self.told = Told::new();
+        self.reported = Reported::new();
         self.outbox.unsent = 0;
         self.worst_tick = 0;
         self.latched = false;
@@ -200,6 +201,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
 
     fn begin_anew(&mut self) {
         self.intake.begin_anew();
-        self.told.begin_anew();
+        self.reported.begin_anew();
     }
 }

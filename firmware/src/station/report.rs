@@ -25,7 +25,7 @@ const fn number(text: &str) -> u8 {
 
 /// What was reported and what is still to be reported.
 #[derive(Clone, Debug)]
-pub(super) struct Told {
+pub(super) struct Reported {
     /// What happened since the last pose that was sent.
     events: EventSet,
     /// The status of the last answer of the solver.
@@ -41,7 +41,7 @@ pub(super) struct Told {
     health_us: Option<u32>,
 }
 
-impl Told {
+impl Reported {
     pub(super) fn new() -> Self {
         Self {
             events: EventSet::default(),
@@ -91,12 +91,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
 
     /// An answer of the solver: its events are reported immediately, or with the next pose.
     pub(super) fn happened(&mut self, output: &Output<f32>, now_us: u32, link: &mut impl Link) {
-        self.told.status = output.status;
+        self.reported.status = output.status;
         let list = output.events();
         if list.is_empty() {
             return;
         }
-        self.told.events = self.told.events.union(EventSet::of(list));
+        self.reported.events = self.reported.events.union(EventSet::of(list));
         if self.mode.events {
             let events = Events {
                 slips: output.slips,
@@ -109,13 +109,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
 
     /// Sends what is due after a step.
     pub(super) fn tell_step(&mut self, turn: &Turn, now_us: u32, link: &mut impl Link) {
-        if due(&mut self.told.since_pose, self.mode.pose_every) {
+        if due(&mut self.reported.since_pose, self.mode.pose_every) {
             let pose = Report::Pose(self.pose(turn));
             if self.say(now_us, pose, link) {
-                self.told.events = EventSet::default();
+                self.reported.events = EventSet::default();
             }
         }
-        if due(&mut self.told.since_forces, self.mode.forces_every) {
+        if due(&mut self.reported.since_forces, self.mode.forces_every) {
             self.tell_forces(turn, now_us, link);
         }
     }
@@ -129,15 +129,15 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             turns: u8::try_from(pose.angle.turns.rem_euclid(8)).unwrap_or(0),
             depth: pose.depth,
             state: pose.state,
-            status: if self.told.silent {
+            status: if self.reported.silent {
                 Status::HeldLast
             } else {
-                self.told.status
+                self.reported.status
             },
             held: pose.held,
             force_off: self.latched || turn.flags.is_safe_state(),
-            events: self.told.events,
-            sample: self.told.sample,
+            events: self.reported.events,
+            sample: self.reported.sample,
         }
     }
 
@@ -155,7 +155,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         let outbox = &mut self.outbox;
         M::with_forces(
             forces,
-            (solver, state, self.controller.obstacles()),
+            solver,
+            state,
+            self.controller.obstacles(),
             |report| outbox.send(now_us, report, link),
         );
     }
@@ -163,11 +165,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     /// Sends health, if it is due.
     pub(super) fn tell_health(&mut self, faults: &Faults, now_us: u32, link: &mut impl Link) {
         let every_us = u32::from(self.mode.health_every).saturating_mul(1_000);
-        let last = *self.told.health_us.get_or_insert(now_us);
+        let last = *self.reported.health_us.get_or_insert(now_us);
         if every_us == 0 || now_us.wrapping_sub(last) < every_us {
             return;
         }
-        self.told.health_us = Some(last.wrapping_add(every_us));
+        self.reported.health_us = Some(last.wrapping_add(every_us));
         let health = self.health(faults);
         self.say(now_us, Report::Health(health), link);
     }

@@ -1,9 +1,9 @@
 //! A budget of work: the body falls behind the hand, and continues to follow it in ticks without a new sample.
 
 use super::{Bench, Device, deep};
-use crate::common::BOX;
 use stiction_core::{Fixed, Hand, Real, Solver, Status, Wrench};
 use stiction_firmware::device::{Settings, Turn};
+use stiction_tests::station::BOX;
 
 /// The box is dragged far in one sample, while it is pressed down; it arrives before silence is noticed.
 fn far() -> Hand<f32> {

@@ -1,9 +1,9 @@
 //! Changes in mid-contact: parameters, scene, mode. The body stays where it is.
 
 use super::*;
-use crate::common::FLOOR;
 use stiction_core::StateKind;
 use stiction_firmware::device::Placement;
+use stiction_tests::station::FLOOR;
 
 /// The difference after a change that changes nothing: rounding.
 fn near(a: f32, b: f32) -> bool {

@@ -1,7 +1,7 @@
 //! The device as a whole: counts in, duties out.
 
-use crate::geometry;
-use crate::motors::motor;
+use super::geometry;
+use super::motors::motor;
 use core::f32::consts::FRAC_PI_2;
 use stiction_core::Wrench;
 use stiction_firmware::device::{Actuators, Source};

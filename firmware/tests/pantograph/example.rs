@@ -1,11 +1,8 @@
-//! The device at the Olimex board, as defined in its file: every number can be used, and the device can display the scene of the board.
+//! The device at the Olimex board, every number can be used, and the device can display the scene of the board.
 
-#[path = "../../devices/pantograph.rs"]
-mod device;
-
-use device::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_core::{Angle, Real, Wrench};
 use stiction_firmware::device::{Controller, Settings};
+use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_firmware::pantograph::Kinematics;
 use stiction_scene::WrittenScene;
 

@@ -1,12 +1,12 @@
 //! Joint angles to the hand, a wrench to torques, counts to joint angles.
 
-use crate::geometry;
-use crate::reference::{reference, transposed};
+use super::geometry;
 use core::f32::consts::{PI, TAU};
 use stiction_core::{Angle, Wrench};
 use stiction_firmware::pantograph::{
     Fault, Geometry, GeometryParameter, HandleMount, Joints, Kinematics,
 };
+use stiction_tests::pantograph::{reference, transposed};
 
 const MOUNTS: [HandleMount; 3] = [
     HandleMount::Base,

@@ -21,16 +21,16 @@ pub(crate) fn motor() -> (Bench, Motor<Bench, Bench>) {
 #[test]
 pub(crate) fn a_torque_is_a_duty_and_a_direction() {
     let (bench, mut motor) = motor();
-    let mut told = |torque| {
+    let mut given = |torque| {
         motor.turn(torque).unwrap();
         (*bench.duty.borrow(), *bench.high.borrow())
     };
-    assert_eq!(told(0.05), (2_100, false));
-    assert_eq!(told(-0.05), (2_100, true));
-    assert_eq!(told(-5.0), (4_200, true)); // the limit
-    assert_eq!(told(f32::MIN), (4_200, true));
-    assert_eq!(told(0.1), (4_200, false));
-    assert_eq!(told(-0.0), (0, false));
+    assert_eq!(given(0.05), (2_100, false));
+    assert_eq!(given(-0.05), (2_100, true));
+    assert_eq!(given(-5.0), (4_200, true)); // the limit
+    assert_eq!(given(f32::MIN), (4_200, true));
+    assert_eq!(given(0.1), (4_200, false));
+    assert_eq!(given(-0.0), (0, false));
     for bad in [f32::NAN, f32::INFINITY] {
         motor.turn(0.05).unwrap();
         assert_eq!(motor.turn(bad), Err(MotorFault::NotFinite));

@@ -1,14 +1,14 @@
 //! A board with the example device on this machine: the inverse kinematics from a hand to the encoders, and the torques of the motors.
 
+use super::rig::{Rig, setup};
 use crate::bench::Bench;
-use crate::client::{Answer, Said};
-use crate::example::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
-use crate::rig::{Rig, setup};
 use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 use stiction_core::{Full, Wrench};
+use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
+use stiction_tests::station::client::{Answer, Said};
 
 /// The values of encoders and switch.
 #[derive(Clone, Debug)]
@@ -135,8 +135,8 @@ impl Bed {
     }
 
     pub(crate) fn refusals(&mut self) -> Vec<Answer> {
-        let heard = self.rig.heard().into_iter();
-        let answers = heard.filter_map(|heard| match heard.said {
+        let received = self.rig.received().into_iter();
+        let answers = received.filter_map(|received| match received.said {
             Said::Reply(answer) => Some(answer),
             _ => None,
         });

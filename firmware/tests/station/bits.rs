@@ -1,9 +1,9 @@
 //! The result of a step: the bits of a solver run in parallel, whatever the pace of the samples.
 
-use crate::beside::{Beside, assert_same};
-use crate::client::{Said, hand_path};
-use crate::rig::Rig;
+use super::rig::Rig;
 use stiction_core::{Event, Evolution, Fixed, Full, Hand, Real};
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Said, hand_path};
 use stiction_wire::{Command, Mode, Pose, Stepping};
 
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
@@ -14,7 +14,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         stepping: Stepping::PerSample,
         ..Mode::DEFAULT
     });
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     let hands = hand_path(SAMPLES);
     let first = rig.client.sequence;
     for hand in &hands {
@@ -100,7 +100,7 @@ fn forces_and_events_are_those_of_the_step() {
         forces_every: 3,
         ..Mode::DEFAULT
     });
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let (mut poses, mut forces, mut events) = (0, 0, 0);
     // The tick of the command was the first step in the mode.
@@ -110,9 +110,9 @@ fn forces_and_events_are_those_of_the_step() {
         let given = rig.force;
         let output = beside.step(hand);
         let state = beside.state.as_ref().unwrap();
-        for heard in rig.heard() {
-            assert_eq!(heard.time, now_us, "the tick of the step");
-            match heard.said {
+        for received in rig.received() {
+            assert_eq!(received.time, now_us, "the tick of the step");
+            match received.said {
                 Said::Pose(pose) => {
                     poses += 1;
                     assert_eq!(i % 2, 0);
@@ -151,7 +151,7 @@ fn forces_and_events_are_those_of_the_step() {
 }
 
 #[test]
-fn what_happened_between_two_poses_is_told_with_the_next() {
+fn what_happened_between_two_poses_is_reported_with_the_next() {
     let mut rig = Rig::<f32>::new();
     rig.mode(Mode {
         pose_every: 50,
@@ -164,9 +164,9 @@ fn what_happened_between_two_poses_is_told_with_the_next() {
     for hand in hand_path(1_000) {
         rig.hand(hand);
         happened.extend_from_slice(beside.step(hand).events());
-        for heard in rig.heard() {
-            let Said::Pose(pose) = heard.said else {
-                assert!(matches!(heard.said, Said::Reply(_)), "{heard:?}");
+        for received in rig.received() {
+            let Said::Pose(pose) = received.said else {
+                assert!(matches!(received.said, Said::Reply(_)), "{received:?}");
                 continue;
             };
             for event in [Event::Touch, Event::Lift, Event::Slip, Event::Land] {
@@ -185,17 +185,17 @@ fn a_pose_for_which_there_is_no_room_keeps_its_events_for_the_next() {
     // It lands.
     rig.hand(Hand::new(0.0, 0.045, 0.0));
     assert_eq!(rig.health().unsent, 2, "its pose and its events");
-    let last = rig.heard().pop().unwrap();
+    let last = rig.received().pop().unwrap();
     rig.line.room = usize::MAX;
     rig.hand(Hand::new(0.0, 0.045, 0.0));
-    let heard = rig.heard();
+    let received = rig.received();
     assert_eq!(
-        heard[0].sequence,
+        received[0].sequence,
         last.sequence.wrapping_add(1),
         "only what was sent is counted"
     );
-    let Said::Pose(pose) = &heard[0].said else {
-        panic!("{heard:?}")
+    let Said::Pose(pose) = &received[0].said else {
+        panic!("{received:?}")
     };
     assert!(pose.events.contains(Event::Land), "{pose:?}");
 }

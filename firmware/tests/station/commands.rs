@@ -1,11 +1,11 @@
 //! Every command except scenes, and every refusal: its reason and its subject, and that a refusal changes nothing (FRAME 4 and 5.4).
 
-use crate::beside::{Beside, assert_same};
-use crate::client::{Known, Said, scene};
-use crate::rig::{Rig, driven, setup};
-use crate::scenes::TRIANGLE;
+use super::rig::{Rig, driven, setup};
+use super::scenes::TRIANGLE;
 use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
 use stiction_firmware::station::Setup;
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Known, Said, scene};
 use stiction_wire::{
     Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
 };
@@ -110,9 +110,9 @@ fn ping_is_answered_by_pong() {
     let sequence = rig.send(Command::Ping);
     let now_us = rig.now_us;
     rig.tick();
-    let heard = rig.heard();
-    assert_eq!(heard[0].said, Said::Pong { sequence, time: 7 });
-    assert_eq!(heard[0].time, now_us);
+    let received = rig.received();
+    assert_eq!(received[0].said, Said::Pong { sequence, time: 7 });
+    assert_eq!(received[0].time, now_us);
 }
 
 #[test]
@@ -156,7 +156,7 @@ fn parameters_before_the_first_sample_are_those_of_the_start() {
 }
 
 #[test]
-fn a_memory_length_is_told_and_taken_back() {
+fn a_memory_length_is_reported_and_taken_back() {
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 30);
     for memory in [Some(1e-3), Some(0.0), None] {
@@ -301,9 +301,9 @@ fn reset_of_everything_is_power_up() {
     rig.client.sequence += 9;
     let before = rig.health();
     assert!(before.faults.total() == 1 && before.samples == 60);
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     rig.done(Command::Reset(Reset::Everything));
-    let replied = rig.heard()[0].sequence;
+    let replied = rig.received()[0].sequence;
     let health = rig.health();
     assert_eq!(
         (health.samples, health.ticks, health.lost_frames),
@@ -315,7 +315,7 @@ fn reset_of_everything_is_power_up() {
     assert_eq!((info.mode, info.friction), (Mode::DEFAULT, [0.5, 0.3]));
     // Sequence numbers continue: for the client nothing is lost.
     rig.tick();
-    let next = rig.heard();
+    let next = rig.received();
     assert_ne!(replied, 0);
     assert!(!next.is_empty());
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);

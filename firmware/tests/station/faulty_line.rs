@@ -1,12 +1,12 @@
 //! A line in both directions that flips bits, and drops, duplicates and inserts bytes: no wrong sample is stepped, no wrong pose is
 //! accepted, every loss shows in the counts, and the board never stops.
 
-use crate::beside::{Beside, assert_same};
-use crate::client::{Client, Said, hand_path};
-use crate::random::{Random, garbled};
-use crate::rig::Rig;
+use super::rig::Rig;
 use std::collections::HashMap;
 use stiction_core::Hand;
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Client, Said, hand_path};
+use stiction_tests::station::noise::{Random, garbled};
 use stiction_wire::{Command, Mode, Stepping};
 
 /// The number of a sample returns as the depth of its pose: so every accepted pose can be identified.
@@ -25,14 +25,14 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
         health_every: 0,
         ..Mode::DEFAULT
     });
-    rig.heard();
+    rig.received();
     let mut random = Random(seed);
     let path = hand_path(5_000);
     let hand = |number: u32| numbered(path[number as usize % path.len()], number);
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     // The board's reports, before the line to the client.
-    let mut at_board = Client::new();
-    let (mut stepped, mut told) = (0_u32, HashMap::new());
+    let mut at_board = Client::default();
+    let (mut stepped, mut reported) = (0_u32, HashMap::new());
     let mut accepted = 0_u32;
     for number in 0..frames {
         let wire = rig.client.encode(Command::Hand(hand(number)));
@@ -43,24 +43,24 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
         let answers = std::mem::take(&mut rig.line.from_board);
         at_board.listen(&answers);
         rig.client.listen(&garbled(&mut random, &answers, per_byte));
-        for heard in at_board.heard.drain(..) {
-            let Said::Pose(pose) = heard.said else {
-                panic!("{heard:?}")
+        for received in at_board.inbox.drain(..) {
+            let Said::Pose(pose) = received.said else {
+                panic!("{received:?}")
             };
             // The sample of this tick, or one that waited for its end.
             let stepped_number = pose.depth as u32;
-            assert!(stepped_number <= number && !told.contains_key(&stepped_number));
+            assert!(stepped_number <= number && !reported.contains_key(&stepped_number));
             let output = beside.step(hand(stepped_number));
             assert_same(&pose, &output, &format!("frame {number}"));
-            told.insert(stepped_number, pose);
+            reported.insert(stepped_number, pose);
             stepped += 1;
         }
-        for heard in rig.heard() {
-            let Said::Pose(pose) = heard.said else {
-                panic!("{heard:?}")
+        for received in rig.received() {
+            let Said::Pose(pose) = received.said else {
+                panic!("{received:?}")
             };
             accepted += 1;
-            assert_eq!(told.get(&(pose.depth as u32)), Some(&pose));
+            assert_eq!(reported.get(&(pose.depth as u32)), Some(&pose));
         }
     }
     let health = rig.health();

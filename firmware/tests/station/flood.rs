@@ -1,8 +1,8 @@
 //! More than a tick can process: its work stays bounded, and the board keeps running.
 
-use crate::client::Said;
-use crate::rig::Rig;
+use super::rig::Rig;
 use stiction_core::{Hand, Wrench};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Mode, Stepping};
 
 /// What 921600 baud transfer within 1 ms, twice, and one sample.
@@ -20,7 +20,7 @@ fn still_there(rig: &mut Rig) {
 #[test]
 fn a_flood_of_anything_is_taken_in_bounded_parts() {
     let mut rig = Rig::<f32>::new();
-    let mut client = crate::client::Client::new();
+    let mut client = stiction_tests::station::client::Client::default();
     let flood = [
         vec![0; 50_000],
         vec![1; 50_000],
@@ -38,7 +38,11 @@ fn a_flood_of_anything_is_taken_in_bounded_parts() {
             .flat_map(|_| client.encode(Command::Hand(Hand::new(0.0, 0.05, 0.0))))
             .collect(),
         (0..500)
-            .flat_map(|_| client.encode(crate::client::scene(&crate::common::BOX)))
+            .flat_map(|_| {
+                client.encode(stiction_tests::station::client::scene(
+                    &stiction_tests::station::BOX,
+                ))
+            })
             .collect(),
     ];
     for bytes in flood {
@@ -77,16 +81,18 @@ fn one_command_a_tick_and_samples_behind_it_wait() {
         stepping: Stepping::PerSample,
         ..Mode::DEFAULT
     });
-    rig.heard();
+    rig.received();
     for i in 0..10 {
         rig.send(Command::Ping);
         rig.send(Command::Hand(Hand::new(0.001 * i as f32, 0.05, 0.0)));
     }
     for i in 0..20 {
         rig.tick();
-        let heard = rig.heard();
-        let pongs = heard.iter().filter(|h| matches!(h.said, Said::Pong { .. }));
-        let poses = heard.iter().filter(|h| matches!(h.said, Said::Pose(_)));
+        let received = rig.received();
+        let pongs = received
+            .iter()
+            .filter(|h| matches!(h.said, Said::Pong { .. }));
+        let poses = received.iter().filter(|h| matches!(h.said, Said::Pose(_)));
         let expected = if i % 2 == 0 { (1, 0) } else { (0, 1) };
         assert_eq!((pongs.count(), poses.count()), expected);
     }

@@ -1,6 +1,6 @@
 //! Turns that take longer than a tick: the servo loop goes on, whatever the solver does.
 
-use crate::rig::{Nothing, Rig};
+use super::rig::{Nothing, Rig};
 use stiction_core::{Hand, Wrench};
 use stiction_firmware::device::{LockServo, Servo};
 use stiction_wire::{Command, Drive};

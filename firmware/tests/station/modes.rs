@@ -1,10 +1,10 @@
 //! Modes: what a board has the time and the line for, and that it behaves according to its mode (FRAME 4.5).
 
-use crate::beside::{Beside, assert_same};
-use crate::client::Said;
-use crate::rig::{Rig, setup};
+use super::rig::{Rig, setup};
 use stiction_core::{Hand, Status};
 use stiction_firmware::station::Setup;
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Mode, Reason, Reset, Stepping, Subject};
 
 fn refused(rig: &mut Rig, mode: Mode, expected: (Reason, Subject, f32, f32)) {
@@ -199,14 +199,14 @@ fn health_comes_as_often_as_asked_and_tells_the_counts() {
         health_every: 50,
         ..Mode::DEFAULT
     });
-    rig.heard();
+    rig.received();
     let mut times = Vec::new();
     for _ in 0..501 {
         rig.hand(Hand::new(0.0, 0.05, 0.0));
         let counted = rig.health();
-        for heard in rig.heard() {
-            if let Said::Health(health) = heard.said {
-                times.push(heard.time);
+        for received in rig.received() {
+            if let Said::Health(health) = received.said {
+                times.push(received.time);
                 assert_eq!(health.samples, counted.samples);
                 assert_eq!(health.ticks, counted.ticks);
             }

@@ -1,7 +1,7 @@
 //! Undamaged frames that are not commands are answered with the reason (FRAME 2 and 5.4).
 
-use crate::client::Said;
-use crate::rig::Rig;
+use super::rig::Rig;
+use stiction_tests::station::client::Said;
 use stiction_wire::{Reason, VERSION};
 
 #[test]
@@ -24,11 +24,11 @@ fn undamaged_frames_that_are_no_commands_are_answered() {
     ];
     for (bytes, reason) in cases {
         rig.line.to_board.extend(frame(bytes));
-        rig.client.heard.clear();
+        rig.client.inbox.clear();
         rig.tick();
-        let heard = rig.heard();
-        let Said::Reply(answer) = &heard[0].said else {
-            panic!("{heard:?}")
+        let received = rig.received();
+        let Said::Reply(answer) = &received[0].said else {
+            panic!("{received:?}")
         };
         assert_eq!(answer.reason, reason, "{bytes:?}");
         assert_eq!(
@@ -44,7 +44,11 @@ fn undamaged_frames_that_are_no_commands_are_answered() {
     damaged[3] ^= 0x10;
     rig.line.to_board.extend(damaged);
     rig.tick();
-    assert!(rig.heard().iter().all(|h| matches!(h.said, Said::Pose(_))));
+    assert!(
+        rig.received()
+            .iter()
+            .all(|h| matches!(h.said, Said::Pose(_)))
+    );
 }
 
 /// CRC-32/ISO-HDLC, bit by bit.

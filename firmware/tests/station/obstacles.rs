@@ -1,14 +1,14 @@
 //! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): bit for bit like a solver run in parallel; scenes that do not
 //! fit are refused with the numbers, and a board without room reports it.
 
-use crate::beside::{Beside, assert_same};
-use crate::client::{Heard, Said, scene};
-use crate::common::{BOX, FLOOR};
-use crate::rig::{Nothing, Rig, S, V};
+use super::rig::{Nothing, Rig, S, V};
 use stiction_core::{
     Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene, Solver,
     State, StateKind, Touch, WithObstacles,
 };
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Received, Said, scene};
+use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{
     Command, ContactAmong, Mode, Parameters, Reason, Reset, Room, SceneAmong, Stepping, Subject,
     frame_bytes, obstacle_bytes, scene_bytes,
@@ -93,12 +93,12 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     let mut beside = Beside::solving(there, evolution);
     let (mut states, mut kinds) = (Vec::new(), [false; 2]);
     for (i, hand) in hands().enumerate() {
-        rig.client.heard.clear();
+        rig.client.inbox.clear();
         rig.hand(hand);
         let output = beside.step(hand);
         let (solver, state) = (&beside.solver, beside.state.as_ref().expect("it has begun"));
         let (mut poses, mut forces) = (0, 0);
-        for Heard { said, .. } in rig.heard() {
+        for Received { said, .. } in rig.received() {
             match said {
                 Said::Pose(pose) => {
                     assert_same(&pose, &output, &format!("sample {i}"));
@@ -144,12 +144,16 @@ fn every_sample_is_stepped_among_obstacles_bit_for_bit() {
 }
 
 #[test]
-fn room_is_told_before_info_and_by_boards_with_room_alone() {
+fn room_is_reported_before_info_and_by_boards_with_room_alone() {
     let mut rig = Among::<f32>::new();
     rig.send(Command::Hello);
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     rig.tick();
-    let said: Vec<Said> = rig.heard().into_iter().map(|heard| heard.said).collect();
+    let said: Vec<Said> = rig
+        .received()
+        .into_iter()
+        .map(|received| received.said)
+        .collect();
     let room = Said::Room(Room {
         obstacles: 4,
         corners: 16,
@@ -161,12 +165,12 @@ fn room_is_told_before_info_and_by_boards_with_room_alone() {
     assert_eq!(usize::from(info.longest_frame), LONGEST);
     let mut rig = Rig::<f32>::new();
     rig.send(Command::Hello);
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     rig.tick();
     assert!(
-        !rig.heard()
+        !rig.received()
             .iter()
-            .any(|heard| matches!(heard.said, Said::Room(_)))
+            .any(|received| matches!(received.said, Said::Room(_)))
     );
 }
 
@@ -264,7 +268,7 @@ fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
 }
 
 #[test]
-fn obstacles_are_kept_and_their_friction_follows_the_parameters() {
+fn obstacles_stay_and_their_friction_follows_the_parameters() {
     let mut rig = Among::<f32>::new();
     assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
     assert_eq!(rig.info().friction, [0.5, 0.3], "of the first obstacle");
@@ -301,15 +305,15 @@ fn obstacles_are_kept_and_their_friction_follows_the_parameters() {
         forces_every: 1,
         ..Mode::DEFAULT
     });
-    rig.client.heard.clear();
+    rig.client.inbox.clear();
     rig.stay(Hand::new(0.02, 0.045, 0.0), 2);
-    let forces = rig.heard();
-    let plain = |heard: &Heard| matches!(heard.said, Said::Forces { .. });
+    let forces = rig.received();
+    let plain = |received: &Received| matches!(received.said, Said::Forces { .. });
     assert!(
         forces.iter().any(plain),
         "forces of a scene without obstacles"
     );
-    let among = |heard: &Heard| matches!(heard.said, Said::ForcesAmong { .. });
+    let among = |received: &Received| matches!(received.said, Said::ForcesAmong { .. });
     assert!(!forces.iter().any(among));
 }
 

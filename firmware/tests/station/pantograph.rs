@@ -1,11 +1,11 @@
 //! The board's own device from end to end: a hand moves the mechanism of the example device, and its motors push back.
 
-use crate::bed::{Bed, Shown};
-use crate::client::Said;
-use crate::example::{GEOMETRY, MOTORS};
-use crate::reference::{reference, transposed};
+use super::bed::{Bed, Shown};
 use std::f64::consts::TAU;
 use stiction_core::{Hand, Status, Wrench};
+use stiction_firmware::devices::pantograph::{GEOMETRY, MOTORS};
+use stiction_tests::pantograph::{reference, transposed};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Drive, Mode, Parameters, Reason, Reset, Subject};
 
 /// 5 mm below where the held box would be on the floor: 2.5 N.
@@ -50,7 +50,7 @@ fn a_hand_in_the_floor_feels_the_spring_in_its_joints() {
 }
 
 #[test]
-fn the_motors_do_the_work_that_the_hand_is_told() {
+fn the_motors_do_the_work_that_the_hand_is_reported() {
     let mut bed = Bed::new();
     bed.stay([0.0, 0.05, 0.0], 50);
     let (mut motors, mut hand) = (0.0, 0.0);
@@ -158,20 +158,20 @@ fn samples_of_the_line_are_refused_once_and_change_nothing() {
         }
         assert_eq!(bed.at(way), alone.at(way));
         let bits = |bed: &mut Bed| {
-            let heard: Vec<_> = bed
+            let received: Vec<_> = bed
                 .rig
                 .client
-                .heard
+                .inbox
                 .iter()
                 .map(|h| h.said.clone())
                 .collect();
-            heard
+            received
                 .into_iter()
                 .filter(|said| matches!(said, Said::Pose(_)))
                 .collect::<Vec<_>>()
         };
         assert_eq!(bits(&mut bed), bits(&mut alone));
-        alone.rig.heard();
+        alone.rig.received();
         for answer in bed.refusals() {
             refused += 1;
             assert!(i == 0 || i == 201, "{i}");

@@ -1,13 +1,13 @@
 //! A station with a client, a line between them, a device and a clock, all on this machine.
 
-use crate::client::{Answer, Client, Heard, Known, Said};
-use crate::common::BOX;
 use std::collections::VecDeque;
 use stiction_core::{Full, Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Answer, Client, Known, Received, Said};
 use stiction_wire::{
     Command, CommandAmong, Health, Message, Mode, NumberType, Pose, Reason, SceneAmong,
     frame_bytes, scene_bytes,
@@ -101,7 +101,7 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
     pub(crate) fn with(setup: Setup, device: D) -> Self {
         Self {
             station: Station::new(Box::leak(Box::new(setup))).unwrap(),
-            client: Client::new(),
+            client: Client::default(),
             line: Line {
                 to_board: VecDeque::new(),
                 from_board: Vec::new(),
@@ -151,17 +151,19 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
     }
 
     /// Everything that was received.
-    pub(crate) fn heard(&mut self) -> Vec<Heard> {
-        self.client.heard.drain(..).collect()
+    pub(crate) fn received(&mut self) -> Vec<Received> {
+        self.client.inbox.drain(..).collect()
     }
 
     /// The poses that were received.
     pub(crate) fn poses(&mut self) -> Vec<Pose> {
-        let heard = self.heard();
-        let poses = heard.into_iter().filter_map(|heard| match heard.said {
-            Said::Pose(pose) => Some(pose),
-            _ => None,
-        });
+        let received = self.received();
+        let poses = received
+            .into_iter()
+            .filter_map(|received| match received.said {
+                Said::Pose(pose) => Some(pose),
+                _ => None,
+            });
         poses.collect()
     }
 
@@ -183,15 +185,15 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
     }
 
     fn answer(&mut self, code: u8, sequence: u8) -> Answer {
-        self.client.heard.clear();
+        self.client.inbox.clear();
         self.tick();
         while !self.line.to_board.is_empty() {
             // A tick takes a part of a long frame.
             self.tick();
         }
         let mut answers = Vec::new();
-        for heard in &self.client.heard {
-            if let Said::Reply(answer) = &heard.said {
+        for received in &self.client.inbox {
+            if let Said::Reply(answer) = &received.said {
                 answers.push(answer.clone());
             }
         }
@@ -212,10 +214,10 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
 
     pub(crate) fn info(&mut self) -> Known {
         self.send(Command::Hello);
-        self.client.heard.clear();
+        self.client.inbox.clear();
         self.tick();
-        let mut heard = self.heard().into_iter();
-        let info = heard.find_map(|heard| match heard.said {
+        let mut received = self.received().into_iter();
+        let info = received.find_map(|received| match received.said {
             Said::Info(info) => Some(info),
             _ => None,
         });

@@ -1,12 +1,12 @@
 //! Scenes that a client sends: a good one begins at its start, an unusable one is refused and changes nothing (FRAME 4
 //! and 5.4).
 
-use crate::client::scene;
-use crate::commands::{PARAMETERS, deep, refused, seen};
-use crate::common::{BOX, FLOOR};
-use crate::rig::{Rig, setup};
+use super::commands::{PARAMETERS, deep, refused, seen};
+use super::rig::{Rig, setup};
 use stiction_core::{Bare, Description, Hand, Parameter, Status, SurfaceDescription};
 use stiction_firmware::station::Setup;
+use stiction_tests::station::client::scene;
+use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{Command, Reason, SceneCommand, Subject};
 
 const WALL: SurfaceDescription<f32> = SurfaceDescription {

@@ -1,9 +1,9 @@
 //! Safety through the wire: silence, lost samples, a fault, and the way back.
 
-use crate::client::Said;
-use crate::rig::{Rig, driven};
+use super::rig::{Rig, driven};
 use stiction_core::{Full, Hand, Status, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, Outage};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Drive, Mode, Reason, Reset};
 
 const DEEP: Hand<f32> = Hand {
@@ -37,7 +37,7 @@ fn silence_of_20_ms_makes_the_force_zero_and_the_way_back_is_slow() {
             "5 mm of 500 N/m: {force:?}"
         );
         let last_sample_us = rig.now_us.wrapping_sub(1_000_000 / u32::from(tick_rate));
-        rig.heard();
+        rig.received();
         let mut off_us = None;
         while off_us.is_none() {
             let now_us = rig.now_us;
@@ -50,7 +50,7 @@ fn silence_of_20_ms_makes_the_force_zero_and_the_way_back_is_slow() {
             off_us <= 20_000 && off_us > 9_000,
             "{tick_rate} Hz: {off_us}"
         );
-        rig.heard();
+        rig.received();
         rig.tick();
         rig.tick();
         let pose = rig.pose();
@@ -179,7 +179,7 @@ fn after_a_fault_there_is_no_force_until_everything_is_reset() {
     rig.send(Command::Ping);
     rig.tick();
     assert!(
-        rig.heard()
+        rig.received()
             .iter()
             .any(|h| matches!(h.said, Said::Pong { .. }))
     );

@@ -1,8 +1,8 @@
 //! Six degrees of freedom: whatever the orientation of the tracker, the same motion in its plane gives the same trace.
 
-use crate::client::hand_path;
-use crate::rig::Rig;
+use super::rig::Rig;
 use stiction_core::{Axis, Hand, TrackerSample};
+use stiction_tests::station::client::hand_path;
 use stiction_wire::{Command, Mode, Pose, Reset};
 
 type Vector = [f32; 3];
@@ -45,7 +45,7 @@ fn trace(plane: [Axis; 2]) -> Vec<Pose> {
         plane,
         ..Mode::DEFAULT
     });
-    rig.heard();
+    rig.received();
     for hand in hand_path(500) {
         let phi = 2.0 * hand.angle.radians();
         rig.send(Command::Tracker(sample(plane, &hand, phi)));

@@ -22,25 +22,32 @@ use crate::vector::{between, distance, length, sub};
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
-pub(crate) fn findings(
-    model: &Model,
-    bounds: &Bounds,
-    evolution: Evolution,
-    grip: Option<&Grip>,
-    (last, next): (&Frame, &Frame),
-) -> Vec<Finding> {
-    let whether =
-        |law: &'static str, holds: Option<bool>| holds.map(|holds| Finding::whether(law, holds));
-    let all = [
-        whether(
-            law::COME_AND_GO,
-            is_accounted(model, evolution, (last, next)),
-        ),
-        whether(law::SLIPS, are_counted(next)),
-        whether(law::MOVES, moves(model, bounds, grip, (last, next))),
-    ];
-    all.into_iter().flatten().collect()
+/// The events of a frame, between the one before it and itself.
+pub(crate) struct Events<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) last: &'a Frame,
+    pub(crate) next: &'a Frame,
+}
+
+impl Events<'_> {
+    /// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
+    pub(crate) fn findings(
+        &self,
+        bounds: &Bounds,
+        evolution: Evolution,
+        grip: Option<&Grip>,
+    ) -> Vec<Finding> {
+        let (model, frames) = (self.model, (self.last, self.next));
+        let whether = |law: &'static str, holds: Option<bool>| {
+            holds.map(|holds| Finding::whether(law, holds))
+        };
+        let all = [
+            whether(law::COME_AND_GO, is_accounted(model, evolution, frames)),
+            whether(law::SLIPS, are_counted(self.next)),
+            whether(law::MOVES, moves(model, bounds, grip, frames)),
+        ];
+        all.into_iter().flatten().collect()
+    }
 }
 
 /// Whether the event adds a contact.
@@ -75,9 +82,9 @@ fn is_accounted(
     }
     let brings = next.events.iter().any(|&event| brings(event));
     let takes = next.events.iter().any(|&event| takes(event));
-    let told = (next.contacts.len().cmp(&last.contacts.len()), brings, takes);
+    let reported = (next.contacts.len().cmp(&last.contacts.len()), brings, takes);
     let sets = if passes_on(model, last, next) {
-        match told {
+        match reported {
             (Ordering::Equal, false, false) | (Ordering::Greater, true, false) => true,
             (Ordering::Less, false, true) | (_, true, true) => true,
             // Another contact may replace the one that opened.
@@ -202,10 +209,10 @@ fn moves(
     (last, next): (&Frame, &Frame),
 ) -> Option<bool> {
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
-    let told: Vec<Event> = (next.events.iter().copied())
+    let reported: Vec<Event> = (next.events.iter().copied())
         .filter(|event| !is_taken(event))
         .collect();
-    if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
+    if reported.is_empty() || !next.has_contacts_of(last) || reported.len() >= EVENTS {
         return None;
     }
     // Events of a body that is out of balance may lead nowhere: contacts open and close again at the same place.
@@ -213,7 +220,7 @@ fn moves(
         return None;
     }
     let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
-    if told.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
+    if reported.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
         return None;
     }
     let same = same(model, bounds, last, next);
@@ -227,21 +234,21 @@ fn moves(
         });
         way.is_some_and(|way| length(way) <= same)
     };
-    let slips_alone = told
+    let slips_alone = reported
         .iter()
         .all(|event| matches!(event, Event::Slip | Event::Snap));
-    if slips_alone && told.contains(&Event::Slip) && next.contacts.iter().all(stays) {
+    if slips_alone && reported.contains(&Event::Slip) && next.contacts.iter().all(stays) {
         return Some(false);
     }
     // The start or end of a slide may be reported for a body that is only about to move.
-    let is_about_to = matches!(told[..], [Event::Slide | Event::Stop]);
+    let is_about_to = matches!(reported[..], [Event::Slide | Event::Stop]);
     Some(is_about_to || !is_still(model, bounds, last, next))
 }
 
 /// Whether a balance snaps where its branch folds, and only there.
 pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
-    let told = match next.events.as_slice() {
+    let reported = match next.events.as_slice() {
         [] => false,
         [Event::Snap] => true,
         _ => return None,
@@ -254,9 +261,9 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         return None;
     }
     let contact = match next.state {
-        State::Edge | State::Locked => return Some(!told),
+        State::Edge | State::Locked => return Some(!reported),
         // Two sliding contacts may have a fold of their own.
-        State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!told),
+        State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!reported),
         State::NonContact => None,
         State::SingleVertex | State::Corner => Some(next.contacts.first()?),
     };
@@ -272,10 +279,10 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     }
     let pin = |part| pinned(step, (touch, slide), part);
     let Some(turn) = follow(pin, last.pose[2], 1.0) else {
-        return Some(told);
+        return Some(reported);
     };
     let is_followed = pin(1.0).on_one_branch(turn, next.pose[2]);
-    Some(told != is_followed)
+    Some(reported != is_followed)
 }
 
 /// The body turning about its previous contact, with a sliding contact, or about the hand.

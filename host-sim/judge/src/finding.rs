@@ -64,7 +64,7 @@ pub mod law {
     /// reported where the branch folds.
     pub const SNAPS: &str = "a balance snaps where it folds";
     /// The laws that need all events in order.
-    pub const OF_EVENTS: &[&str] = &[COME_AND_GO, SLIPS, MOVES, SNAPS, STATUS, SLIDE_TOLD];
+    pub const OF_EVENTS: &[&str] = &[COME_AND_GO, SLIPS, MOVES, SNAPS, STATUS, SLIDE_REPORTED];
     /// A slip begins where the contacts at their old positions can no longer bear the load.
     pub const SLIP_BEGINS: &str = "a slip begins where static friction gives way";
     /// At that point of the hand's path, at the contacts' new positions, |T| = mu_d N against the motion.
@@ -78,7 +78,7 @@ pub mod law {
     /// A contact that slides along s t does not move back, as long as nothing else happens.
     pub const FORWARD: &str = "a slide goes forward";
     /// A slide begins and ends with the events `slide` and `stop`, or with another event that explains it.
-    pub const SLIDE_TOLD: &str = "slide and stop are reported";
+    pub const SLIDE_REPORTED: &str = "slide and stop are reported";
     /// A slide sticks where N rises to N* = k_h D_c / (mu_s - mu_d).
     pub const SLIDE_STOPS: &str = "a slide stops where N reaches N*";
     /// A body whose contacts bear the load at both ends of the hand's path, and therefore along all of it, stays where it is.

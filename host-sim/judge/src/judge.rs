@@ -1,6 +1,6 @@
 //! Frame after frame: the memory of previous frames, and the laws that depend on it.
 
-use crate::events;
+use crate::events::{self, Events};
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
@@ -85,22 +85,21 @@ impl Judge {
         if let Some(unknown) = still::unknown(&self.model, &frame) {
             return vec![finite, unknown];
         }
-        let told = self.take_hold(&frame);
+        let reported = self.take_hold(&frame);
         let grip = self.hold.grip;
         let mut findings = self.still(&frame, grip.as_ref());
-        findings.push(told);
+        findings.push(reported);
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
-        let told = status::told(self.last.as_ref(), &frame);
-        findings.push(Finding::whether(law::STATUS, told));
+        let reported = status::reported(self.last.as_ref(), &frame);
+        findings.push(Finding::whether(law::STATUS, reported));
         if let Some(last) = &self.last {
-            findings.extend(events::findings(
-                &self.model,
-                &self.bounds,
-                self.evolution,
-                grip.as_ref(),
-                (last, &frame),
-            ));
+            let events = Events {
+                model: &self.model,
+                last,
+                next: &frame,
+            };
+            findings.extend(events.findings(&self.bounds, self.evolution, grip.as_ref()));
         }
         findings.extend(self.keeps(&frame));
         if let (Some(last), Some(grip)) = (&self.last, &grip) {
@@ -152,7 +151,7 @@ impl Judge {
         match frame.status {
             Status::Ambiguous | Status::Jammed | Status::Behind => true,
             Status::Saturated | Status::HeldLast => self.unbalanced,
-            _ => false,
+            Status::Ok | Status::EventLimit | Status::IterationLimit | Status::Twist => false,
         }
     }
 
@@ -161,7 +160,7 @@ impl Judge {
     fn take_hold(&mut self, frame: &Frame) -> Finding {
         let grasps = frame.events.contains(&Event::Grasp);
         let was_held = self.hold.grip.is_some();
-        let mut told = match (was_held, frame.held) {
+        let mut reported = match (was_held, frame.held) {
             (true, false) => frame.events.contains(&Event::Release) && !grasps,
             (true, true) => !grasps,
             (false, false) => !grasps,
@@ -174,7 +173,7 @@ impl Judge {
             let grip = match given {
                 Some(point) if !self.hold.was_held && !grasps => Grip { point, offset: 0.0 },
                 _ => {
-                    told = grasps;
+                    reported = grasps;
                     self.taken(frame)
                 }
             };
@@ -183,7 +182,7 @@ impl Judge {
                 was_held: true,
             };
         }
-        Finding::whether(law::HOLD, told)
+        Finding::whether(law::HOLD, reported)
     }
 
     /// The grip of a hand that grasps the body where it is. At the start, a vertex close to a surface is first set onto
@@ -197,18 +196,18 @@ impl Judge {
                 frame.hand[0] - fx / stiffness,
                 frame.hand[1] - fy / stiffness,
             ];
-            let told = Grip {
+            let reported = Grip {
                 point: Grip::taken(frame.pose, [holding[0], holding[1], 0.0]).point,
                 offset: match self.model.scene.stiffness_rotation {
                     0.0 => grip.offset,
                     stiffness => frame.hand[2] - frame.pose[2] - moment / stiffness,
                 },
             };
-            let shift = distance(told.point, grip.point)
-                .max(self.model.size * (told.offset - grip.offset).abs());
+            let shift = distance(reported.point, grip.point)
+                .max(self.model.size * (reported.offset - grip.offset).abs());
             let near = shift <= 4.0 * START * self.model.size;
             return if near && !frame.contacts.is_empty() {
-                told
+                reported
             } else {
                 grip
             };
@@ -221,7 +220,11 @@ impl Judge {
         let stays = match frame.status {
             Status::Saturated | Status::HeldLast => true,
             Status::Ambiguous | Status::Jammed => frame.events.is_empty(),
-            _ => false,
+            Status::Ok
+            | Status::EventLimit
+            | Status::IterationLimit
+            | Status::Behind
+            | Status::Twist => false,
         };
         let before = match &self.last {
             Some(last) if stays || !frame.held => last.pose,

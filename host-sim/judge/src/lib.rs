@@ -1,6 +1,6 @@
 //! Whether a trace obeys the laws of statics and friction, judged from nothing but the scene and the trace, from this project
-//! or another program. It shares no code with the solver and uses only the solver's printed output. Everything is in f64, SI
-//! units, world frame.
+//! or another program. It uses only the solver's printed output and none of its physics; `stiction-scene` reads the scene. Everything is
+//! in f64, SI units, world frame. [`insertion`] is the meter of a peg in a hole, from the scene and a frame alone.
 //!
 //! ```text
 //! scene.toml ── scene ─────────────────┐
@@ -131,11 +131,11 @@
 mod bearing;
 mod body;
 mod brace;
-mod error;
 mod events;
 mod finding;
 mod frame;
 mod hold;
+pub mod insertion;
 mod judge;
 mod model;
 mod obstacles;
@@ -157,11 +157,11 @@ mod vector;
 mod yielding;
 
 pub use body::{centroid, size};
-pub use error::InputError;
 pub use finding::{Bounds, Finding, law};
 pub use frame::{Contact, Event, Evolution, Frame, State, Status};
 pub use judge::Judge;
 pub use scene::{Obstacle, Scene, Surface};
+pub use stiction_scene::{InputError, Source};
 pub use survey::{LawSurvey, Survey, Violation};
 pub use touch::Touch;
 pub use trace::Trace;

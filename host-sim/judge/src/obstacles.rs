@@ -60,13 +60,13 @@ pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
         findings.push(Finding::new(law::FACES, hidden / size, allowed));
     }
     let off = |contact: &Contact| -> Option<f64> {
-        let told = sub(
+        let reported = sub(
             contact.direction?,
             model.face(frame.pose, contact.touch).normal,
         );
         let unknown = model.carried(frame, bounds) / model.size;
         let allowed = bounds.gap + unknown + blur(model, bounds, contact.touch);
-        Some(length(told) / allowed)
+        Some(length(reported) / allowed)
     };
     let worst = frame.contacts.iter().filter_map(off).reduce(f64::max);
     findings.extend(worst.map(|off| Finding::new(law::DIRECTION, off, 1.0)));

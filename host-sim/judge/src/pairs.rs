@@ -3,7 +3,7 @@
 
 use crate::frame::Contact;
 use crate::model::Model;
-use crate::scene::{Obstacle, Scene};
+use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
 use crate::touch::{Face, Touch};
 use crate::vector::{Vec2, cross, dot, scaled, sub, turned};
@@ -78,7 +78,7 @@ impl Model {
             memory: obstacle.memory,
         };
         match touch {
-            Touch::Surface { surface, .. } => self.scene.surfaces[surface].face(),
+            Touch::Surface { surface, .. } => face(&self.scene.surfaces[surface]),
             Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => {
                 of(&self.scene.obstacles[obstacle])
             }
@@ -208,7 +208,7 @@ impl Model {
         }
         let on = |touch| match touch {
             Touch::Side { obstacle, side, .. } => Some((obstacle, side)),
-            _ => None,
+            Touch::Surface { .. } | Touch::Corner { .. } => None,
         };
         let [first, second] = [a, b].map(|touch| self.face(pose, touch).normal);
         let apart = sub(self.foot(pose, b), self.foot(pose, a));

@@ -259,7 +259,7 @@ impl<'a> Straight<'a> {
             .length_scale(self.step.last, self.step.bounds)
     }
 
-    /// The same for the side of one pair.
+    /// Whether the side of one pair is passed through.
     fn entered(&self, way: &dyn Fn(f64) -> [f64; 3], touch: Touch) -> f64 {
         let model = self.step.model;
         let gap = |part: f64| model.gap(way(part), touch) + self.allowed();

@@ -86,14 +86,14 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
 /// The findings on slides from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
-    findings.extend(told(step).map(|holds| Finding::whether(law::SLIDE_TOLD, holds)));
+    findings.extend(reported(step).map(|holds| Finding::whether(law::SLIDE_REPORTED, holds)));
     findings.extend(stops(step));
     findings
 }
 
 /// Whether a slide begins with `slide` and ends with `stop`, or another event explains it. `None` if a contact has no
 /// friction or no force, since it may then do either.
-fn told(step: &Step<'_>) -> Option<bool> {
+fn reported(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let usable = |frame: &Frame| {
         let grips = |contact: &Contact| {

@@ -62,7 +62,7 @@ impl<'a> Step<'a> {
         next.events == [Event::Slip] && !next.slides() && self.slips_once(last)
     }
 
-    /// The same, except that the contacts did not stick at the end of the slip: they slid on with the hand.
+    /// Whether the contacts did not stick at the end of the slip, but slid on with the hand.
     fn goes_on(&self) -> bool {
         let is_slip = matches!(
             self.next.events.as_slice(),
@@ -109,7 +109,7 @@ impl<'a> Step<'a> {
         self.model.face(self.next.pose, touch)
     }
 
-    /// The same for all contacts of a frame, if their frictions are equal.
+    /// The face that all contacts of a frame share, if their frictions are equal.
     pub(crate) fn one_friction(&self, frame: &Frame) -> Option<Face> {
         let of = |contact: &Contact| self.model.face(frame.pose, contact.touch);
         let first = of(frame.contacts.first()?);
@@ -151,7 +151,7 @@ impl<'a> Step<'a> {
         let may_lack = match self.next.state {
             State::TwoVertex => true,
             State::SingleVertex => !self.next.slides(),
-            _ => false,
+            State::NonContact | State::Edge | State::Corner | State::Locked => false,
         };
         if !may_lack || !self.last.tells_slides() || has_stiction(self) || holds(&findings) {
             return findings;
@@ -244,7 +244,7 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// The same if the slip begins within a window of three fractions of the hand's path, or given the largest shortfall of
+    /// As above, if the slip begins within a window of three fractions of the hand's path, or given the largest shortfall of
     /// static friction.
     fn ends_in(
         &self,

@@ -22,13 +22,17 @@ const ROUNDS: usize = 4;
 const SLIPS: u32 = 100;
 
 /// Whether a status agrees with its frame alone, and with the previous frame.
-pub(crate) fn told(last: Option<&Frame>, next: &Frame) -> bool {
+pub(crate) fn reported(last: Option<&Frame>, next: &Frame) -> bool {
     let left = next.behind.is_some_and(|part| part > 0.0 && part <= 1.0);
     match next.status {
         Status::HeldLast | Status::Saturated => last.is_none_or(|last| repeats(last, next)),
         Status::EventLimit => next.slips >= SLIPS || next.events.len() >= EVENTS,
         Status::Behind => left,
-        _ => true,
+        Status::Ok
+        | Status::IterationLimit
+        | Status::Ambiguous
+        | Status::Jammed
+        | Status::Twist => true,
     }
 }
 
@@ -46,9 +50,8 @@ fn repeats(last: &Frame, next: &Frame) -> bool {
 /// Whether a body that is reported to be out of balance could neither stay in balance nor move. `None` if no such status is reported.
 pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
-    match next.status {
-        Status::Ambiguous => {}
-        _ => return None,
+    if next.status != Status::Ambiguous {
+        return None;
     }
     // Nothing happens under a hand at rest: the finding on the previous frame holds for this one.
     let goes_on = step.last.status == next.status && repeats(step.last, next);

@@ -110,10 +110,10 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         outside = outside.max((contact.friction.abs() - mu * contact.normal) / mu.hypot(1.0));
         pulling = pulling.max(-contact.normal);
     }
-    let [fx, fy, told] = frame.wrench;
+    let [fx, fy, reported] = frame.wrench;
     let exact = model.exactness(frame, grip, bounds);
     let wrench = (distance([fx, fy], springs.force) / exact.force)
-        .max((told - springs.moment).abs() / exact.moment);
+        .max((reported - springs.moment).abs() / exact.moment);
     // Two or more reactions share a load, and the moment determines the shares.
     let of_reaction = if frame.contacts.len() > 1 {
         scale.moment

@@ -35,7 +35,7 @@ pub enum Touch {
 
 impl Touch {
     /// The vertex of the body that touches, if any.
-    pub(crate) const fn vertex(self) -> Option<usize> {
+    pub const fn vertex(self) -> Option<usize> {
         match self {
             Self::Surface { vertex, .. } | Self::Side { vertex, .. } => Some(vertex),
             Self::Corner { .. } => None,
@@ -51,7 +51,7 @@ impl Touch {
     }
 
     /// The touched obstacle, if any.
-    pub(crate) const fn obstacle(self) -> Option<usize> {
+    pub const fn obstacle(self) -> Option<usize> {
         match self {
             Self::Surface { .. } => None,
             Self::Side { obstacle, .. } | Self::Corner { obstacle, .. } => Some(obstacle),

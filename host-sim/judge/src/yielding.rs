@@ -10,7 +10,7 @@ use crate::vector::{Vec2, Vec3, cross, dot3, length3, sub};
 const CLEAR: f64 = 1e-3;
 
 /// A contact: wrenches of unit forces along its normal and its tangent, moments about the holding point over L, and mu_d.
-struct Contact {
+struct Screws {
     normal: Vec3,
     tangent: Vec3,
     friction: f64,
@@ -18,7 +18,7 @@ struct Contact {
 
 /// A body with its contacts, and the load of hand and weight.
 struct Body {
-    contacts: Vec<Contact>,
+    contacts: Vec<Screws>,
     load: Vec3,
     /// How far a force of 1 N moves the holding point, and the turn times L that a moment over L of 1 N causes (m).
     yields: Vec3,
@@ -32,7 +32,7 @@ pub(crate) fn can_move(model: &Model, grip: &Grip, frame: &Frame) -> bool {
         let face = model.face(frame.pose, contact.touch);
         let lever = sub(model.foot(frame.pose, contact.touch), holding);
         let wrench = |along: Vec2| [along[0], along[1], cross(lever, along) / model.size];
-        Contact {
+        Screws {
             normal: wrench(face.normal),
             tangent: wrench(face.tangent()),
             friction: face.friction_dynamic,
@@ -102,7 +102,7 @@ impl Body {
 
     /// The edge of the cone of a contact that slides along sign·t.
     fn edge(&self, i: usize, sign: f64) -> Vec3 {
-        let Contact {
+        let Screws {
             normal,
             tangent,
             friction,
@@ -123,7 +123,7 @@ impl Body {
 
     /// Whether the body turns about a sticking contact.
     fn turns(&self, i: usize) -> bool {
-        let Contact {
+        let Screws {
             normal,
             tangent,
             friction,

@@ -1,5 +1,5 @@
-//! A door that squeaks, as a WAV file: the pin of its hinge rubs in its bushing, sticks and slips, and the friction makes the leaf
-//! ring. The solver makes a step with every sample, 48 000 a second, in f32; a bank of resonators is the leaf.
+//! A door that squeaks, as a WAV file: the pin of its hinge rubs in its bushing, sticks and slips, and what the friction does to the leaf
+//! sounds. The solver makes a step with every sample, 48 000 a second, in f32; a bank of resonators is the leaf.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example squeak -- squeak.wav

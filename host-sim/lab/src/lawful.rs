@@ -42,8 +42,7 @@ fn judge(
         Number::F32 => write::<f32>(case, &run, &file)?,
         Number::Fixed => write::<Fixed>(case, &run, &file)?,
     }
-    let source = case.scene.source();
-    let scene = Scene::parse(source.file(), source.text())?;
+    let scene = Scene::from(&case.scene.written);
     let frames = Trace::open(&file, &scene)?;
     let mut judge = check::judge(scene, number, evolution);
     let broken = survey.unlawful;
@@ -74,7 +73,7 @@ pub fn lawful(recorded: Option<&Path>, output: Destination) -> Result<(), Box<dy
             for case in &suite.cases {
                 judge(case, number, evolution, &mut survey)?;
             }
-            let verdict = check::verdict(&survey, &check::Notes::default());
+            let verdict = check::verdict(&survey, &check::Remarks::default());
             println!("{} {evolution:?}: {verdict}", number.name());
             frames += survey.frames;
             unlawful += survey.unlawful;

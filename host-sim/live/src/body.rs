@@ -5,15 +5,15 @@ mod carry;
 use std::sync::Arc;
 
 use stiction_core::{
-    Angle, Evolution, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
+    Angle, Evolution, Fixed, Full, Hand, Output, Present, Real, SiFloat, Solver, State, Wrench,
+    narrow_hand,
 };
 use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
 use crate::simulate::{OBSTACLES, has_solver};
-use carry::{Carried, carried};
-pub use carry::{Hold, Present, within_reach};
+use carry::{Begun, carried};
 
 /// A body that can be held by a hand.
 pub trait Body: Send {
@@ -22,7 +22,7 @@ pub trait Body: Send {
     /// Returns the record of the last step, at time `t` (s).
     fn frame(&self, t: f64) -> Frame;
     /// Returns the current pose and hold.
-    fn present(&self) -> Present;
+    fn present(&self) -> Present<f64>;
     /// Returns a snapshot.
     fn copy(&self) -> Box<dyn Body>;
 }
@@ -53,19 +53,19 @@ impl Setting {
     /// # Errors
     /// The scene cannot be used in this number type.
     pub fn start(&self, hand: &Hand<f64>) -> Result<Box<dyn Body>, String> {
-        self.solved(&Way::Start(hand))
+        self.solved(&Start::Scene(hand))
     }
 
     /// Returns a body that continues from its present pose.
     ///
     /// # Errors
     /// The body cannot be there under this setting.
-    pub fn carry(&self, present: &Present) -> Result<Box<dyn Body>, String> {
-        self.solved(&Way::Carry(present))
+    pub fn carry(&self, present: &Present<f64>) -> Result<Box<dyn Body>, String> {
+        self.solved(&Start::Present(present))
     }
 
     /// Chooses the solver that the scene needs: with obstacles only if the scene has some.
-    fn solved(&self, way: &Way<'_>) -> Result<Box<dyn Body>, String> {
+    fn solved(&self, way: &Start<'_>) -> Result<Box<dyn Body>, String> {
         has_solver(&self.scene).map_err(|error| error.to_string())?;
         let has_obstacles = OBSTACLES && !self.scene.obstacles.is_empty();
         Ok(match (self.number, has_obstacles) {
@@ -80,11 +80,11 @@ impl Setting {
 }
 
 /// How a body begins.
-enum Way<'a> {
+enum Start<'a> {
     /// At the start of the scene, with this hand.
-    Start(&'a Hand<f64>),
+    Scene(&'a Hand<f64>),
     /// From its present pose.
-    Carry(&'a Present),
+    Present(&'a Present<f64>),
 }
 
 /// Checks that a scene is accepted by the solver that it needs, in f64.
@@ -114,52 +114,44 @@ struct Solved<R: Real, M: HostModel> {
     state: State<R>,
     /// With the turns as reported to the outside.
     output: Output<R::Si>,
-    hold: Hold,
     /// Whole turns by which the reported angles exceed the solver's.
     turns: i32,
     stiffness: [f64; 2],
+    holding_point: Option<[f64; 2]>,
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
-    fn new(setting: &Setting, way: &Way<'_>) -> Result<Self, String> {
+    fn new(setting: &Setting, way: &Start<'_>) -> Result<Self, String> {
         let scene = &setting.scene;
-        let (carried, hold, turns) = match way {
-            Way::Start(hand) => (Self::start(setting, hand)?, Hold::Never, 0),
-            Way::Carry(present) => {
-                let carried = carried(scene, setting.evolution, present)?;
-                (carried, present.hold, present.angle.turns)
+        let (begun, turns) = match way {
+            Start::Scene(hand) => (Self::start(setting, hand)?, 0),
+            Start::Present(present) => {
+                let begun = carried(scene, setting.evolution, present)?;
+                (begun, present.angle.turns)
             }
         };
-        let mut body = Self {
-            solver: Arc::new(carried.solver),
-            indices: carried.indices.map(Arc::new),
-            state: carried.state,
-            output: carried.output.clone(),
-            hold,
+        Ok(Self {
+            solver: Arc::new(begun.solver),
+            indices: begun.indices.map(Arc::new),
+            state: begun.state,
+            output: with_turns(begun.output, turns),
             turns,
             stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
-        };
-        body.accept(carried.output);
-        Ok(body)
+            holding_point: scene.holding_point,
+        })
     }
 
-    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Carried<R, M>, String> {
+    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Begun<R, M>, String> {
         let scene = M::scene::<R>(&setting.scene).map_err(|error| error.to_string())?;
         let (scene, indices) = scene;
         let solver = Solver::new(scene, setting.evolution);
         let (state, output) = solver.start(narrow_hand(hand));
-        Ok(Carried {
+        Ok(Begun {
             solver,
             indices,
             state,
             output,
         })
-    }
-
-    fn accept(&mut self, mut output: Output<R::Si>) {
-        output.angle.turns = output.angle.turns.saturating_add(self.turns);
-        self.hold = self.hold.after(output.events(), output.held);
-        self.output = output;
     }
 }
 
@@ -170,9 +162,9 @@ where
     HostSolver<R, M>: Send + Sync,
 {
     fn step(&mut self, hand: &Hand<f64>) {
-        let hand = turned(hand, self.turns.saturating_neg());
+        let hand = hand.turned(self.turns.saturating_neg());
         let output = self.solver.step(&mut self.state, narrow_hand(&hand));
-        self.accept(output);
+        self.output = with_turns(output, self.turns);
     }
 
     fn frame(&self, t: f64) -> Frame {
@@ -183,7 +175,7 @@ where
         frame.with_indices(self.indices.as_deref())
     }
 
-    fn present(&self) -> Present {
+    fn present(&self) -> Present<f64> {
         let angle = Angle {
             turns: self.output.angle.turns,
             rest: self.output.angle.rest.widen(),
@@ -204,8 +196,9 @@ where
             position: self.output.position.map(R::Si::widen),
             angle,
             held: self.output.held,
-            hold: self.hold,
-            hand: turned(&hand, own_turns.saturating_neg()),
+            hold: self.state.hold(),
+            holding_point: self.holding_point,
+            hand: hand.turned(own_turns.saturating_neg()),
             wrench: Wrench {
                 force: wrench.force.map(R::Si::widen),
                 moment: wrench.moment.widen(),
@@ -225,9 +218,8 @@ where
     }
 }
 
-/// Returns a hand rotated by whole turns.
-fn turned(hand: &Hand<f64>, turns: i32) -> Hand<f64> {
-    let mut hand = *hand;
-    hand.angle.turns = hand.angle.turns.saturating_add(turns);
-    hand
+/// Returns an answer whose angle has these whole turns in addition.
+fn with_turns<F>(mut output: Output<F>, turns: i32) -> Output<F> {
+    output.angle.turns = output.angle.turns.saturating_add(turns);
+    output
 }

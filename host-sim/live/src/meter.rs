@@ -1,27 +1,14 @@
-//! Whitney's meter of a run: makes `stiction-insertion`'s [`Meter`] from its scene, and readings from its frames.
+//! Whitney's meter of a run: makes the judge's [`Meter`] from its scene, and readings from its frames.
 
-use stiction_insertion::{Insertion, Meter, Reaction, Scene, SmallAngles, Solid, Springs};
+use stiction_judge::Scene;
+use stiction_judge::insertion::{Insertion, Meter, Reaction, SmallAngles, Springs};
 use stiction_scene::WrittenScene;
 
 use crate::record::{Frame, Run};
 
 /// Returns the meter of a scene that has a peg and a hole.
 pub fn of_scene(scene: &WrittenScene) -> Option<Meter> {
-    let surfaces: Vec<_> = (scene.surfaces.iter())
-        .map(|surface| (surface.normal, surface.offset))
-        .collect();
-    let obstacles: Vec<_> = (scene.obstacles.iter())
-        .map(|obstacle| Solid {
-            vertices: &obstacle.vertices,
-            friction: obstacle.friction_dynamic,
-        })
-        .collect();
-    Meter::find(&Scene {
-        body: &scene.vertices,
-        start: scene.start,
-        surfaces: &surfaces,
-        obstacles: &obstacles,
-    })
+    Meter::find(&Scene::from(scene))
 }
 
 /// Returns the reading of a frame; none if the peg is not in its hole.
@@ -42,7 +29,8 @@ pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
 
 /// Returns F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
 pub fn small_angles(
-    (meter, depth): (&Meter, f64),
+    meter: &Meter,
+    depth: f64,
     frame: &Frame,
     [translation, rotation]: [f64; 2],
 ) -> SmallAngles {

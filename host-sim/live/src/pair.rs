@@ -4,17 +4,17 @@
 use std::sync::Arc;
 
 use serde::Serialize;
-use stiction_core::Hand;
-use stiction_insertion::Meter;
+use stiction_core::{Hand, Present};
+use stiction_judge::insertion::Meter;
 use web_time::Instant;
 
-use crate::body::{Body, Present, Setting};
+use crate::body::{Body, Setting};
 use crate::counts::Counts;
 use crate::meter;
 use crate::record::Frame;
 use crate::step_times::StepTimes;
 
-/// Number of newest slips that are kept.
+/// Number of newest slips that are shown.
 const SLIPS: usize = 32;
 
 /// The place where a slip ended.
@@ -153,7 +153,7 @@ impl Pair {
     }
 
     /// Returns the present pose and hold of the body.
-    pub fn present(&self) -> Present {
+    pub fn present(&self) -> Present<f64> {
         self.body.present()
     }
 
@@ -186,8 +186,8 @@ impl Pair {
                 length: frame.longest_slip,
             };
             let beyond = (self.slips.len() + 1).saturating_sub(SLIPS);
-            let kept = self.slips.iter().skip(beyond).copied();
-            self.slips = kept.chain([mark]).collect();
+            let shown = self.slips.iter().skip(beyond).copied();
+            self.slips = shown.chain([mark]).collect();
         }
         self.frame = Arc::new(frame);
     }

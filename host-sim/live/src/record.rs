@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use stiction_core::{
     Contact, Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch,
 };
-use stiction_insertion::Meter;
+use stiction_judge::insertion::Meter;
 use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
 use crate::meter;

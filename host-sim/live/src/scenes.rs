@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use stiction_scene::text::nearest;
 use stiction_scene::{Source, story};
-use stiction_text::nearest;
 
 /// The scene of `stiction board` if none is named.
 pub const DEFAULT: &str = "vertex-stick-slip";

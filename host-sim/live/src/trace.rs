@@ -3,7 +3,7 @@
 
 use serde::{Serialize, Serializer};
 use stiction_core::Touch;
-use stiction_insertion::Insertion;
+use stiction_judge::insertion::Insertion;
 
 use crate::meter;
 use crate::record::{ContactRecord, Frame, Scenery};

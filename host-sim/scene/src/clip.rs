@@ -8,11 +8,11 @@ use crate::written::WrittenScene;
 
 /// The file's indices of the solver's obstacles, corners and sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Indices(Vec<Kept>);
+pub struct Indices(Vec<Remaining>);
 
 /// An obstacle of which at least a part is in range.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Kept {
+struct Remaining {
     obstacle: usize,
     /// For each of its corners, the file's index, which is also that of the side that begins there; for an added corner, that of the
     /// previous corner.
@@ -55,15 +55,15 @@ impl Indices {
     /// The file's index of an obstacle of the solver.
     #[must_use]
     pub fn obstacle(&self, obstacle: usize) -> Option<usize> {
-        self.0.get(obstacle).map(|kept| kept.obstacle)
+        self.0.get(obstacle).map(|remaining| remaining.obstacle)
     }
 
     /// The file's indices of an obstacle and a corner of it.
     fn original(&self, obstacle: usize, corner: usize) -> (usize, usize) {
         match self.0.get(obstacle) {
-            Some(kept) => {
-                let corner = kept.corners.get(corner).copied().unwrap_or(corner);
-                (kept.obstacle, corner)
+            Some(remaining) => {
+                let corner = remaining.corners.get(corner).copied().unwrap_or(corner);
+                (remaining.obstacle, corner)
             }
             None => (obstacle, corner),
         }
@@ -119,7 +119,7 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     if corners.all(is_within) {
         return (scene.obstacles.clone(), None);
     }
-    let (mut kept, mut indices) = (Vec::new(), Vec::new());
+    let (mut remaining, mut indices) = (Vec::new(), Vec::new());
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
         let corner = |(number, &place)| Corner {
             place,
@@ -134,16 +134,16 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
         if corners.is_empty() {
             continue;
         }
-        kept.push(ObstacleInfo {
+        remaining.push(ObstacleInfo {
             vertices: corners.iter().map(|corner| corner.place).collect(),
             ..obstacle.clone()
         });
-        indices.push(Kept {
+        indices.push(Remaining {
             obstacle: i,
             corners: corners.iter().map(|corner| corner.number).collect(),
         });
     }
-    (kept, Some(Indices(indices)))
+    (remaining, Some(Indices(indices)))
 }
 
 /// The larger coordinate of a point plus half the other: the bound that a number type checks.
@@ -186,25 +186,25 @@ fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// The part in which `depth`, an affine function, is not negative.
 fn cut(corners: &[Corner], depth: impl Fn([f64; 2]) -> f64) -> Vec<Corner> {
-    let mut kept = Vec::new();
+    let mut remaining = Vec::new();
     // A wall has one side, traversed in both directions.
     let sides = if corners.len() == 2 { 1 } else { corners.len() };
     for (k, &corner) in corners.iter().enumerate() {
         let (a, b) = (corner.place, corners[(k + 1) % corners.len()].place);
         let (at_a, at_b) = (depth(a), depth(b));
         if at_a >= 0.0 {
-            kept.push(corner);
+            remaining.push(corner);
         }
         if k < sides && at_a * at_b < 0.0 {
             let part = at_a / (at_a - at_b);
-            kept.push(Corner {
+            remaining.push(Corner {
                 place: [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis])),
                 number: corner.number,
                 is_added: true,
             });
         }
     }
-    kept
+    remaining
 }
 
 /// L (m): the body's largest vertex distance; for a point, the length that the solver assumes, a power of two.

@@ -45,7 +45,7 @@ pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Resu
 /// The code of a scene file for a board: in its smallest model, or in one with capacity for other scenes too.
 ///
 /// # Errors
-/// The same messages as for a scene that is run on a computer.
+/// The messages are those for a scene that is run on a computer.
 pub fn code(
     file: &Path,
     number: NumberType,

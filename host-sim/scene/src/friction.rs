@@ -18,7 +18,7 @@ pub(crate) struct Fallback {
 }
 
 /// The friction of a surface or an obstacle.
-pub(crate) struct Friction {
+pub(crate) struct Coefficients {
     /// mu_s
     pub(crate) stick: f64,
     /// mu_d
@@ -55,7 +55,11 @@ impl Fallback {
     }
 
     /// The friction of an owner that may have its own.
-    pub(crate) fn of(self, check: Check<'_>, owner: &Owner<'_>) -> Result<Friction, InputError> {
+    pub(crate) fn of(
+        self,
+        check: Check<'_>,
+        owner: &Owner<'_>,
+    ) -> Result<Coefficients, InputError> {
         let (kind, index) = (owner.kind, owner.index);
         let own = |name: &str, given| coefficient(check, &format!("{kind}[{index}].{name}"), given);
         let needed = |name: &str, given, default: Option<f64>| {
@@ -66,7 +70,7 @@ impl Fallback {
                 check.source().error_at(owner.span.start, problem)
             })
         };
-        Ok(Friction {
+        Ok(Coefficients {
             stick: needed("static", owner.stick, self.stick)?,
             slip: needed("dynamic", owner.slip, self.slip)?,
             memory: own("memory", owner.memory)?.or(self.memory),

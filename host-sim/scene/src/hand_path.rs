@@ -85,7 +85,7 @@ impl HandPath {
         }
     }
 
-    /// The same for a path whose text is already loaded.
+    /// Reads a path whose text is already loaded.
     pub fn error_at_end_of(source: &Source, problem: &str) -> InputError {
         at_end(source.file(), source.text().as_bytes(), problem)
     }
@@ -163,7 +163,7 @@ impl HandPath {
 }
 
 fn open(file: &Path) -> Result<impl BufRead, InputError> {
-    let opened = stiction_text::open(file, HandPath::LONGEST);
+    let opened = crate::text::open(file, HandPath::LONGEST);
     let opened = opened.map_err(|problem| InputError::of_file(file, problem))?;
     Ok(BufReader::new(opened))
 }

@@ -11,7 +11,7 @@
 //! hand.csv ─── Source ─ hand_path/recorded.rs ─ hand_path/placement.rs ─────┴─ HandPath: samples, resampled
 //! ```
 //!
-//! [`SceneFile`] is a written scene with its `[hand]`.
+//! [`SceneFile`] is a written scene with its `[hand]`. Files are opened and read with limits by [`text`].
 
 mod board;
 mod c_code;
@@ -31,6 +31,7 @@ mod obstacle;
 mod scene_file;
 mod source;
 mod surface;
+pub mod text;
 mod written;
 
 pub use board::BoardBuild;

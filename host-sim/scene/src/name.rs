@@ -1,9 +1,5 @@
 //! The names of surfaces and obstacles: each is unique.
 
-use std::ops::Range;
-
-use toml::Spanned;
-
 use crate::check::Check;
 use crate::source::{InputError, excerpt};
 
@@ -12,7 +8,7 @@ use crate::source::{InputError, excerpt};
 pub(crate) struct Names(Vec<(&'static str, usize, String)>);
 
 impl Names {
-    /// Registers the name of item `index` of a kind: the given name, or else its number.
+    /// Registers the name of item `index` of a kind: the given name, or else its number. `place` is where the file has it, or the item.
     ///
     /// # Errors
     /// The name is taken already.
@@ -21,15 +17,14 @@ impl Names {
         check: Check<'_>,
         (kind, index): (&'static str, usize),
         name: &str,
-        (given, whole): (Option<&Spanned<String>>, Range<usize>),
+        place: usize,
     ) -> Result<(), InputError> {
         if let Some((other, first, _)) = self.0.iter().find(|(.., known)| known == name) {
             let name = excerpt(name);
             let problem = format!(
                 "`{kind}[{index}].name` is {name:?}, as that of {other} {first}, allowed: a name of its own"
             );
-            let place = given.map_or(whole, Spanned::span);
-            return Err(check.source().error_at(place.start, problem));
+            return Err(check.source().error_at(place, problem));
         }
         self.0.push((kind, index, name.to_owned()));
         Ok(())

@@ -1,24 +1,30 @@
 //! `[[obstacle]]`, checked: convex polygons, thin walls and pins with a name, both coefficients and the memory length. The solver
 //! checks whether the corners make a convex polygon.
 
+use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Fallback, Friction, Owner};
+use crate::friction::{Coefficients, Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
 /// A fixed obstacle with corners.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serialised with the keys of a scene file.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
 pub struct ObstacleInfo {
     /// Its name in traces.
     pub name: String,
     /// Its corners (m), world frame, counter-clockwise; two: a thin wall, one: a pin.
     pub vertices: Vec<[f64; 2]>,
     /// mu_s
+    #[serde(rename = "static")]
     pub friction_static: f64,
     /// mu_d
+    #[serde(rename = "dynamic")]
     pub friction_dynamic: f64,
     /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,
@@ -35,7 +41,8 @@ pub(crate) fn obstacles(
     for (i, given) in document.obstacle.iter().enumerate() {
         let obstacle = obstacle(check, i, given, fallback)?;
         let name = given.get_ref().name.as_ref();
-        names.take(check, ("obstacle", i), &obstacle.name, (name, given.span()))?;
+        let place = name.map_or(given.span(), Spanned::span).start;
+        names.take(check, ("obstacle", i), &obstacle.name, place)?;
         checked.push(obstacle);
     }
     Ok(checked)
@@ -65,7 +72,7 @@ fn obstacle(
         slip: obstacle.slip.as_ref(),
         memory: obstacle.memory.as_ref(),
     };
-    let Friction {
+    let Coefficients {
         stick,
         slip,
         memory,

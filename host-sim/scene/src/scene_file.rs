@@ -39,7 +39,7 @@ impl SceneFile {
     /// Reads a scene from text.
     ///
     /// # Errors
-    /// The same as for [`SceneFile::read`].
+    /// As for [`SceneFile::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
         let written = WrittenScene::parse(source, limit)?;
         let check = Check::new(written.source(), limit);
@@ -90,7 +90,7 @@ impl SceneFile {
     /// The scene for a solver that lacks parts.
     ///
     /// # Errors
-    /// The same as for [`SceneFile::scene`]; also if the scene needs a missing part.
+    /// As for [`SceneFile::scene`]; also if the scene needs a missing part.
     pub fn scene_in<R, M>(&self) -> Result<HostScene<R, M>, InputError>
     where
         R: Real<Si: SiFloat>,

@@ -5,15 +5,18 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
-use stiction_text::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+use crate::text::{self, nearest};
 
 /// Unusable input: the file, the line, the problem there and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     file: PathBuf,
-    line: Option<(usize, String)>,
+    line: Option<u64>,
+    /// The text of the line, where it helps.
+    text: Option<String>,
     problem: String,
 }
 
@@ -23,19 +26,28 @@ impl InputError {
         Self {
             file: file.to_owned(),
             line: None,
+            text: None,
             problem: problem.to_string(),
         }
     }
 
-    /// A problem of a line with its number, counted from 1.
+    /// A problem of a line, counted from 1.
+    pub fn at_line(file: &Path, line: u64, problem: impl fmt::Display) -> Self {
+        Self {
+            line: Some(line),
+            ..Self::of_file(file, problem)
+        }
+    }
+
+    /// A problem of a line with its number, counted from 1, and its text.
     pub(crate) fn in_line(
         file: &Path,
         (number, text): (usize, &str),
         problem: impl fmt::Display,
     ) -> Self {
         Self {
-            line: Some((number, excerpt(text.trim_end()))),
-            ..Self::of_file(file, problem)
+            text: Some(excerpt(text.trim_end())),
+            ..Self::at_line(file, number as u64, problem)
         }
     }
 
@@ -48,11 +60,13 @@ impl InputError {
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (file, problem) = (self.file.display(), &self.problem);
-        match &self.line {
-            None => write!(f, "{file}: {problem}"),
-            Some((number, text)) => {
-                write!(f, "{file}, line {number}: {problem}\n{number:>6} | {text}")
-            }
+        let Some(number) = self.line else {
+            return write!(f, "{file}: {problem}");
+        };
+        write!(f, "{file}, line {number}: {problem}")?;
+        match &self.text {
+            Some(text) => write!(f, "\n{number:>6} | {text}"),
+            None => Ok(()),
         }
     }
 }
@@ -141,7 +155,7 @@ impl Source {
     /// # Errors
     /// The file cannot be read, is longer than 1 MiB, or is not UTF-8.
     pub fn read(file: &Path) -> Result<Self, InputError> {
-        let bytes = stiction_text::read(file);
+        let bytes = text::read(file);
         let bytes = bytes.map_err(|problem| InputError::of_file(file, problem))?;
         Self::of_bytes(file, bytes)
     }

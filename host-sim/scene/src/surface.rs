@@ -1,15 +1,19 @@
 //! `[[surface]]`, checked: half-planes with a name, a unit normal, both coefficients and the memory length.
 
+use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Fallback, Friction, Owner};
+use crate::friction::{Coefficients, Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
 /// A fixed half-plane: the free side is `normal`·p >= `offset`.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serialised with the keys of a scene file.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
 pub struct SurfaceInfo {
     /// Its name in traces.
     pub name: String,
@@ -18,8 +22,10 @@ pub struct SurfaceInfo {
     /// Distance of the surface from the world's origin along the normal (m).
     pub offset: f64,
     /// mu_s
+    #[serde(rename = "static")]
     pub friction_static: f64,
     /// mu_d
+    #[serde(rename = "dynamic")]
     pub friction_dynamic: f64,
     /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,
@@ -36,7 +42,8 @@ pub(crate) fn surfaces(
     for (i, given) in document.surface.iter().enumerate() {
         let surface = surface(check, i, given, fallback)?;
         let name = given.get_ref().name.as_ref();
-        names.take(check, ("surface", i), &surface.name, (name, given.span()))?;
+        let place = name.map_or(given.span(), Spanned::span).start;
+        names.take(check, ("surface", i), &surface.name, place)?;
         checked.push(surface);
     }
     Ok(checked)
@@ -64,7 +71,7 @@ fn surface(
         slip: surface.slip.as_ref(),
         memory: surface.memory.as_ref(),
     };
-    let Friction {
+    let Coefficients {
         stick,
         slip,
         memory,

@@ -4,15 +4,18 @@
 use std::path::Path;
 
 use stiction_core::{
-    Description, Model, ObstacleDescription, Real, Scene, SiFloat, SurfaceDescription,
+    Description, Full, Model, ObstacleDescription, Parameter, Real, Scene, SiFloat,
+    SurfaceDescription,
 };
 
 use crate::check::Check;
 use crate::clip::{Indices, clipped};
 use crate::document::{Body, Document};
 use crate::friction::Fallback;
+use crate::host_model::{Among, HostModel};
 use crate::name::Names;
 use crate::obstacle::{ObstacleInfo, obstacles};
+use crate::scene_file::HostScene;
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
 
@@ -65,7 +68,7 @@ impl WrittenScene {
     /// Reads a scene from text.
     ///
     /// # Errors
-    /// The same as for [`WrittenScene::read`].
+    /// As for [`WrittenScene::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
         let document: Document = source.toml()?;
         document.check_counts(&source)?;
@@ -87,6 +90,31 @@ impl WrittenScene {
             obstacles: obstacles(check, &document, fallback, &mut names)?,
             document,
             source,
+        })
+    }
+
+    /// Checks that the numbers make a scene, wherever the body starts.
+    ///
+    /// # Errors
+    /// The message names the key of the first number that is out of range or does not fit the others.
+    pub fn check_numbers(&self) -> Result<(), InputError> {
+        self.described(|description| {
+            let surfaces = HostScene::<f64, Among>::new(description).map(drop);
+            // The solver checks where the body starts last: first surfaces, then obstacles.
+            let description = Description {
+                surfaces: &[],
+                ..*description
+            };
+            let obstacles = Among::<Full>::build::<f64>(self, &description).map(drop);
+            for checked in [surfaces, obstacles] {
+                match checked {
+                    Err(error) if !is_of_start(error.parameter) => {
+                        return Err(self.explain(&error, [VERTICES, SURFACES]));
+                    }
+                    Ok(()) | Err(_) => {}
+                }
+            }
+            Ok(())
         })
     }
 
@@ -182,6 +210,14 @@ impl WrittenScene {
     pub const fn source(&self) -> &Source {
         &self.source
     }
+}
+
+/// Whether it says that the body starts inside something.
+const fn is_of_start(parameter: Parameter) -> bool {
+    matches!(
+        parameter,
+        Parameter::Penetration { .. } | Parameter::Overlap(_)
+    )
 }
 
 fn vertices(check: Check<'_>, body: &Body) -> Result<Vec<[f64; 2]>, InputError> {

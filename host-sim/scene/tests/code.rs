@@ -40,9 +40,12 @@ fn code_with(from: &str, to: &str) -> String {
 
 #[test]
 fn the_solver_has_what_the_scene_needs() {
-    let kept = ("", "");
+    let unchanged = ("", "");
     for ((from, to), expected) in [
-        (kept, "Scene<f32, 2, 1, stiction_core::Parts<true, true>>"),
+        (
+            unchanged,
+            "Scene<f32, 2, 1, stiction_core::Parts<true, true>>",
+        ),
         (
             ("weight = 2.0", ""),
             "Scene<f32, 2, 1, stiction_core::Parts<true, false>>",
@@ -110,7 +113,7 @@ fn a_memory_length_is_that_of_the_file_or_none() {
 }
 
 #[test]
-fn what_cannot_be_used_is_told_with_file_line_and_key() {
+fn what_cannot_be_used_is_reported_with_file_line_and_key() {
     for (from, to, expected) in [
         (
             "500.0",

@@ -115,9 +115,10 @@ impl Address {
         };
         opened.map_err(|error| BoardError::Gone {
             address: self.to_string(),
-            problem: match (&*self, error.kind()) {
-                (Self::Port(..), ErrorKind::NotFound) => no_such_port(),
-                _ => reason(&error),
+            problem: if matches!(self, Self::Port(..)) && error.kind() == ErrorKind::NotFound {
+                no_such_port()
+            } else {
+                reason(&error)
             },
         })
     }

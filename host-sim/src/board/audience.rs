@@ -35,7 +35,7 @@ pub(super) trait Audience {
     /// The board is connected again, at the start of its scene.
     fn back(&mut self);
 
-    /// The result of a wish. Returns an error that must end the stream.
+    /// The result of a request. Returns an error that must end the stream.
     fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError>;
 }
 

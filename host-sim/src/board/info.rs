@@ -3,7 +3,7 @@
 use stiction_core::{Axis, Solver};
 use stiction_wire::{FaultKind, Health, Mode};
 
-use super::heard::About;
+use super::message::About;
 use super::print::table;
 
 /// The board's identity and settings.

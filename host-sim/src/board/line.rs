@@ -7,8 +7,8 @@ use stiction_wire::{
     obstacle_bytes, scene_bytes, wire_bytes,
 };
 
-use super::heard::Heard;
 use super::link::Open;
+use super::message::Received;
 
 /// Room for the longest report: forces with 255 contacts.
 const LONGEST_REPORT: usize = frame_bytes(7200);
@@ -85,8 +85,8 @@ impl Line {
     }
 
     /// Decodes these bytes.
-    pub(super) fn hear(&mut self, at: Instant, bytes: &[u8]) -> Vec<Heard> {
-        let mut heard = Vec::new();
+    pub(super) fn receive(&mut self, at: Instant, bytes: &[u8]) -> Vec<Received> {
+        let mut received = Vec::new();
         self.bytes += bytes.len() as u64;
         for &byte in bytes {
             match self.decoder.push::<ReportAmong<'_>>(byte) {
@@ -94,7 +94,7 @@ impl Line {
                 Some(Ok(frame)) => {
                     self.frames += 1;
                     self.lost += u64::from(self.order.lost_before(frame.sequence));
-                    heard.push(Heard {
+                    received.push(Received {
                         at,
                         time: frame.time,
                         said: frame.message.into(),
@@ -107,7 +107,7 @@ impl Line {
                 }
             }
         }
-        heard
+        received
     }
 
     /// Describes what arrived if the expected message did not.

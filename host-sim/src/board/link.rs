@@ -16,7 +16,7 @@ use serial2::SerialPort;
 use stiction_scene::Sample;
 
 use super::error::BoardError;
-use super::wish::Wish;
+use super::request::Request;
 
 /// Interval at which a reader checks whether it is still needed.
 const BREATH: Duration = Duration::from_millis(50);
@@ -56,7 +56,7 @@ pub(super) enum News {
     /// The tracker was disconnected, and why.
     NoTracker(BoardError),
     /// A request to change the board's settings.
-    Wish(Wish),
+    Request(Request),
     /// The board is no longer needed.
     Enough,
 }

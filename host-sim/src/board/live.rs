@@ -1,4 +1,4 @@
-//! A board that a program follows: a separate thread receives samples and wishes and returns frames and the board's health.
+//! A board that a program follows: a separate thread receives samples and requests and returns frames and the board's health.
 //! Neither side waits for the other.
 
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use stiction_core::Evolution;
-use stiction_live::say::{Fares, Source};
+use stiction_live::outbound::{Fares, Runner};
 use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
@@ -15,15 +15,17 @@ use super::audience::Audience;
 use super::counts::Counts;
 use super::error::BoardError;
 use super::feed::Feed;
-use super::heard::About;
 use super::link::News;
 use super::maker;
+use super::message::About;
+use super::request::Request;
 use super::setup::Setup;
 use super::stream::Stream;
-use super::wish::Wish;
 use crate::recording::Maker;
 use crate::stop;
 use stiction_live::number::Number;
+use stiction_live::number::Number;
+use stiction_live::record::Frame;
 use stiction_live::record::Frame;
 
 /// Interval of the health reports.
@@ -36,7 +38,7 @@ pub(crate) enum Word {
     Frame(Box<Frame>),
     /// The board's health.
     Fares(Fares),
-    /// The result of the oldest wish that has not been answered yet.
+    /// The result of the oldest request that has not been answered yet.
     Answer(Result<(), String>),
     /// The board is connected again, and is at the start of its scene.
     Back,
@@ -60,8 +62,8 @@ pub(crate) struct Identity {
 
 impl Identity {
     /// The description for clients.
-    pub(crate) fn source(&self) -> Source<'_> {
-        Source::Board {
+    pub(crate) fn source(&self) -> Runner<'_> {
+        Runner::Board {
             name: &self.name,
             number: self.number.name(),
             r#where: &self.place,
@@ -74,7 +76,7 @@ impl Identity {
 #[derive(Debug)]
 pub(crate) struct LiveBoard {
     news: Sender<News>,
-    /// Bounded by the requests: a word for every sample on its way and for every wish, and the health four times per second.
+    /// Bounded by the requests: a word for every sample on its way and for every request, and the health four times per second.
     words: Receiver<Word>,
     pub(crate) identity: Identity,
     thread: Option<JoinHandle<()>>,
@@ -95,7 +97,7 @@ impl LiveBoard {
         let setup = setup(scene, evolution);
         let (mut stream, session) = Stream::connect(args, setup, Feed::newest(), follower)?;
         let identity = identify(&stream.about, &stream.address);
-        let news = stream.mail.sender.clone();
+        let news = stream.inbox.sender.clone();
         let thread = thread::spawn(move || {
             if let Err(error) = stream.run(session)
                 && !stop::asked()
@@ -118,13 +120,13 @@ impl LiveBoard {
 
     /// Sends another scene or evolution; `anew`: with the body at its start, otherwise where it is. [`Word::Answer`] reports the
     /// result.
-    pub(crate) fn wish(&self, scene: &Arc<SceneFile>, evolution: Evolution, anew: bool) {
+    pub(crate) fn request(&self, scene: &Arc<SceneFile>, evolution: Evolution, anew: bool) {
         let setup = setup(scene, evolution);
-        let _ = self.news.send(News::Wish(Wish { setup, anew }));
+        let _ = self.news.send(News::Request(Request { setup, anew }));
     }
 
     /// Returns the next message of the board, if there is one.
-    pub(crate) fn hear(&self) -> Option<Word> {
+    pub(crate) fn next(&self) -> Option<Word> {
         match self.words.try_recv() {
             Ok(word) => Some(word),
             Err(TryRecvError::Disconnected) if !stop::asked() => {
@@ -162,7 +164,9 @@ fn identify(about: &About, address: &Address) -> Identity {
         number: about.number.into(),
         place: match address {
             Address::Emulated(emulator) => emulator.board().emulator().to_owned(),
-            _ => address.to_string(),
+            Address::Port(..) | Address::Usb(..) | Address::Socket(_) | Address::Tcp(_) => {
+                address.to_string()
+            }
         },
         emulated: matches!(address, Address::Emulated(_)),
         tick_rate: about.mode.tick_rate,
@@ -262,8 +266,8 @@ impl Audience for Follower {
     }
 
     fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError> {
-        let told = result.as_ref().map_err(ToString::to_string);
-        self.say(Word::Answer(told.copied()));
+        let answer = result.as_ref().map_err(ToString::to_string);
+        self.say(Word::Answer(answer.copied()));
         match result {
             Err(error) if error.may_pass() => Err(error),
             _ => Ok(()),

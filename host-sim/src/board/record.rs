@@ -4,7 +4,7 @@
 use stiction_core::{Angle, Hand, Status};
 use stiction_scene::Indices;
 
-use super::flight::Sent;
+use super::pending::Sent;
 use super::steps::Step;
 use stiction_live::record::{ContactRecord, Frame};
 

@@ -3,7 +3,7 @@
 use stiction_core::Parameter;
 use stiction_wire::{Reason, Subject};
 
-use super::heard::Answer;
+use super::message::Answer;
 use stiction_live::record::Names;
 
 /// What was refused, its value, the allowed values, and the nearest allowed value, or the bound that the value must stay below.
@@ -28,9 +28,10 @@ pub(super) fn explain(command: &str, answer: &Answer, names: &Names) -> String {
         text.push_str(&format!(", allowed: {}", answer.allowed));
     }
     if !answer.limit.is_nan() && subject.is_some() {
-        let limit = match answer.reason {
-            Reason::NotPassive => "the limit",
-            _ => "the nearest",
+        let limit = if answer.reason == Reason::NotPassive {
+            "the limit"
+        } else {
+            "the nearest"
         };
         text.push_str(&format!(", {limit}: {:?}{unit}", answer.limit));
     }
@@ -72,7 +73,17 @@ fn subject(subject: Subject, names: &Names) -> Option<String> {
         | Parameter::ObstacleFrictionDynamic(i)
         | Parameter::ObstacleMemory(i)
         | Parameter::Overlap(i) => names.obstacles.get(i),
-        _ => None,
+        Parameter::VertexCount
+        | Parameter::Vertex(_)
+        | Parameter::Start
+        | Parameter::Weight
+        | Parameter::HoldingPoint
+        | Parameter::Reach
+        | Parameter::StiffnessTranslation
+        | Parameter::StiffnessRotation
+        | Parameter::SurfaceCount
+        | Parameter::ObstacleCount
+        | Parameter::CornerCount => None,
     };
     Some(match name {
         Some(name) => format!("the {parameter} ({name:?})"),
@@ -99,7 +110,17 @@ const fn unit(subject: Subject) -> &'static str {
             | Parameter::Overlap(_) => " m",
             Parameter::StiffnessTranslation => " N/m",
             Parameter::StiffnessRotation => " N·m/rad",
-            _ => "",
+            Parameter::VertexCount
+            | Parameter::Start
+            | Parameter::SurfaceCount
+            | Parameter::Normal(_)
+            | Parameter::FrictionStatic(_)
+            | Parameter::FrictionDynamic(_)
+            | Parameter::ObstacleCount
+            | Parameter::CornerCount
+            | Parameter::Corners(_)
+            | Parameter::ObstacleFrictionStatic(_)
+            | Parameter::ObstacleFrictionDynamic(_) => "",
         },
     }
 }
@@ -124,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_refused_number_is_told_with_what_is_allowed_and_the_nearest() {
+    fn a_refused_number_comes_with_what_is_allowed_and_the_nearest() {
         let tick = answer(
             Reason::Unsupported,
             Subject::TickRate,
@@ -140,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn the_limit_of_what_is_passive_is_not_told_as_allowed() {
+    fn the_limit_of_what_is_passive_is_not_called_allowed() {
         let spring = answer(
             Reason::NotPassive,
             Subject::Scene(Parameter::StiffnessTranslation),
@@ -156,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_is_told_by_its_name() {
+    fn a_surface_is_called_by_its_name() {
         let subject = Subject::Scene(Parameter::FrictionDynamic(1));
         let friction = answer(Reason::Number, subject, -0.5, f32::NAN, "0 or more");
         let names = Names {

@@ -8,9 +8,9 @@ use stiction_wire::{Command, CommandAmong, FaultKind, Health, Reason, Room};
 
 use super::address::Address;
 use super::error::BoardError;
-use super::heard::{About, Answer, Heard, Said};
 use super::line::Line;
 use super::link::{News, Open};
+use super::message::{About, Answer, Received, Said};
 use super::refusal::explain;
 use crate::stop;
 use stiction_live::record::Names;
@@ -21,11 +21,11 @@ const AGAIN: Duration = Duration::from_millis(100);
 const MOST_ASIDE: usize = 4096;
 /// Maximum number of frames that are stored while a command waits for its answer: more than a board sends in the 0.1 s until its
 /// second try, at 5000 steps per second of three frames each.
-const MOST_HEARD: usize = 4096;
+const MOST_RECEIVED: usize = 4096;
 
 /// The messages from the threads of links and tracker to this one.
 #[derive(Debug)]
-pub(super) struct Mail {
+pub(super) struct Inbox {
     pub(super) sender: Sender<News>,
     receiver: Receiver<News>,
     /// Messages that were set aside.
@@ -35,7 +35,7 @@ pub(super) struct Mail {
     links: u32,
 }
 
-impl Mail {
+impl Inbox {
     pub(super) fn new() -> Self {
         let (sender, receiver) = mpsc::channel();
         Self {
@@ -80,9 +80,9 @@ pub(super) struct Session {
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
     /// What arrived while a command waited for its answer.
-    pub(super) before_answer: VecDeque<Heard>,
+    pub(super) before_answer: VecDeque<Received>,
     /// What arrived with the answer, after it.
-    pub(super) after_answer: VecDeque<Heard>,
+    pub(super) after_answer: VecDeque<Received>,
     pub(super) address: String,
     /// The time that the board may be silent.
     pub(super) timeout: Duration,
@@ -92,7 +92,7 @@ impl Session {
     /// Opens the line and sends hello. `begun`: zero of the client's clock.
     pub(super) fn begin(
         address: &mut Address,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         timeout: Duration,
         begun: Instant,
     ) -> Result<(Self, About), BoardError> {
@@ -101,9 +101,9 @@ impl Session {
             address: name.clone(),
             problem,
         };
-        mail.links += 1;
+        inbox.links += 1;
         let link = address.open()?;
-        let open = Open::new(link, mail.links, mail.sender.clone())
+        let open = Open::new(link, inbox.links, inbox.sender.clone())
             .map_err(|error| gone(error.to_string()))?;
         let mut line = Line::new(open, begun);
         line.wake().map_err(gone)?;
@@ -117,14 +117,14 @@ impl Session {
             address: name,
             timeout,
         };
-        let about = session.greet(mail)?;
+        let about = session.greet(inbox)?;
         Ok((session, about))
     }
 
     /// Sends hello; returns the board's description of itself.
-    pub(super) fn greet(&mut self, mail: &mut Mail) -> Result<About, BoardError> {
+    pub(super) fn greet(&mut self, inbox: &mut Inbox) -> Result<About, BoardError> {
         self.room = Room::default();
-        let about = self.ask(mail, Command::Hello.into(), |said, _| match said {
+        let about = self.ask(inbox, Command::Hello.into(), |said, _| match said {
             Said::About(about) => Some(about.clone()),
             _ => None,
         })?;
@@ -135,10 +135,10 @@ impl Session {
     /// Sends a command that is answered by a reply. Returns the reply if it is a refusal.
     pub(super) fn order<'a>(
         &mut self,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         command: impl Into<CommandAmong<'a>>,
     ) -> Result<Option<Answer>, BoardError> {
-        let answer = self.ask(mail, command.into(), |said, sent| match said {
+        let answer = self.ask(inbox, command.into(), |said, sent| match said {
             Said::Answer(answer) if sent.contains(&answer.command.sequence) => Some(answer.clone()),
             _ => None,
         })?;
@@ -148,7 +148,7 @@ impl Session {
     /// As [`Self::order`]; a refusal is an error.
     pub(super) fn demand<'a>(
         &mut self,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         command: impl Into<CommandAmong<'a>>,
         names: &Names,
     ) -> Result<(), BoardError> {
@@ -157,7 +157,7 @@ impl Session {
             CommandAmong::SceneAmong(_) => "scene",
             CommandAmong::Common(command) => command.name(),
         };
-        match self.order(mail, command)? {
+        match self.order(inbox, command)? {
             None => Ok(()),
             Some(refusal) => Err(BoardError::Refused(explain(name, &refusal, names))),
         }
@@ -166,7 +166,7 @@ impl Session {
     /// Sends a command until `pick` finds the answer to it; `pick` receives the numbers under which the command was sent.
     fn ask<T>(
         &mut self,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         command: CommandAmong<'_>,
         mut pick: impl FnMut(&Said, &[u8]) -> Option<T>,
     ) -> Result<T, BoardError> {
@@ -176,17 +176,17 @@ impl Session {
         while Instant::now() < end {
             sent.push(self.send(command)?);
             let again = end.min(Instant::now() + AGAIN);
-            while let Some(news) = mail.receive(again) {
+            while let Some(news) = inbox.receive(again) {
                 let mut answer = None;
-                for heard in self.read(mail, news)? {
-                    self.note(&heard.said);
+                for received in self.read(inbox, news)? {
+                    self.note(&received.said);
                     if answer.is_some() {
-                        self.after_answer.push_back(heard);
+                        self.after_answer.push_back(received);
                     } else {
-                        answer = pick(&heard.said, &sent);
-                        self.before_answer.push_back(heard);
+                        answer = pick(&received.said, &sent);
+                        self.before_answer.push_back(received);
                     }
-                    let beyond = self.before_answer.len().saturating_sub(MOST_HEARD);
+                    let beyond = self.before_answer.len().saturating_sub(MOST_RECEIVED);
                     self.before_answer.drain(..beyond);
                 }
                 if let Some(answer) = answer {
@@ -209,7 +209,7 @@ impl Session {
     /// Waits for the next health report, at most `patience`.
     pub(super) fn wait_for_health(
         &mut self,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         patience: Duration,
     ) -> Result<Option<Health>, BoardError> {
         self.health = None;
@@ -218,26 +218,30 @@ impl Session {
         while self.health.is_none()
             && Instant::now() < until
             && !stop::asked()
-            && let Some(news) = mail.receive(until)
+            && let Some(news) = inbox.receive(until)
         {
-            for heard in self.read(mail, news)? {
-                self.note(&heard.said);
+            for received in self.read(inbox, news)? {
+                self.note(&received.said);
             }
         }
         Ok(self.health)
     }
 
     /// Decodes the frames of this line; other messages are set aside.
-    pub(super) fn read(&mut self, mail: &mut Mail, news: News) -> Result<Vec<Heard>, BoardError> {
+    pub(super) fn read(
+        &mut self,
+        inbox: &mut Inbox,
+        news: News,
+    ) -> Result<Vec<Received>, BoardError> {
         match news {
             News::Bytes(link, reading) if link == self.line.link() => {
-                Ok(self.line.hear(reading.at, &reading.bytes))
+                Ok(self.line.receive(reading.at, &reading.bytes))
             }
             News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
             // From a previous line.
             News::Bytes(..) | News::Gone(..) => Ok(Vec::new()),
-            News::Sample(_) | News::NoTracker(_) | News::Wish(_) | News::Enough => {
-                mail.keep([news]);
+            News::Sample(_) | News::NoTracker(_) | News::Request(_) | News::Enough => {
+                inbox.keep([news]);
                 Ok(Vec::new())
             }
         }
@@ -249,7 +253,7 @@ impl Session {
             Said::Health(health) => self.health = Some(*health),
             Said::Pose(pose) => self.last_sample = Some(pose.sample),
             Said::Room(room) => self.room = *room,
-            _ => {}
+            Said::Forces(_) | Said::Events(_) | Said::Answer(_) | Said::About(_) | Said::Pong => {}
         }
     }
 

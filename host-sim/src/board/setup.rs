@@ -12,9 +12,9 @@ use stiction_wire::{
 };
 
 use super::error::BoardError;
-use super::heard::{About, Answer};
+use super::message::{About, Answer};
 use super::refusal::explain;
-use super::session::{Mail, Session};
+use super::session::{Inbox, Session};
 use stiction_live::record::Names;
 
 /// Interval of the board's health reports (ms): it leaves a line of 115200 baud room for 100 whole steps per second, the fewest
@@ -44,35 +44,42 @@ impl Setup {
         &self,
         session: &mut Session,
         about: &mut About,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
     ) -> Result<Option<String>, BoardError> {
         if !self.keep {
-            self.send_scene(session, about, mail)?;
+            self.send_scene(session, about, inbox)?;
         }
-        let remark = self.set_mode(session, mail, self.mode(about))?;
-        *about = session.greet(mail)?;
+        let remark = self.set_mode(session, inbox, self.mode(about))?;
+        *about = session.greet(inbox)?;
         let patience = Duration::from_millis(2 * u64::from(HEALTH_EVERY));
-        session.wait_for_health(mail, patience)?;
+        session.wait_for_health(inbox, patience)?;
         Ok(remark)
     }
 
-    /// Places the body at the start of this scene; or, if it does not begin again, sends only the differences from `before`: the
-    /// body stays where it is.
-    pub(super) fn change(
+    /// Sends the parameters in which this scene differs from the one `before`: the body stays where it is.
+    pub(super) fn send_parameters(
         &self,
         before: &Self,
-        anew: bool,
         session: &mut Session,
-        (about, mail): (&About, &mut Mail),
+        inbox: &mut Inbox,
     ) -> Result<(), BoardError> {
-        if anew {
-            self.send_scene(session, about, mail)?;
-        } else if self.frictions() != before.frictions() || self.stiffness() != before.stiffness() {
+        if self.frictions() != before.frictions() || self.stiffness() != before.stiffness() {
             let names = self.names();
-            session.demand(mail, Command::Parameters(self.parameters()?), &names)?;
+            session.demand(inbox, Command::Parameters(self.parameters()?), &names)?;
         }
+        Ok(())
+    }
+
+    /// Sends the evolution if it differs from the one `before`.
+    pub(super) fn send_evolution(
+        &self,
+        before: &Self,
+        session: &mut Session,
+        about: &About,
+        inbox: &mut Inbox,
+    ) -> Result<(), BoardError> {
         if self.evolution != before.evolution {
-            self.set_mode(session, mail, self.mode(about))?;
+            self.set_mode(session, inbox, self.mode(about))?;
         }
         Ok(())
     }
@@ -111,14 +118,15 @@ impl Setup {
         })
     }
 
-    fn send_scene(
+    /// Places the body at the start of this scene.
+    pub(super) fn send_scene(
         &self,
         session: &mut Session,
         about: &About,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
     ) -> Result<(), BoardError> {
         if !self.scene.obstacles.is_empty() {
-            return self.send_scene_among(session, about, mail);
+            return self.send_scene_among(session, about, inbox);
         }
         let (vertices, surfaces) = (self.scene.vertices.len(), self.scene.surfaces.len());
         let bytes = frame_bytes(scene_bytes(vertices, surfaces));
@@ -130,7 +138,7 @@ impl Setup {
         let names = self.names();
         self.scene.described(|description| {
             let scene = SceneCommand::from(description);
-            session.demand(mail, Command::Scene(scene), &names)
+            session.demand(inbox, Command::Scene(scene), &names)
         })
     }
 
@@ -139,7 +147,7 @@ impl Setup {
         &self,
         session: &mut Session,
         about: &About,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
     ) -> Result<(), BoardError> {
         let names = self.names_on(about);
         let (sent, _) = self.described_on(about, |description, obstacles| {
@@ -155,7 +163,7 @@ impl Setup {
             let bytes = scene_bytes(vertices, surfaces) + obstacle_bytes(count, corners);
             check_frame(about, frame_bytes(bytes), &what)?;
             let scene = SceneAmong::new(description, obstacles);
-            session.demand(mail, CommandAmong::SceneAmong(scene), &names)
+            session.demand(inbox, CommandAmong::SceneAmong(scene), &names)
         });
         sent
     }
@@ -182,7 +190,7 @@ impl Setup {
         Names::of(&self.scene.surfaces, &self.scene.obstacles)
     }
 
-    /// The same, with the obstacles at their indices on the board.
+    /// The names of surfaces, and of obstacles at their indices on the board.
     fn names_on(&self, about: &About) -> Names {
         let mut names = self.names();
         if let Some(indices) = self.indices(about) {
@@ -214,12 +222,12 @@ impl Setup {
     fn set_mode(
         &self,
         session: &mut Session,
-        mail: &mut Mail,
+        inbox: &mut Inbox,
         mut mode: Mode,
     ) -> Result<Option<String>, BoardError> {
         let mut remark = None;
         for _ in 0..ATTEMPTS {
-            let Some(refusal) = session.order(mail, Command::Mode(mode))? else {
+            let Some(refusal) = session.order(inbox, Command::Mode(mode))? else {
                 return Ok(remark);
             };
             match less(&mode, &refusal) {
@@ -244,7 +252,7 @@ impl Setup {
                 }
             });
         }
-        session.demand(mail, Command::Mode(mode), &Names::default())?;
+        session.demand(inbox, Command::Mode(mode), &Names::default())?;
         Ok(remark)
     }
 }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use stiction_wire::{EventSet, Pose};
 
-use super::heard::{Events, Forces, Heard, Said};
+use super::message::{Events, Forces, Received, Said};
 
 /// A step is given up as incomplete after this number of later steps has begun.
 const PATIENCE: usize = 4;
@@ -36,9 +36,9 @@ struct Parts {
 
 impl Parts {
     /// Returns whether pose and forces arrived, and all events of the pose are among those reported since the previous pose.
-    fn is_whole(&self, told: EventSet) -> bool {
-        let is_told = |pose: &Pose| told.union(pose.events) == told;
-        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| is_told(&pose))
+    fn is_whole(&self, reported: EventSet) -> bool {
+        let is_reported = |pose: &Pose| reported.union(pose.events) == reported;
+        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| is_reported(&pose))
     }
 
     fn lacks(&self, said: &Said) -> bool {
@@ -46,7 +46,9 @@ impl Parts {
             Said::Pose(_) => self.pose.is_none(),
             Said::Forces(_) => self.forces.is_none(),
             Said::Events(_) => self.events.is_none(),
-            _ => false,
+            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Room(_) | Said::Pong => {
+                false
+            }
         }
     }
 }
@@ -66,8 +68,8 @@ pub(super) struct Steps {
 
 impl Steps {
     /// Adds a part. Returns the steps for which nothing more will arrive, in order.
-    pub(super) fn add(&mut self, heard: Heard) -> Vec<Step> {
-        let Heard { at, time, said } = heard;
+    pub(super) fn add(&mut self, received: Received) -> Vec<Step> {
+        let Received { at, time, said } = received;
         let place = self
             .pending
             .iter()
@@ -86,7 +88,7 @@ impl Steps {
             Said::Pose(pose) => parts.pose = Some((at, pose)),
             Said::Forces(forces) => parts.forces = Some(forces),
             Said::Events(events) => parts.events = Some(events),
-            _ => {}
+            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Room(_) | Said::Pong => {}
         }
         let beyond = self.pending.len().saturating_sub(PATIENCE);
         self.finish(beyond.max(self.up_to_the_last_whole()))
@@ -94,15 +96,15 @@ impl Steps {
 
     /// The number of steps up to the last complete one.
     fn up_to_the_last_whole(&self) -> usize {
-        let mut told = set(self.earlier.as_ref());
+        let mut reported = set(self.earlier.as_ref());
         let mut count = 0;
         for (k, parts) in self.pending.iter().enumerate() {
-            told = told.union(set(parts.events.as_ref()));
-            if parts.is_whole(told) {
+            reported = reported.union(set(parts.events.as_ref()));
+            if parts.is_whole(reported) {
                 count = k + 1;
             }
             if parts.pose.is_some() {
-                told = EventSet::default();
+                reported = EventSet::default();
             }
         }
         count
@@ -149,8 +151,8 @@ mod tests {
     use super::*;
     use stiction_core::{Event, Wrench};
 
-    fn heard(time: u32, said: Said) -> Heard {
-        Heard {
+    fn received(time: u32, said: Said) -> Received {
+        Received {
             at: Instant::now(),
             time,
             said,
@@ -196,7 +198,7 @@ mod tests {
             let mut done = Vec::new();
             for (k, i) in order.into_iter().enumerate() {
                 assert!(done.is_empty(), "{order:?} {k}");
-                done = steps.add(heard(7, parts[i].clone()));
+                done = steps.add(received(7, parts[i].clone()));
             }
             assert!(done.len() == 1 && done[0].is_whole, "{order:?}");
         }
@@ -205,16 +207,16 @@ mod tests {
     #[test]
     fn a_step_without_events_needs_none() {
         let mut steps = Steps::default();
-        assert!(steps.add(heard(1, pose(&[]))).is_empty());
-        assert_eq!(steps.add(heard(1, forces(0))).len(), 1);
+        assert!(steps.add(received(1, pose(&[]))).is_empty());
+        assert_eq!(steps.add(received(1, forces(0))).len(), 1);
     }
 
     #[test]
     fn a_step_with_a_lost_part_comes_before_the_next_whole_one() {
         let mut steps = Steps::default();
-        steps.add(heard(1, pose(&[])));
-        steps.add(heard(2, pose(&[])));
-        let done = steps.add(heard(2, forces(0)));
+        steps.add(received(1, pose(&[])));
+        steps.add(received(2, pose(&[])));
+        let done = steps.add(received(2, forces(0)));
         let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
         assert_eq!(whole, [false, true]);
     }
@@ -222,11 +224,11 @@ mod tests {
     #[test]
     fn events_of_steps_before_do_not_stand_for_those_that_were_lost() {
         let mut steps = Steps::default();
-        steps.add(heard(1, events(&[Event::Touch])));
-        steps.add(heard(2, pose(&[Event::Touch, Event::Slip])));
-        assert!(steps.add(heard(2, forces(0))).is_empty());
-        steps.add(heard(3, pose(&[])));
-        let done = steps.add(heard(3, forces(0)));
+        steps.add(received(1, events(&[Event::Touch])));
+        steps.add(received(2, pose(&[Event::Touch, Event::Slip])));
+        assert!(steps.add(received(2, forces(0))).is_empty());
+        steps.add(received(3, pose(&[])));
+        let done = steps.add(received(3, forces(0)));
         let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
         assert_eq!(whole, [false, true]);
     }
@@ -234,22 +236,22 @@ mod tests {
     #[test]
     fn a_pose_that_tells_of_steps_before_alone_is_whole_at_once() {
         let mut steps = Steps::default();
-        steps.add(heard(1, events(&[Event::Slip])));
-        steps.add(heard(2, pose(&[Event::Slip])));
-        let done = steps.add(heard(2, forces(0)));
+        steps.add(received(1, events(&[Event::Slip])));
+        steps.add(received(2, pose(&[Event::Slip])));
+        let done = steps.add(received(2, forces(0)));
         assert!(done.len() == 1 && done[0].is_whole);
     }
 
     #[test]
     fn events_without_a_pose_are_of_the_next_one() {
         let mut steps = Steps::default();
-        steps.add(heard(1, events(&[Event::Touch])));
-        steps.add(heard(2, pose(&[Event::Touch, Event::Slip])));
-        steps.add(heard(2, events(&[Event::Slip])));
-        let done = steps.add(heard(2, forces(0)));
-        let told = done[0].events.clone().expect("events");
+        steps.add(received(1, events(&[Event::Touch])));
+        steps.add(received(2, pose(&[Event::Touch, Event::Slip])));
+        steps.add(received(2, events(&[Event::Slip])));
+        let done = steps.add(received(2, forces(0)));
+        let reported = done[0].events.clone().expect("events");
         assert_eq!(
-            (told.slips, told.list),
+            (reported.slips, reported.list),
             (2, vec![Event::Touch, Event::Slip])
         );
     }
@@ -264,27 +266,29 @@ mod tests {
             }));
         }
         steps.keep(None);
-        steps.add(heard(9, pose(&[])));
-        let done = steps.add(heard(9, forces(0)));
+        steps.add(received(9, pose(&[])));
+        let done = steps.add(received(9, forces(0)));
         assert_eq!(done[0].events.as_ref().map(|events| events.slips), Some(3));
     }
 
     #[test]
-    fn events_without_a_pose_are_kept_in_a_bounded_list() {
+    fn events_without_a_pose_stay_in_a_bounded_list() {
         let mut steps = Steps::default();
         for time in 0..10_000 {
-            assert!(steps.add(heard(time, events(&[Event::Slip]))).is_empty());
+            assert!(steps.add(received(time, events(&[Event::Slip]))).is_empty());
         }
-        steps.add(heard(10_000, pose(&[Event::Slip])));
-        let done = steps.add(heard(10_000, forces(0)));
-        let told = done[0].events.as_ref().expect("events");
-        assert_eq!((told.slips, told.list.len()), (10_000, MOST_EVENTS));
+        steps.add(received(10_000, pose(&[Event::Slip])));
+        let done = steps.add(received(10_000, forces(0)));
+        let reported = done[0].events.as_ref().expect("events");
+        assert_eq!((reported.slips, reported.list.len()), (10_000, MOST_EVENTS));
     }
 
     #[test]
     fn what_is_lost_does_not_hold_back_the_others() {
         let mut steps = Steps::default();
-        let done: usize = (0..100).map(|k| steps.add(heard(k, pose(&[]))).len()).sum();
+        let done: usize = (0..100)
+            .map(|k| steps.add(received(k, pose(&[]))).len())
+            .sum();
         assert_eq!(done + steps.flush().len(), 100);
     }
 }

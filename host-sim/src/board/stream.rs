@@ -12,12 +12,12 @@ use super::counts::Counts;
 use super::emulate::Image;
 use super::error::BoardError;
 use super::feed::Feed;
-use super::flight::{Flight, Sent};
-use super::heard::{About, Heard, Said};
 use super::link::News;
+use super::message::{About, Received, Said};
+use super::pending::{Pending, Sent};
 use super::record::Recorder;
 use super::refusal::explain;
-use super::session::{Mail, Session};
+use super::session::{Inbox, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::verify::{Twin, Verdict};
@@ -28,7 +28,7 @@ use stiction_live::record::Names;
 const WINDOW: usize = 4;
 /// Maximum number of samples on their way to a board that uses the newest one: more would wait in the line, and arrive late.
 const TIMED_WINDOW: usize = 32;
-/// The same if only the newest matters: a hand that waits in the line is an old one, which can be felt.
+/// Maximum number of samples on their way if only the newest matters: a hand that waits in the line is an old one, which can be felt.
 const LIVE_WINDOW: usize = 8;
 /// Samples that are sent before received messages are processed: on a full line, each of them waits.
 const BURST: usize = 2;
@@ -45,7 +45,7 @@ pub(super) struct Stream<'a, A> {
     /// The board's description of itself.
     pub(super) about: About,
     pub(super) address: Address,
-    pub(super) mail: Mail,
+    pub(super) inbox: Inbox,
     /// Zero of the client's clock.
     pub(super) begun: Instant,
     pub(super) timeout: Duration,
@@ -54,7 +54,7 @@ pub(super) struct Stream<'a, A> {
     pub(super) audience: A,
     pub(super) counts: Counts,
     pub(super) verdict: Verdict,
-    pub(super) flight: Flight,
+    pub(super) pending: Pending,
     pub(super) steps: Steps,
     pub(super) recorder: Recorder,
     /// The indices of the board's obstacles in the scene file, if they differ.
@@ -76,9 +76,9 @@ impl<'a, A: Audience> Stream<'a, A> {
             true => Image::Plain,
             false => Image::Obstacles(setup.scene.source().text()),
         };
-        let (mut address, mut mail) = (args.address(image)?, Mail::new());
-        let (mut session, mut about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
-        if let Some(remark) = setup.apply(&mut session, &mut about, &mut mail)? {
+        let (mut address, mut inbox) = (args.address(image)?, Inbox::new());
+        let (mut session, mut about) = Session::begin(&mut address, &mut inbox, timeout, begun)?;
+        if let Some(remark) = setup.apply(&mut session, &mut about, &mut inbox)? {
             audience.note(&remark);
         }
         let indices = setup.indices(&about);
@@ -87,7 +87,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             indices,
             about,
             address,
-            mail,
+            inbox,
             begun,
             timeout,
             feed,
@@ -95,7 +95,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             audience,
             counts: Counts::default(),
             verdict: Verdict::default(),
-            flight: Flight::default(),
+            pending: Pending::default(),
             steps: Steps::default(),
             recorder: Recorder::default(),
             tracker_gone: None,
@@ -133,15 +133,15 @@ impl<'a, A: Audience> Stream<'a, A> {
                 owed = owed.or(Some(Instant::now()));
             }
             self.give_up_overdue()?;
-            if self.feed.is_over() && self.flight.len() == 0 {
+            if self.feed.is_over() && self.pending.len() == 0 {
                 return self.finish(session);
             }
             let mut until = self.wake();
             for _ in 0..MOST_NEWS {
-                let Some(news) = self.mail.next(until) else {
+                let Some(news) = self.inbox.next(until) else {
                     break;
                 };
-                if self.hear(session, news)? {
+                if self.handle(session, news)? {
                     owed = None;
                 }
                 // Other messages that have already arrived.
@@ -153,7 +153,7 @@ impl<'a, A: Audience> Stream<'a, A> {
                     false => "frame",
                 }));
             }
-            let dropped = std::mem::take(&mut self.mail.dropped);
+            let dropped = std::mem::take(&mut self.inbox.dropped);
             self.counts.overtake(dropped);
             self.counts.faults = faults + u64::from(session.line.faults().total());
             self.audience.counts(&self.counts);
@@ -179,7 +179,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             (false, true) => LIVE_WINDOW,
             (false, false) => TIMED_WINDOW,
         };
-        self.flight.len() < window
+        self.pending.len() < window
     }
 
     /// The time to wake up, even if nothing arrives.
@@ -213,7 +213,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             };
             self.counts.begun.get_or_insert(at);
             self.counts.samples += 1;
-            let old = self.flight.add(sent);
+            let old = self.pending.add(sent);
             self.lose(old)?;
             session.send(Command::Hand(hand))?;
             count += 1;
@@ -223,7 +223,7 @@ impl<'a, A: Audience> Stream<'a, A> {
 
     /// Processes a message; returns whether the board sent what it owes: a message, or, if it makes a step with every sample, an
     /// answer to one.
-    fn hear(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
+    fn handle(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
         match news {
             News::Sample(sample) => {
                 self.push(sample);
@@ -233,8 +233,8 @@ impl<'a, A: Audience> Stream<'a, A> {
                 self.end_tracker(error);
                 Ok(false)
             }
-            News::Wish(wish) => {
-                self.grant(session, wish)?;
+            News::Request(request) => {
+                self.grant(session, request)?;
                 Ok(true)
             }
             News::Enough => {
@@ -242,10 +242,10 @@ impl<'a, A: Audience> Stream<'a, A> {
                 Ok(false)
             }
             news => {
-                let heard = session.read(&mut self.mail, news)?;
-                let (any, poses) = (!heard.is_empty(), self.counts.poses);
-                for heard in heard {
-                    self.take(session, heard)?;
+                let received = session.read(&mut self.inbox, news)?;
+                let (any, poses) = (!received.is_empty(), self.counts.poses);
+                for received in received {
+                    self.take(session, received)?;
                 }
                 Ok(match self.setup.per_sample {
                     true => self.counts.poses > poses,
@@ -255,11 +255,15 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
     }
 
-    pub(super) fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
-        match &heard.said {
+    pub(super) fn take(
+        &mut self,
+        session: &mut Session,
+        received: Received,
+    ) -> Result<(), BoardError> {
+        match &received.said {
             Said::Health(health) => self.counts.note(*health),
             Said::Pose(_) | Said::Forces(_) | Said::Events(_) => {
-                for step in self.steps.add(heard) {
+                for step in self.steps.add(received) {
                     self.answer(&step)?;
                 }
                 return Ok(());
@@ -274,15 +278,15 @@ impl<'a, A: Audience> Stream<'a, A> {
                     &Names::default(),
                 )));
             }
-            _ => {}
+            Said::Answer(_) | Said::About(_) | Said::Room(_) | Said::Pong => {}
         }
-        session.note(&heard.said);
+        session.note(&received.said);
         Ok(())
     }
 
     /// Processes a step that follows a sample.
     fn answer(&mut self, step: &Step) -> Result<(), BoardError> {
-        let Some((sent, overtaken)) = self.flight.answer(&step.pose) else {
+        let Some((sent, overtaken)) = self.pending.answer(&step.pose) else {
             // A step without a new sample: its events are reported with the next one.
             self.steps.keep(step.events.clone());
             return Ok(());
@@ -292,8 +296,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         let latency = step.at.saturating_duration_since(sent.at);
         self.counts.latency.add(latency);
         if let Some(expected) = &sent.expected {
-            self.verdict
-                .add((sent.index, sent.sample.t), step, expected);
+            self.verdict.add(sent.index, sent.sample.t, step, expected);
         }
         let frame = self.recorder.frame(&sent, step, self.indices.as_ref());
         self.counts.incomplete += u64::from(frame.is_none());
@@ -305,7 +308,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.counts.unanswered += lost.len() as u64;
         for sent in lost {
             if let Some(expected) = &sent.expected {
-                self.verdict.lose((sent.index, sent.sample.t), expected);
+                self.verdict.lose(sent.index, sent.sample.t, expected);
             }
             self.audience.lost(&sent.sample)?;
         }
@@ -315,11 +318,11 @@ impl<'a, A: Audience> Stream<'a, A> {
     fn give_up_overdue(&mut self) -> Result<(), BoardError> {
         let now = Instant::now();
         if self
-            .flight
+            .pending
             .overdue(self.timeout)
             .is_some_and(|end| now > end)
         {
-            let lost = self.flight.give_up();
+            let lost = self.pending.give_up();
             self.lose(lost)?;
         }
         Ok(())
@@ -332,7 +335,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
         let patience = Duration::from_millis(400);
         if session.health.is_some()
-            && let Some(health) = session.wait_for_health(&mut self.mail, patience)?
+            && let Some(health) = session.wait_for_health(&mut self.inbox, patience)?
         {
             self.counts.note(health);
         }

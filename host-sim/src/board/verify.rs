@@ -6,7 +6,7 @@ use stiction_core::{Fixed, Hand, Output, Parts, Real, SiFloat, State, Wrench};
 use stiction_scene::{Among, HostModel, HostSolver, InputError, SceneFile};
 use stiction_wire::{ContactAmong, EventSet, NumberType};
 
-use super::heard::{About, Touched};
+use super::message::{About, Touched};
 use super::steps::Step;
 use stiction_live::simulate::Running;
 
@@ -170,13 +170,13 @@ pub(super) fn compare(
 }
 
 fn compare_events(step: &Step, output: &Output<f32>) -> Result<(), Difference> {
-    let told = step.events.clone().unwrap_or_default();
-    same("slips", told.slips, output.slips)?;
-    same_bits("longest slip", told.longest_slip, output.longest_slip)?;
+    let reported = step.events.clone().unwrap_or_default();
+    same("slips", reported.slips, output.slips)?;
+    same_bits("longest slip", reported.longest_slip, output.longest_slip)?;
     let names = |list: &[stiction_core::Event]| -> Vec<_> {
         list.iter().map(|event| event.name()).collect()
     };
-    same("events", names(&told.list), names(output.events()))
+    same("events", names(&reported.list), names(output.events()))
 }
 
 fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
@@ -232,7 +232,7 @@ pub(super) struct Verdict {
 
 impl Verdict {
     /// Adds the answer to a sample (index, time).
-    pub(super) fn add(&mut self, (index, t): (u64, f64), step: &Step, expected: &Expected) {
+    pub(super) fn add(&mut self, index: u64, t: f64, step: &Step, expected: &Expected) {
         self.frames += 1;
         let missed = std::mem::take(&mut self.missed);
         if !step.is_whole {
@@ -246,7 +246,7 @@ impl Verdict {
     }
 
     /// Adds a sample without an answer.
-    pub(super) fn lose(&mut self, (index, t): (u64, f64), expected: &Expected) {
+    pub(super) fn lose(&mut self, index: u64, t: f64, expected: &Expected) {
         self.frames += 1;
         self.lost += 1;
         self.missed = self.missed.union(EventSet::of(expected.output.events()));

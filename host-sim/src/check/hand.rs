@@ -24,7 +24,8 @@ pub(super) type Given = Result<(HandPath, Option<f64>), String>;
 pub(super) fn given(
     name: &Path,
     number: Number,
-    (hand, rate): (Option<&PathBuf>, Option<f64>),
+    hand: Option<&PathBuf>,
+    rate: Option<f64>,
 ) -> Result<Given, InputError> {
     if hand.is_some_and(|hand| hand.as_os_str() == "none") {
         return Ok(Err("--hand none".to_owned()));

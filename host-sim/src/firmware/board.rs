@@ -32,7 +32,7 @@ const LINE: &str = "line";
 /// See [`LINE`].
 const MONITOR: &str = "monitor";
 
-/// The feature of a board's package that adds capacity for obstacles.
+/// The feature of the boards' package that adds capacity for obstacles.
 pub const OBSTACLES: &str = "obstacles";
 
 /// A board with an emulator.
@@ -44,7 +44,7 @@ pub struct Board {
     pub ram: u64,
     /// The family of its chip, if the chip is flashed through a drive.
     pub family: Option<Family>,
-    /// Features of its package that add a device at its pins.
+    /// Features of the boards' package that add a device at its pins.
     pub devices: &'static [&'static str],
     /// What the compiler calls its processor.
     target: &'static str,
@@ -121,12 +121,12 @@ impl Board {
         self != Self::MICROBIT
     }
 
-    /// The folder of its package.
+    /// Its folder in the boards' package, with its build settings.
     pub fn folder(self) -> PathBuf {
         workspace().join(BOARDS).join(self.name)
     }
 
-    /// Builds its image without a log, with features of its package (in cargo's syntax, or ""), with a scene file compiled in or
+    /// Builds its image without a log, with features of the boards' package (in cargo's syntax, or ""), with a scene file compiled in or
     /// its own scene. The build settings are those of the folder. The next image replaces this one.
     ///
     /// # Errors
@@ -151,7 +151,13 @@ impl Board {
         scene: Option<&Path>,
     ) -> Result<PathBuf, EmulatorError> {
         let mut cargo = cargo_build(&self.folder(), profile);
-        cargo.args(["--no-default-features", "--features", features]);
+        let name = self.name;
+        cargo.args([
+            "--bin",
+            &format!("stiction-{name}"),
+            "--no-default-features",
+        ]);
+        cargo.args(["--features", &format!("{name},{features}")]);
         if let Some(scene) = scene {
             cargo.env("STICTION_SCENE", scene);
         }

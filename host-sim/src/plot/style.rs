@@ -79,7 +79,7 @@ pub(super) fn font(size: f64) -> TextStyle<'static> {
         .pos(Pos::new(HPos::Left, VPos::Center))
 }
 
-/// The same type, centred.
+/// A type, centred.
 pub(super) fn centred(style: &TextStyle<'static>) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Center, VPos::Center))
 }

@@ -274,9 +274,9 @@ fn thinning_keeps_spikes_ends_and_gaps() {
 fn a_thinned_path_keeps_its_ends() {
     let circle = |index: u32| f64::from(index).to_radians().sin_cos();
     let path: Vec<_> = (0..100_000).map(circle).collect();
-    let kept = sparse(&path, 0.001, 500);
-    assert!(kept.len() <= 501);
-    assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
+    let chosen = sparse(&path, 0.001, 500);
+    assert!(chosen.len() <= 501);
+    assert_eq!((chosen.first(), chosen.last()), (path.first(), path.last()));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use fs4::{FileExt, TryLockError};
 use stiction_scene::Sample;
 use tempfile::NamedTempFile;
 
-use super::line::{ChangeLine, End, LineOut, Written};
+use super::line::{ChangeLine, End, LineOut, WrittenSample};
 use super::{Change, Head, PIECE};
 use crate::trace::Record;
 use stiction_live::record::{Frame, Run, Scenery};
@@ -49,7 +49,7 @@ impl<W: Write> RecordingWriter<W> {
     /// Fails if the file cannot be written.
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
-            sample: Written::new(sample),
+            sample: WrittenSample::new(sample),
             answer: answer.map(|frame| Record::new(frame, &self.scenery, self.single)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;
@@ -137,5 +137,5 @@ pub(crate) fn is_being_written(place: &Path) -> bool {
             Err(TryLockError::WouldBlock)
         )
     };
-    stiction_text::open(place, u64::MAX).is_ok_and(locked)
+    stiction_scene::text::open(place, u64::MAX).is_ok_and(locked)
 }

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use stiction_insertion::{Insertion, Meter, Verdict};
+use stiction_judge::insertion::{Insertion, Meter, Verdict};
 
 use stiction_live::meter;
 use stiction_live::record::Frame;

@@ -69,7 +69,10 @@ impl Beside {
         let mut file = BufReader::new(file);
         let expected = format!("{inputs}{ROWS}");
         let begin = expected.len() as u64;
-        let before = head(file.by_ref().take(begin + stiction_text::LONGEST_WHOLE));
+        let before = head(
+            file.by_ref()
+                .take(begin + stiction_scene::text::LONGEST_WHOLE),
+        );
         let before = before.map_err(write_error(&place))?;
         if before == expected.as_bytes() {
             return Ok(Self { file, place, begin });

@@ -12,7 +12,7 @@ use super::beside::Beside;
 
 /// The maximum length of a line in a table that is read (bytes): its names and values come from a sweep file or from a summary,
 /// and these are shorter.
-const LONGEST_ROW: u64 = 2 * stiction_text::LONGEST_WHOLE;
+const LONGEST_ROW: u64 = 2 * stiction_scene::text::LONGEST_WHOLE;
 
 /// The reason why rows cannot be added.
 #[derive(Debug, thiserror::Error)]

@@ -1,9 +1,8 @@
 //! The body of a board according to its last answer: nothing moves it here.
 
-use stiction_core::{Angle, Hand, Wrench};
+use stiction_core::{Angle, Hand, Hold, Present, Wrench};
 
 use stiction_live::body::{Body, Setting};
-use stiction_live::body::{Hold, Present};
 use stiction_live::record::Frame;
 
 /// The last answer of a board.
@@ -14,11 +13,12 @@ pub(super) struct Mirror {
     pub(super) hand: Hand<f64>,
     hold: Hold,
     stiffness: [f64; 2],
+    holding_point: Option<[f64; 2]>,
 }
 
 impl Mirror {
     /// Creates it from an answer; `before`: the previous state of the body.
-    pub(super) fn of(frame: &Frame, before: Present, setting: &Setting) -> Self {
+    pub(super) fn of(frame: &Frame, before: Present<f64>, setting: &Setting) -> Self {
         let [x, y, phi] = frame.hand;
         Self {
             frame: frame.clone(),
@@ -34,6 +34,7 @@ impl Mirror {
                 setting.scene.stiffness_translation,
                 setting.scene.stiffness_rotation,
             ],
+            holding_point: setting.scene.holding_point,
         }
     }
 }
@@ -48,18 +49,17 @@ impl Body for Mirror {
         }
     }
 
-    fn present(&self) -> Present {
+    fn present(&self) -> Present<f64> {
         let [x, y, theta] = self.frame.pose;
         let [fx, fy, moment] = self.frame.wrench;
         let angle = Angle::from_radians(theta);
-        let mut hand = self.hand;
-        hand.angle.turns = hand.angle.turns.saturating_sub(angle.turns);
         Present {
             position: [x, y],
             angle,
             held: self.frame.held,
             hold: self.hold,
-            hand,
+            holding_point: self.holding_point,
+            hand: self.hand.turned(angle.turns.saturating_neg()),
             wrench: Wrench {
                 force: [fx, fy],
                 moment,

@@ -10,13 +10,12 @@ use tokio::net::UdpSocket;
 use tokio::sync::mpsc::Sender;
 use tokio::time::{MissedTickBehavior, interval};
 
-use super::feed::Feed;
+use super::feed::SharedFeed;
 use super::orders::Order;
 use super::osc::{self, Argument, Message};
 use stiction_live::guide::HandPose;
-use stiction_live::hear::FARTHEST;
 use stiction_live::holder::Source;
-use stiction_live::record::Frame;
+use stiction_live::inbound::FARTHEST;
 
 /// The longest packet that is read: short enough for the depth of its nesting.
 const PACKET: usize = 2048;
@@ -55,7 +54,7 @@ pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
 
 /// The format of a sent pose.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Format {
+pub(super) enum PoseFormat {
     Osc,
     OpenTrack,
 }
@@ -66,8 +65,8 @@ pub(super) enum Format {
 /// Fails if the socket cannot be used.
 pub(super) async fn send(
     socket: StdSocket,
-    format: Format,
-    feed: Arc<Feed>,
+    format: PoseFormat,
+    feed: Arc<SharedFeed>,
     rate: f64,
 ) -> io::Result<()> {
     let socket = UdpSocket::from_std(socket)?;
@@ -92,8 +91,10 @@ pub(super) async fn send(
             continue;
         };
         let bytes = match format {
-            Format::Osc => osc::bundle(&parts(&frame, &scene, &events)),
-            Format::OpenTrack => doubles(&frame).to_vec(),
+            PoseFormat::Osc => {
+                encoder::encode(&bundle(&frame, &scene, &events)).unwrap_or_default()
+            }
+            PoseFormat::OpenTrack => doubles(&frame).to_vec(),
         };
         // A receiver is not required.
         let _ = socket.send(&bytes).await;
@@ -166,9 +167,9 @@ fn doubles(frame: &Frame) -> [u8; 48] {
 ///
 /// # Errors
 /// Fails if the socket cannot be used.
-pub(super) async fn hear(
+pub(super) async fn receive(
     socket: StdSocket,
-    format: Format,
+    format: PoseFormat,
     orders: Sender<Order>,
 ) -> io::Result<()> {
     let socket = UdpSocket::from_std(socket)?;
@@ -181,8 +182,8 @@ pub(super) async fn hear(
         };
         let packet = bytes.get(..count).unwrap_or_default();
         let (source, news) = match format {
-            Format::Osc => (Source::Osc, tracker.osc(packet)),
-            Format::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
+            PoseFormat::Osc => (Source::Osc, tracker.osc(packet)),
+            PoseFormat::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
         };
         if let Some(pose) = news {
             // A sample that the solver has no time for is overtaken by the next one.
@@ -210,9 +211,8 @@ impl Default for Tracker {
 impl Tracker {
     /// Returns the hand, if the packet contains a part of it.
     fn osc(&mut self, packet: &[u8]) -> Option<HandPose> {
-        let messages = osc::messages(packet)?;
-        let take = |is_new, message| self.take(message) | is_new;
-        let is_new = messages.iter().fold(false, take);
+        let (_, packet) = decoder::decode_udp(packet).ok()?;
+        let is_new = self.take(&packet);
         let hand = self.hand.filter(|_| is_new)?;
         Some(HandPose {
             held: self.held,
@@ -220,9 +220,16 @@ impl Tracker {
         })
     }
 
-    fn take(&mut self, message: &Message) -> bool {
-        match (message.address.as_str(), message.arguments.as_slice()) {
-            ("/stiction/hand", [Argument::Float(x), Argument::Float(y), Argument::Float(phi)]) => {
+    fn take(&mut self, packet: &OscPacket) -> bool {
+        let message = match packet {
+            OscPacket::Message(message) => message,
+            OscPacket::Bundle(bundle) => {
+                let is_new = |is_new, packet| self.take(packet) | is_new;
+                return bundle.content.iter().fold(false, is_new);
+            }
+        };
+        match (message.addr.as_str(), message.args.as_slice()) {
+            ("/stiction/hand", [OscType::Float(x), OscType::Float(y), OscType::Float(phi)]) => {
                 let pose = [x, y, phi].map(|&value| f64::from(value) + 0.0);
                 self.lead(pose, 0.0)
             }

@@ -1,8 +1,8 @@
 //! Begins a recording where the body is: a scene with this start, and the hand that holds the body there.
 
+use stiction_core::{Hold, Present, reach_again};
 use stiction_scene::SceneFile;
 
-use stiction_live::body::{Hold, Present, within_reach};
 use stiction_live::guide::HandPose;
 
 /// Returns a scene that begins where the body of `present` is, and the hand of its first tick. A hand that closed during the run
@@ -10,7 +10,7 @@ use stiction_live::guide::HandPose;
 /// hand.
 pub(super) fn resumed(
     scene: &SceneFile,
-    present: &Present,
+    present: &Present<f64>,
     now: HandPose,
 ) -> (SceneFile, HandPose) {
     let mut scene = scene.clone();
@@ -26,7 +26,7 @@ pub(super) fn resumed(
         }
         (Hold::Taken, true) => {
             written.holding_point = None;
-            written.reach = within_reach(written, written.reach);
+            written.reach = reach_again(&written.vertices, written.reach);
             // The hand of `present` is turned back by the body's whole turns.
             let (idle, pulling) = (HandPose::of(&present.idle()), HandPose::of(&present.hand));
             let part = |i: usize| now.pose[i] + (idle.pose[i] - pulling.pose[i]) + 0.0;

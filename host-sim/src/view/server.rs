@@ -19,12 +19,12 @@ use tokio::io::AsyncReadExt;
 use tokio::sync::{Semaphore, mpsc, watch};
 use tokio::task::spawn_blocking;
 
-use super::doors::Seat;
-use super::feed::Feed;
-use super::kept::Kept;
+use super::connections::Seat;
+use super::feed::SharedFeed;
 use super::orders::Order;
 use super::pictures::picture;
-use super::recording::Recording;
+use super::recording::LiveRecording;
+use super::retained::Retained;
 use super::upload::upload;
 use super::{client, page, written};
 use crate::board::Identity;
@@ -39,7 +39,7 @@ const PIECE: usize = 64 << 10;
 
 /// Data that every client needs.
 pub(super) struct Hub {
-    pub(super) feed: Arc<Feed>,
+    pub(super) feed: Arc<SharedFeed>,
     pub(super) orders: mpsc::Sender<Order>,
     pub(super) scenes: Vec<Offer>,
     /// The board that has the solver.
@@ -51,7 +51,7 @@ pub(super) struct Hub {
     pub(super) uploads: Arc<Semaphore>,
     pub(super) scene_places: Arc<Semaphore>,
     /// Uploaded paths, and recordings.
-    pub(super) kept: Kept,
+    pub(super) retained: Retained,
 }
 
 impl Hub {
@@ -64,9 +64,9 @@ impl Hub {
     pub(super) fn tidy(&self) {
         let recorded = self.feed.read().recorded.clone();
         if let Some(recorded) = recorded {
-            self.kept.keep(recorded);
+            self.retained.keep(recorded);
         }
-        self.kept.tidy();
+        self.retained.tidy();
     }
 }
 
@@ -225,7 +225,7 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
 }
 
 /// A file of a recording, and its bytes.
-fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
+fn content(recorded: &LiveRecording, file: &str) -> Result<(Body, u64), String> {
     let file = match file {
         "trace.jsonl" => recorded.trace()?,
         "recording.jsonl" => recorded.file()?,

@@ -1,11 +1,13 @@
 //! A random scene as a scene file, and single frames of its run in full.
 
-use stiction_core::{Evolution, Status};
+use stiction_core::Evolution;
+use stiction_judge::{Frame, Status};
 use stiction_tests::Number;
 use stiction_tests::obstacles::laws::Laws;
+use stiction_tests::obstacles::run::touches;
 use stiction_tests::obstacles::shape::{placed, separation};
 use stiction_tests::obstacles::survey::{Kind, kind};
-use stiction_tests::obstacles::{Among, Frame, Run};
+use stiction_tests::obstacles::{Among, Run};
 
 /// Prints a scene and the requested frames; if none are requested, a line for each frame in which something changes.
 pub(crate) fn show<R: Number>((scenes, number): (Kind, u64), evolution: Evolution, frames: &[u64]) {
@@ -29,17 +31,18 @@ pub(crate) fn show<R: Number>((scenes, number): (Kind, u64), evolution: Evolutio
         let frame = &run.frame;
         if frames.contains(&(i as u64)) {
             in_full(&world.among, frame);
+            println!("  work    {}", run.output.work);
         }
         let broken = laws.broken_in(world.room.as_deref(), frame);
-        let named = (kind(frame), frame.touches());
+        let named = (kind(frame), touches(frame));
         let is_new = before.as_ref() != Some(&named);
-        let is_told = frames.is_empty() && (is_new || frame.status != Status::Ok);
-        if is_told || !broken.is_empty() {
+        let is_shown = frames.is_empty() && (is_new || frame.status != Status::Ok);
+        if is_shown || !broken.is_empty() {
             let (status, events) = (frame.status.name(), &frame.events);
             println!("frame {i}: {} {status} {events:?} {:?}", named.0, named.1);
         }
         for finding in broken {
-            let (law, amount, residual) = (finding.law, finding.amount, finding.residual);
+            let (law, amount, residual) = (finding.law, finding.severity(), finding.residual);
             println!("  UNLAWFUL {law}: {amount:.1e} times what is allowed ({residual:.2e})");
         }
         before = Some(named);
@@ -48,11 +51,8 @@ pub(crate) fn show<R: Number>((scenes, number): (Kind, u64), evolution: Evolutio
 
 fn in_full(among: &Among, frame: &Frame) {
     println!("  hand    {:?}\n  pose    {:?}", frame.hand, frame.pose);
-    println!("  state   {}, {}", frame.state, frame.status.name());
-    println!(
-        "  events  {:?}, {} slips, work {}",
-        frame.events, frame.slips, frame.work
-    );
+    println!("  state   {}, {}", frame.state.name(), frame.status.name());
+    println!("  events  {:?}, {} slips", frame.events, frame.slips);
     println!("  wrench  {:?}", frame.wrench);
     for contact in &frame.contacts {
         println!("  {contact:?}");

@@ -6,10 +6,12 @@ use crate::clamp;
 use crate::draw::Draw;
 use std::f64::consts::TAU;
 use stiction_core::Fixed;
+use stiction_judge::{Contact, Frame};
 use stiction_tests::Number;
-use stiction_tests::obstacles::laws::{CONE, FORCES, Laws, MOMENTS, ON_LINE, OUTSIDE, PUSH};
+use stiction_tests::laws::law::{CONE, FORCES, MOMENTS, ON_SURFACE, OUTSIDE, PUSH};
+use stiction_tests::obstacles::laws::Laws;
 use stiction_tests::obstacles::shape::{Point, dot, placed};
-use stiction_tests::obstacles::{Among, Contact, Frame, Obstacle, Run};
+use stiction_tests::obstacles::{Among, Obstacle, Run};
 use stiction_tests::run::planar;
 
 /// # Panics
@@ -45,8 +47,12 @@ fn follow<R: Number>(among: &Among, case: &Case) {
     };
     let laws = Laws::new::<R>(among);
     let near = STARTS_AT * among.setup.size();
-    let starts_at_something = laws.depth(among.setup.start) > -near;
-    let put = if starts_at_something { PUT * near } else { 0.0 };
+    let starts_at_something = among.depth(among.setup.start) > -near;
+    let put = if starts_at_something {
+        PUT * STARTS_AT
+    } else {
+        0.0
+    };
     let mut run = Run::<R>::of(scene, case.evolution, planar::<R>(case.home.0));
     let mut is_clamped = clamps::<R>(among, &run.frame);
     for (to, _) in case.hands() {
@@ -58,7 +64,7 @@ fn follow<R: Number>(among: &Among, case: &Case) {
         let mut broken = laws.broken(&next);
         broken.retain(|finding| match finding.law {
             PUSH | CONE | FORCES | MOMENTS => !is_clamped,
-            OUTSIDE | ON_LINE => finding.residual > put,
+            OUTSIDE | ON_SURFACE => finding.residual > put,
             _ => true,
         });
         assert!(

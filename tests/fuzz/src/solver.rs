@@ -109,7 +109,7 @@ fn holds<R: Number>(
     is_clamped: bool,
 ) {
     for finding in findings {
-        let of_events = finding.law != law::SLIDE_TOLD && law::OF_EVENTS.contains(&finding.law);
+        let of_events = finding.law != law::SLIDE_REPORTED && law::OF_EVENTS.contains(&finding.law);
         let waived = SLIPS.contains(&finding.law) || of_events;
         assert!(
             finding.holds() || waived || is_clamped,

@@ -59,7 +59,7 @@ pub(crate) fn single(traffic: &[u8]) {
     hears::<f32, Full, ROOM>(&SINGLE, traffic);
 }
 
-/// The same with capacity for obstacles.
+/// As above, with capacity for obstacles.
 pub(crate) fn single_among(traffic: &[u8]) {
     hears::<f32, Among, ROOM_AMONG>(&SINGLE, traffic);
 }
@@ -69,7 +69,7 @@ pub(crate) fn fixed(traffic: &[u8]) {
     hears::<Fixed, Full, ROOM>(&FIXED, traffic);
 }
 
-/// The same with capacity for obstacles.
+/// As above, with capacity for obstacles.
 pub(crate) fn fixed_among(traffic: &[u8]) {
     hears::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic);
 }
@@ -115,9 +115,9 @@ struct Line {
 
 impl Line {
     fn new(traffic: &[u8]) -> Self {
-        let heard = &traffic[..traffic.len().min(LONGEST_TRAFFIC)];
+        let traffic = &traffic[..traffic.len().min(LONGEST_TRAFFIC)];
         Self {
-            came: heard.iter().copied().collect(),
+            came: traffic.iter().copied().collect(),
             said: Vec::new(),
             client: Decoder::new(),
             sequence: Sequence::new(),

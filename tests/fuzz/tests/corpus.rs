@@ -1,10 +1,10 @@
-//! The kept inputs of fuzzing: those that reach deep into the code, and those that once revealed a fault.
+//! The inputs of fuzzing: those that reach deep into the code, and those that once revealed a fault.
 
 use std::fs;
 use std::path::Path;
 
 /// Checks every seed input of a target.
-fn kept(target: &str, check: fn(&[u8])) {
+fn corpus(target: &str, check: fn(&[u8])) {
     all_of("corpus", target, (10, check));
 }
 
@@ -32,27 +32,27 @@ fn all_of(folder: &str, target: &str, (some, check): (usize, fn(&[u8]))) {
 
 #[test]
 fn wire() {
-    kept("wire", stiction_fuzz::wire);
+    corpus("wire", stiction_fuzz::wire);
 }
 
 #[test]
 fn scene_file() {
-    kept("scene_file", stiction_fuzz::scene_file);
+    corpus("scene_file", stiction_fuzz::scene_file);
 }
 
 #[test]
 fn hand_path() {
-    kept("hand_path", stiction_fuzz::hand_path);
+    corpus("hand_path", stiction_fuzz::hand_path);
 }
 
 #[test]
 fn solver() {
-    kept("solver", stiction_fuzz::solver);
+    corpus("solver", stiction_fuzz::solver);
     all_of("finds", "solver", (6, stiction_fuzz::solver));
 }
 
 #[test]
 fn obstacles() {
-    kept("obstacles", stiction_fuzz::obstacles);
+    corpus("obstacles", stiction_fuzz::obstacles);
     all_of("finds", "obstacles", (6, stiction_fuzz::obstacles));
 }

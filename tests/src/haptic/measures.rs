@@ -31,7 +31,7 @@ pub fn against_f64<R: Number>(
 pub struct Comparison {
     /// Distance of the poses (L) in every frame in which the body touches in either run.
     pub errors: Samples,
-    /// The same in m.
+    /// In m.
     pub metres: Samples,
     /// Slips of the runs.
     pub slips: u64,

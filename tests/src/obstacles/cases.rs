@@ -2,10 +2,10 @@
 //! contacts. Lengths in m, angles in rad, forces in N.
 
 use super::scene::{Among, Obstacle};
-use crate::reference::Touch;
 use crate::setup::Setup;
 use serde_json::Value;
 use stiction_core::SurfaceDescription;
+use stiction_judge::Touch;
 
 /// Cases whose values follow from closed formulas, without solving an equation numerically.
 const CLOSED: [&str; 5] = [
@@ -31,7 +31,7 @@ pub struct Case {
     pub closed: bool,
     /// Tolerance in f64, and that of f32 and fixed point, relative to the scale of a check.
     pub tolerance: [f64; 2],
-    /// The same scene with a half-plane, friction \[mu_s, mu_d\], in place of its obstacle.
+    /// The scene with a half-plane, friction \[mu_s, mu_d\], in place of its obstacle.
     pub twin: Option<Among>,
     /// The scene has to be refused.
     pub refused: bool,

@@ -1,13 +1,14 @@
 //! The slow reference on a random scene: as frames that the laws can judge, and compared with a run of the solver.
 
 use super::laws::Laws;
-use super::run::{Contact, Frame, Run};
-use super::scene::Among;
-use super::shape::{outward, placed, sub};
+use super::run::{Run, touches};
+use super::shape::{Point, outward, placed};
 use super::worlds::world;
+use crate::laws::named;
 use crate::number::Number;
-use crate::reference::{ContactForce, Reference, Touch};
-use stiction_core::{Evolution, Status};
+use crate::reference::{ContactForce, Reference, Scene};
+use stiction_core::Evolution;
+use stiction_judge::{Contact, Frame, State, Status, Touch};
 
 /// The number of substeps per frame for the hand of the reference.
 const SUBSTEPS: usize = 20;
@@ -33,61 +34,69 @@ pub struct Comparison {
     pub gave_up: Option<usize>,
 }
 
-/// The answer of the reference, as a frame.
-pub fn frame_of(among: &Among, body: &Reference, hand: [f64; 3]) -> Frame {
-    let setup = &among.setup;
+/// Point and normal of a contact of the reference.
+fn place(scene: &Scene, pose: [f64; 3], touch: Touch) -> (Point, Point) {
+    let body = placed(&scene.vertices, pose);
+    match touch {
+        Touch::Surface { vertex, surface } => (body[vertex], scene.surfaces[surface].normal),
+        Touch::Side {
+            vertex,
+            obstacle,
+            side,
+        } => {
+            let normal = outward(&scene.obstacles[obstacle].vertices, side);
+            (body[vertex], normal)
+        }
+        Touch::Corner {
+            obstacle,
+            corner,
+            body_side,
+        } => {
+            let point = scene.obstacles[obstacle].vertices[corner];
+            (point, outward(&body, body_side).map(|x| -x))
+        }
+    }
+}
+
+/// The answer of the reference as a frame for the judge, without the names of its events.
+pub fn frame_of(scene: &Scene, body: &Reference, (t, hand): (f64, [f64; 3])) -> Frame {
     let pose = body.pose();
-    let grip = setup.world(pose, setup.holding_point.unwrap_or_default());
-    let force = sub([hand[0], hand[1]], grip).map(|x| setup.stiffness_translation * x);
-    let shape = placed(&setup.vertices, pose);
-    let contact = |c: &ContactForce| {
-        let (point, direction) = match c.touch {
-            Touch::Surface { vertex, surface } => {
-                let [x, y] = setup.surfaces[surface].normal;
-                (shape[vertex], [x, y].map(|n| n / x.hypot(y)))
-            }
-            Touch::Side {
-                vertex,
-                obstacle,
-                side,
-            } => {
-                let normal = outward(&among.obstacles[obstacle].vertices, side);
-                (shape[vertex], normal)
-            }
-            Touch::Corner {
-                obstacle,
-                corner,
-                body_side,
-            } => {
-                let point = among.obstacles[obstacle].vertices[corner];
-                (point, outward(&shape, body_side).map(|x| -x))
-            }
-        };
+    let grip = placed(&[scene.holding_point], pose)[0];
+    let contact = |force: &ContactForce| {
+        let (point, direction) = place(scene, pose, force.touch);
         Contact {
-            touch: c.touch,
+            touch: force.touch,
             point,
-            direction,
-            normal: c.normal,
-            friction: c.friction,
-            sliding: c.slides,
+            direction: Some(direction),
+            normal: force.normal,
+            friction: force.friction,
+            sliding: Some(force.slides),
         }
     };
     Frame {
+        t,
         hand,
         held: true,
         pose,
-        state: body.state(),
+        depth: 0.0,
+        state: named(State::named, body.state()),
         contacts: body.contacts().iter().map(contact).collect(),
-        unequal: false,
+        complete: true,
         wrench: [
-            force[0],
-            force[1],
-            setup.stiffness_rotation * (hand[2] - pose[2]),
+            scene.k_h * (hand[0] - grip[0]),
+            scene.k_h * (hand[1] - grip[1]),
+            scene.k_theta * (hand[2] - pose[2]),
         ],
         slips: body.slips(),
         events: Vec::new(),
-        status: Status::Ok,
-        work: 0,
+        status: if body.ambiguous() {
+            Status::Ambiguous
+        } else if body.skipped() {
+            Status::EventLimit
+        } else {
+            Status::Ok
+        },
+        behind: None,
     }
 }
 
@@ -98,7 +107,8 @@ pub fn compare<R: Number>(number: u64, evolution: Evolution) -> Comparison {
     let laws = Laws::new::<f64>(among);
     let size = among.setup.size();
     let hands = world.hands();
-    let mut body = Reference::new(among.reference(), among.setup.start, hands[0]);
+    let scene = among.reference();
+    let mut body = Reference::new(scene.clone(), among.setup.start, hands[0]);
     let mut run = Run::<R>::start(among, evolution, hands[0]);
     let mut sum = Comparison::default();
     for (i, &hand) in hands.iter().enumerate() {
@@ -110,12 +120,12 @@ pub fn compare<R: Number>(number: u64, evolution: Evolution) -> Comparison {
             sum.gave_up = Some(i);
             break;
         }
-        let frame = frame_of(among, &body, hand);
+        let frame = frame_of(&scene, &body, (0.0, hand));
         if sum.unlawful.is_none() {
             let broken = laws.broken(&frame);
-            sum.unlawful = broken.first().map(|f| (i, f.law, f.amount));
+            sum.unlawful = broken.first().map(|f| (i, f.law, f.severity()));
         }
-        let touches = [&run.frame, &frame].map(Frame::touches);
+        let touches = [&run.frame, &frame].map(touches);
         let same = touches[0] == touches[1];
         let [x, y, turn] = [0, 1, 2].map(|k| (run.frame.pose[k] - frame.pose[k]).abs());
         let near = (x.max(y) / size).max(turn) <= SAME;

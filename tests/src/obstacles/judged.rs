@@ -1,10 +1,11 @@
 //! A run of the solver, compared with the known values of a case.
 
 use super::cases::{Answer, Case, Check, Known};
-use super::run::{Frame, Run};
+use super::run::Run;
 use crate::number::Number;
 use std::fmt;
-use stiction_core::{Evolution, Status};
+use stiction_core::Evolution;
+use stiction_judge::{Contact, Frame, Status};
 
 /// The bound in f64 for cases with closed formulas, relative to the scale of a check.
 const CLOSED: f64 = 1e-9;
@@ -84,15 +85,15 @@ pub fn verdict<R: Number>(case: &Case, evolution: Evolution) -> Verdict {
     verdict
 }
 
-/// The answer that a frame gives.
-fn answer(frame: &Frame, slips: u32) -> Answer {
-    let contact = |c: &super::run::Contact| (c.touch, [c.normal, c.friction]);
+/// The answer that a frame gives, with the slips so far.
+pub fn answer(frame: &Frame, slips: u32) -> Answer {
+    let contact = |c: &Contact| (c.touch, [c.normal, c.friction]);
     Answer {
         pose: frame.pose,
         contacts: frame.contacts.iter().map(contact).collect(),
         pull: frame.wrench[1],
         slips,
-        state: frame.state,
+        state: frame.state.name(),
     }
 }
 

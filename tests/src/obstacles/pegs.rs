@@ -1,11 +1,12 @@
 //! Pegs that are inserted into a hole from random starts, and the outcome of each insertion.
 
-use super::{Among, Frame, Obstacle, Run};
+use super::{Among, Obstacle, Run};
 use crate::draw::Draw;
 use crate::number::Number;
 use crate::setup::Setup;
 use stiction_core::Evolution;
-use stiction_insertion::{Meter, Reaction, Scene, Solid, Verdict};
+use stiction_judge::Frame;
+use stiction_judge::insertion::{Meter, Reaction, Verdict};
 
 /// Frames of an insertion.
 pub const FRAMES: usize = 400;
@@ -113,7 +114,7 @@ impl Insertion {
         let contacts: Vec<Reaction> = (frame.contacts.iter())
             .map(|contact| Reaction {
                 point: contact.point,
-                direction: contact.direction,
+                direction: contact.direction.expect("the direction of a contact"),
                 normal: contact.normal,
                 friction: contact.friction,
             })
@@ -128,19 +129,5 @@ impl Insertion {
 }
 
 fn meter(among: &Among) -> Meter {
-    let solid = |o: &'_ Obstacle| (o.vertices.clone(), o.friction[1]);
-    let solids: Vec<_> = among.obstacles.iter().map(solid).collect();
-    let solids: Vec<Solid<'_>> = (solids.iter())
-        .map(|(vertices, friction)| Solid {
-            vertices,
-            friction: *friction,
-        })
-        .collect();
-    let scene = Scene {
-        body: &among.setup.vertices,
-        start: among.setup.start,
-        surfaces: &[],
-        obstacles: &solids,
-    };
-    Meter::find(&scene).unwrap_or_else(|| panic!("no peg and hole: {among:?}"))
+    Meter::find(&among.judged::<f64>()).unwrap_or_else(|| panic!("no peg and hole: {among:?}"))
 }

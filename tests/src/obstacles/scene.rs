@@ -1,14 +1,13 @@
 //! A scene among obstacles in f64, from which the scenes of any number type and of the reference are built, and the
 //! scene file.
 
-use super::shape::Point;
+use super::shape::{Point, dot, length, placed, separation};
+use crate::laws::scene;
 use crate::number::Number;
 use crate::reference::{self, Touch};
 use crate::setup::Setup;
 use std::fmt::Write;
-use stiction_core::{
-    Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
-};
+use stiction_core::{ObstacleDescription, SceneError, SurfaceDescription, WithObstacles};
 
 /// Capacity for vertices of the body.
 pub const VERTICES: usize = 8;
@@ -67,43 +66,54 @@ impl Among {
     /// # Errors
     /// The scene is refused by the solver.
     pub fn scene<R: Number>(&self) -> Result<Scene<R>, SceneError<R::Si>> {
-        let setup = &self.setup;
-        let pair = |p: Point| p.map(R::si);
-        let all = |points: &[Point]| points.iter().map(|&p| pair(p)).collect::<Vec<_>>();
-        let surface = |s: &SurfaceDescription<f64>| SurfaceDescription {
-            normal: pair(s.normal),
-            offset: R::si(s.offset),
-            friction_static: R::si(s.friction_static),
-            friction_dynamic: R::si(s.friction_dynamic),
-            memory: s.memory.map(R::si),
-        };
-        let surfaces: Vec<_> = setup.surfaces.iter().map(surface).collect();
+        let all = |points: &[Point]| points.iter().map(|p| p.map(R::si)).collect::<Vec<_>>();
         let corners: Vec<_> = self.obstacles.iter().map(|o| all(&o.vertices)).collect();
-        let obstacle = |(o, corners)| {
-            let (o, corners): (&Obstacle, &Vec<_>) = (o, corners);
+        let obstacle = |(o, vertices): (&Obstacle, _)| {
             let [friction_static, friction_dynamic] = o.friction.map(R::si);
             ObstacleDescription {
-                vertices: corners,
+                vertices,
                 friction_static,
                 friction_dynamic,
                 memory: None,
             }
         };
-        let obstacles: Vec<_> = self.obstacles.iter().zip(&corners).map(obstacle).collect();
-        let description = Description {
-            vertices: &all(&setup.vertices),
-            start: setup.start.map(R::si),
-            weight: R::si(setup.weight),
-            holding_point: setup.holding_point.map(pair),
-            reach: R::si(setup.reach),
-            stiffness_translation: R::si(setup.stiffness_translation),
-            stiffness_rotation: R::si(setup.stiffness_rotation),
-            surfaces: &surfaces,
-        };
-        Scene::among(&description, &obstacles)
+        let corners = corners.iter().map(Vec::as_slice);
+        let obstacles: Vec<_> = self.obstacles.iter().zip(corners).map(obstacle).collect();
+        (self.setup).described::<R, _>(|description| Scene::among(description, &obstacles))
     }
 
-    /// The same scene with no obstacle farther out than the number type can represent: each coordinate is clamped, so that a box along the
+    /// The scene of the judge, as the number type rounds it.
+    pub fn judged<R: Number>(&self) -> stiction_judge::Scene {
+        let Self { setup, obstacles } = self.rounded::<R>();
+        let obstacle = |(i, o): (usize, Obstacle)| stiction_judge::Obstacle {
+            name: i.to_string(),
+            vertices: o.vertices,
+            friction_static: o.friction[0],
+            friction_dynamic: o.friction[1],
+            memory: None,
+        };
+        stiction_judge::Scene {
+            obstacles: obstacles.into_iter().enumerate().map(obstacle).collect(),
+            ..scene::<R>(&setup)
+        }
+    }
+
+    /// The depth of the body in any obstacle or half-plane at a pose (m); negative if it is clear of all.
+    pub fn depth(&self, pose: [f64; 3]) -> f64 {
+        let body = placed(&self.setup.vertices, pose);
+        let obstacles = self
+            .obstacles
+            .iter()
+            .map(|o| -separation(&body, &o.vertices));
+        let surfaces = self.setup.surfaces.iter().map(|s| {
+            let long = length(s.normal);
+            let gaps = body.iter().map(|&p| dot(s.normal, p) / long);
+            s.offset / long - gaps.fold(f64::INFINITY, f64::min)
+        });
+        obstacles.chain(surfaces).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The scene with no obstacle farther out than the number type can represent: each coordinate is clamped, so that a box along the
     /// axes remains a box.
     #[must_use]
     pub fn within<R: Number>(&self) -> Self {
@@ -115,7 +125,7 @@ impl Among {
         cut
     }
 
-    /// The same scene with every number rounded to type `R`.
+    /// The scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
         let obstacle = |o: &Obstacle| Obstacle {

@@ -2,18 +2,18 @@
 //! of the scenes runs in its own process, which exits if a step never ends; its parent continues with the next scene.
 
 use super::guard::caught;
-use super::laws::{Finding, Laws, STAYS};
+use super::laws::{Laws, STAYS};
 use super::rooms::room;
-use super::run::{Frame, Run};
+use super::run::{Run, touches};
 use super::worlds::{World, world};
 use crate::number::Number;
-use crate::reference::Touch;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-use stiction_core::{Evolution, Status};
+use stiction_core::Evolution;
+use stiction_judge::{Finding, Frame, Status, Touch};
 
 /// A step that takes longer is reported.
 const LONG: Duration = Duration::from_secs(1);
@@ -65,9 +65,15 @@ pub fn kind(frame: &Frame) -> String {
         Touch::Side { .. } => 'V',
         Touch::Corner { .. } => 'C',
     };
-    let letters: String = frame.touches().into_iter().map(letter).collect();
-    format!("{} {letters}", frame.state)
+    let letters: String = touches(frame).into_iter().map(letter).collect();
+    format!("{} {letters}", frame.state.name())
 }
+
+/// A scene of a kind in an evolution.
+type Look = fn((Kind, u64), Evolution, &AtomicU64) -> Report;
+
+/// The solvers among obstacles are compiled with this crate, as those of [`crate::run::COMPILED`].
+pub static COMPILED: [Look; 3] = [look::<f64>, look::<f32>, look::<stiction_core::Fixed>];
 
 /// Runs a scene; `now` receives the index of the current frame.
 pub fn look<R: Number>(
@@ -93,7 +99,7 @@ pub fn look<R: Number>(
         }
         let frame = &run.frame;
         report.frames += 1;
-        report.work = report.work.max(frame.work);
+        report.work = report.work.max(run.output.work);
         if frame.status != Status::Ok {
             *report.statuses.entry(frame.status.name()).or_default() += 1;
         }
@@ -163,7 +169,7 @@ fn lines(number: u64, report: &Report) -> String {
     let mut text = String::new();
     for (frame, findings) in &report.unlawful {
         for f in findings {
-            let (amount, residual, law) = (f.amount, f.residual, f.law);
+            let (amount, residual, law) = (f.severity(), f.residual, f.law);
             let _ = writeln!(
                 text,
                 "unlawful {number} {frame} {amount:.2e} {residual:.2e} {law}"

@@ -128,7 +128,7 @@ impl Reference {
         self.enters_beside(pose, &[], depth)
     }
 
-    /// The same if the pairs in `closed` may have a gap down to the one given with each.
+    /// As above, if the pairs in `closed` may have a gap down to the one given with each.
     pub(super) fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
         let inside = |gap: f64| gap < -depth * self.size;
         self.surface_pairs()

@@ -4,53 +4,7 @@
 
 use super::scene::{Friction, Pose, Scene, Vector, add, cross, dot, length, scale, sub};
 
-/// A pair that is or may come into contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Touch {
-    /// A vertex of the body on a half-plane.
-    Surface {
-        /// Index of the body's vertex.
-        vertex: usize,
-        /// Index of the surface.
-        surface: usize,
-    },
-    /// A vertex of the body on a side of an obstacle.
-    Side {
-        /// Index of the body's vertex.
-        vertex: usize,
-        /// Index of the obstacle.
-        obstacle: usize,
-        /// Index of its side, from the corner of this index to the next.
-        side: usize,
-    },
-    /// A corner of an obstacle on a side of the body.
-    Corner {
-        /// Index of the obstacle.
-        obstacle: usize,
-        /// Index of its corner.
-        corner: usize,
-        /// Index of the body's side, from the vertex of this index to the next.
-        body_side: usize,
-    },
-}
-
-impl Touch {
-    /// The vertex of the body that touches, if any.
-    pub(super) fn vertex(self) -> Option<usize> {
-        match self {
-            Self::Surface { vertex, .. } | Self::Side { vertex, .. } => Some(vertex),
-            Self::Corner { .. } => None,
-        }
-    }
-
-    /// The obstacle that is touched.
-    pub(super) fn obstacle(self) -> Option<usize> {
-        match self {
-            Self::Surface { .. } => None,
-            Self::Side { obstacle, .. } | Self::Corner { obstacle, .. } => Some(obstacle),
-        }
-    }
-}
+pub use stiction_judge::Touch;
 
 /// The number of sides of a convex shape: none for a point, two for a segment.
 pub(super) fn sides(shape: &[Vector]) -> usize {

@@ -132,7 +132,7 @@ impl Reference {
 
     /// Keeps one contact of an obstacle at one place, and two in one line. The first `old` contacts give way to new ones: a body
     /// that turns about such a short overlap continues about its other end. Of several new ones at one place, the one that closed
-    /// last is kept.
+    /// last stays.
     pub(super) fn reduce(&mut self, old: usize) {
         let new = self.contacts.split_off(old);
         let mut new: Vec<_> = new
@@ -152,9 +152,9 @@ impl Reference {
                 found.push(touch);
             }
         }
-        let mut kept = self.contacts.clone();
-        kept.retain(|&touch| !found.iter().any(|&other| together(touch, other)));
-        kept.extend(found);
+        let mut staying = self.contacts.clone();
+        staying.retain(|&touch| !found.iter().any(|&other| together(touch, other)));
+        staying.extend(found);
         let inner = |&touch: &Touch| {
             let tangent = self.scene.tangent(&self.pose, touch);
             let way = |&other: &Touch| {
@@ -165,10 +165,14 @@ impl Reference {
                 let in_line = other != touch && self.lined(&self.pose, [touch, other]);
                 in_line.then(|| dot(tangent, apart))
             };
-            let ways: Vec<_> = kept.iter().filter_map(way).collect();
+            let ways: Vec<_> = staying.iter().filter_map(way).collect();
             ways.iter().any(|&x| x > 0.0) && ways.iter().any(|&x| x < 0.0)
         };
-        let mut ends: Vec<_> = kept.iter().copied().filter(|touch| !inner(touch)).collect();
+        let mut ends: Vec<_> = staying
+            .iter()
+            .copied()
+            .filter(|touch| !inner(touch))
+            .collect();
         ends.sort();
         self.contacts = ends;
     }
@@ -285,16 +289,16 @@ impl Reference {
 
     /// Determines the ends of a flat contact again, without the pair that was one of them.
     fn refit(&mut self, lost: Touch) {
-        let kept = self.contacts.clone();
+        let staying = self.contacts.clone();
         let mut new = self.touching(&self.pose, TOGETHER);
         new.retain(|&touch| {
             touch != lost
-                && kept
+                && staying
                     .iter()
                     .all(|&other| self.lined(&self.pose, [other, touch]))
         });
         self.contacts.extend(new);
-        self.reduce(kept.len());
+        self.reduce(staying.len());
         self.pose = self.onto(self.pose, &self.contacts);
     }
 }

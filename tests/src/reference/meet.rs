@@ -78,7 +78,7 @@ impl Reference {
         sticks
     }
 
-    /// A vertex has reached a surface. From free flight, the rates decide; a vertex that becomes an edge continues as it was;
+    /// A vertex has reached a surface. From the air, the rates decide; a vertex that becomes an edge continues as it was;
     /// if a sliding vertex meets a second surface, a joint slide follows if both feet move on and the new one presses.
     fn touch(&mut self, way: [f64; 3]) {
         let before = self.contacts.clone();
@@ -235,8 +235,8 @@ impl Reference {
                     return true;
                 }
             }
-            Some(Mode::Keep(kept)) if !kept.is_empty() => {
-                self.contacts = kept;
+            Some(Mode::Keep(staying)) if !staying.is_empty() => {
+                self.contacts = staying;
                 self.stiction = self.pressed_hard(&self.pose, self.hand);
                 return true;
             }

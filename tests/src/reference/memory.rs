@@ -1,4 +1,4 @@
-//! The memory of the contacts: one bit of the body, *stiction*, and the load or slip length from which the bit is kept.
+//! The memory of the contacts: one bit of the body, *stiction*, and the load or slip length from which the bit stays.
 
 use super::Reference;
 use super::cone::{inner, norm, times};

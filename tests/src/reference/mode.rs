@@ -31,14 +31,18 @@ impl Reference {
         let &[a, b] = self.contacts.as_slice() else {
             return None;
         };
-        let slides = |&(kept, other): &(Touch, Touch)| {
-            let [normal, friction] = self.reaction(&self.pose, kept, hand);
-            let way = scale(-sign(friction), self.scene.tangent(&self.pose, kept));
+        let slides = |&(staying, other): &(Touch, Touch)| {
+            let [normal, friction] = self.reaction(&self.pose, staying, hand);
+            let way = scale(-sign(friction), self.scene.tangent(&self.pose, staying));
             let leaves = dot(way, self.scene.normal(&self.pose, other)) > 0.0;
-            normal > 0.0 && friction.abs() > self.grip(self.scene.friction(kept)) * normal && leaves
+            normal > 0.0
+                && friction.abs() > self.grip(self.scene.friction(staying)) * normal
+                && leaves
         };
-        let kept = [(a, b), (b, a)].into_iter().find(slides);
-        Some(Mode::Keep(kept.map(|(kept, _)| kept).into_iter().collect()))
+        let staying = [(a, b), (b, a)].into_iter().find(slides);
+        Some(Mode::Keep(
+            staying.map(|(staying, _)| staying).into_iter().collect(),
+        ))
     }
 
     /// The motion of contacts that cannot hold, from rest or already `slipping`: they turn about one that sticks; else
@@ -141,18 +145,18 @@ impl Reference {
         })
     }
 
-    /// Whether the load turns the body about the kept vertex so that all other contacts open, and whether the kept contacts
+    /// Whether the load turns the body about the vertex that stays so that all other contacts open, and whether the other contacts
     /// can hold it.
-    fn pivots(&self, kept: &[Touch], hand: [f64; 3]) -> bool {
-        let pin = self.scene.point(&self.pose, kept[0]);
+    fn pivots(&self, staying: &[Touch], hand: [f64; 3]) -> bool {
+        let pin = self.scene.point(&self.pose, staying[0]);
         let moment = self.scene.applied_moment(&self.pose, hand, pin);
         let opens = |&touch: &Touch| {
             let arm = sub(self.scene.point(&self.pose, touch), pin);
-            kept.contains(&touch)
+            staying.contains(&touch)
                 || sign(moment) * cross(arm, self.scene.normal(&self.pose, touch))
                     > STILL * self.size
         };
-        self.contacts.iter().all(opens) && (kept.len() == 1 || self.carries(kept, hand))
+        self.contacts.iter().all(opens) && (staying.len() == 1 || self.carries(staying, hand))
     }
 
     /// Whether the two cones of a corner bear the applied force.

@@ -42,7 +42,7 @@ impl Reference {
         self.settle(hand, Carry::default());
     }
 
-    /// The same, continuing a motion.
+    /// Relaxes in continuation of a motion.
     pub(super) fn settle(&mut self, hand: [f64; 3], mut carry: Carry) {
         self.slide = None;
         for _ in 0..MOTIONS {
@@ -65,10 +65,10 @@ impl Reference {
         self.ambiguous = true;
     }
 
-    /// Releases all contacts except `kept`, with the hand where it is.
-    pub(super) fn let_go(&mut self, kept: &[Touch]) {
+    /// Releases all contacts except `staying`, with the hand where it is.
+    pub(super) fn let_go(&mut self, staying: &[Touch]) {
         let mut carry = Carry::default();
-        self.release(kept, &mut carry);
+        self.release(staying, &mut carry);
         self.settle(self.hand, carry);
     }
 
@@ -130,8 +130,8 @@ impl Reference {
         if self.admissible(&pose, &self.contacts, hand) {
             return true;
         }
-        if let Some(Mode::Keep(kept)) = self.leaves_corner(hand) {
-            self.release(&kept, carry);
+        if let Some(Mode::Keep(staying)) = self.leaves_corner(hand) {
+            self.release(&staying, carry);
         }
         false
     }
@@ -160,8 +160,8 @@ impl Reference {
                 self.contacts = self.contacts.iter().copied().filter(stays).collect();
                 self.slip_pair((pair, way), hand, carry)
             }
-            Some(Mode::Keep(kept)) => {
-                self.release(&kept, carry);
+            Some(Mode::Keep(staying)) => {
+                self.release(&staying, carry);
                 false
             }
             None => {
@@ -177,8 +177,8 @@ impl Reference {
         *carry = Carry::default();
     }
 
-    pub(super) fn release(&mut self, kept: &[Touch], carry: &mut Carry) {
-        carry.left = std::mem::replace(&mut self.contacts, kept.to_vec());
+    pub(super) fn release(&mut self, staying: &[Touch], carry: &mut Carry) {
+        carry.left = std::mem::replace(&mut self.contacts, staying.to_vec());
         carry.slipping = false;
     }
 }

@@ -58,8 +58,8 @@ impl Reference {
             ways = vec![-sign(friction); 2];
         }
         if self.contacts.len() == 2 {
-            let kept = self.keeps_stiction(&carry.began.unwrap_or(self.pose), hand);
-            self.end_slip(ways, kept);
+            let staying = self.keeps_stiction(&carry.began.unwrap_or(self.pose), hand);
+            self.end_slip(ways, staying);
         }
         true
     }
@@ -85,7 +85,15 @@ impl Reference {
         let ways = self.speeds(&pose, pair, way).map(sign);
         match end {
             End::Touch => self.land(carry),
-            End::Off(index) => self.pair_off((pair, way), (index, ways), hand, carry),
+            // A flat contact continues to slip, any other one is tested with its new normal.
+            End::Off(index) => {
+                self.contacts = pair.to_vec();
+                if self.pass_on((index, ways[index]), hand, carry) {
+                    let pair = [self.contacts[0], self.contacts[1]];
+                    let onward = self.onward(&self.pose, pair, way);
+                    carry.driven = Some(Driven::Pair(pair, onward));
+                }
+            }
             End::Lift(index) if self.lined(&pose, pair) => {
                 self.release(&[pair[1 - index]], carry);
                 carry.slipping = true;
@@ -103,8 +111,8 @@ impl Reference {
                     *carry = Carry::default();
                     return self.opens_in_slip((pair[index], pair[1 - index], None), &began, hand);
                 }
-                let kept = self.keeps_stiction(&began, hand);
-                self.end_slip(ways.to_vec(), kept);
+                let staying = self.keeps_stiction(&began, hand);
+                self.end_slip(ways.to_vec(), staying);
                 return true;
             }
             End::Rest => {
@@ -120,28 +128,12 @@ impl Reference {
         false
     }
 
-    /// One of two slipping contacts leaves its side: a flat contact continues to slip, any other one is tested with its new normal.
-    fn pair_off(
-        &mut self,
-        (pair, way): ([Touch; 2], Screw),
-        (index, ways): (usize, [f64; 2]),
-        hand: [f64; 3],
-        carry: &mut Carry,
-    ) {
-        self.contacts = pair.to_vec();
-        if self.pass_on((index, ways[index]), hand, carry) {
-            let pair = [self.contacts[0], self.contacts[1]];
-            let onward = self.onward(&self.pose, pair, way);
-            carry.driven = Some(Driven::Pair(pair, onward));
-        }
-    }
-
-    /// The end of a slip at dynamic friction: the contacts stick and have the stiction bit if it is `kept`; otherwise
+    /// The end of a slip at dynamic friction: the contacts stick and have the stiction bit if it is `staying`; otherwise
     /// they slide on.
-    fn end_slip(&mut self, ways: Vec<f64>, kept: bool) {
+    fn end_slip(&mut self, ways: Vec<f64>, staying: bool) {
         self.slips += 1;
-        self.stiction = kept;
-        self.slide = (!kept && ways.len() == self.contacts.len()).then_some(ways);
+        self.stiction = staying;
+        self.slide = (!staying && ways.len() == self.contacts.len()).then_some(ways);
     }
 
     /// The contact that the balance of a joint slip pulls on instead of pressing.
@@ -151,22 +143,24 @@ impl Reference {
         (normals[weak] < -PULL * self.force_tolerance(&self.pose, hand)).then_some(weak)
     }
 
-    /// Opens the contact `left` in a joint slip, if the gap stays open in the balance of the contact that is `kept`, in its
+    /// Opens the contact `left` in a joint slip, if the gap stays open in the balance of the contact that is `staying`, in its
     /// slip along `way` (if given), or in the lift of both.
     fn opens_in_slip(
         &mut self,
-        (left, kept, way): (Touch, Touch, Option<f64>),
+        (left, staying, way): (Touch, Touch, Option<f64>),
         began: &Pose,
         hand: [f64; 3],
     ) -> bool {
         let moved = length(sub(self.pose.position, began.position)) > MOVED * self.size;
         let open = |pose: &Pose| self.scene.gap(pose, left) >= -CLEARANCE * self.size;
         let mut alone = self.clone();
-        alone.pose = alone.turn(&self.pose, kept, hand, (f64::INFINITY, false)).0;
-        let [normal, friction] = alone.reaction(&alone.pose, kept, hand);
-        let held = normal > 0.0 && alone.admissible_in_slip(&alone.pose, &[kept], hand);
+        alone.pose = alone
+            .turn(&self.pose, staying, hand, (f64::INFINITY, false))
+            .0;
+        let [normal, friction] = alone.reaction(&alone.pose, staying, hand);
+        let held = normal > 0.0 && alone.admissible_in_slip(&alone.pose, &[staying], hand);
         if held && open(&alone.pose) && !alone.enters(&alone.pose, CLEARANCE) {
-            alone.contacts = vec![kept];
+            alone.contacts = vec![staying];
             alone.slips += u32::from(moved);
             alone.stiction |= alone.pressed_hard(&alone.pose, hand);
             *self = alone;
@@ -180,14 +174,14 @@ impl Reference {
             return false;
         }
         let way = way.unwrap_or(-sign(friction));
-        if normal <= 0.0 || -way * friction <= self.scene.friction(kept).mu_d * normal {
+        if normal <= 0.0 || -way * friction <= self.scene.friction(staying).mu_d * normal {
             return false;
         }
-        let (pose, end) = alone.slide_vertex((kept, way), &[], hand);
+        let (pose, end) = alone.slide_vertex((staying, way), &[], hand);
         if end != End::Rest || !open(&pose) {
             return false;
         }
-        alone.contacts = vec![kept];
+        alone.contacts = vec![staying];
         alone.pose = pose;
         alone.end_slip(vec![way], alone.pressed_hard(&pose, hand));
         *self = alone;

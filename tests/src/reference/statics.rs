@@ -64,7 +64,7 @@ impl Reference {
         self.borne(pose, contacts, hand, |friction| self.grip(friction))
     }
 
-    /// The same with dynamic friction.
+    /// As above, with dynamic friction.
     pub(super) fn admissible_in_slip(
         &self,
         pose: &Pose,

@@ -1,13 +1,16 @@
 //! The budget of a step among obstacles: no step exceeds it, every frame is lawful, and a cut step continues to the same bits.
 
 use stiction_core::{Evolution, Solver, State, Status};
-use stiction_tests::obstacles::laws::{FINITE, Laws, OUTSIDE};
+use stiction_judge::law;
+use stiction_tests::obstacles::laws::Laws;
 use stiction_tests::obstacles::run::Run;
 use stiction_tests::obstacles::scene::{Model, SURFACES, VERTICES};
 use stiction_tests::obstacles::worlds::{World, world};
-use stiction_tests::{Number, budget, test_each};
+use stiction_tests::{Number, test_each, times};
 
-const SCENES: u64 = budget(20, 3) as u64;
+fn number_of_scenes() -> u64 {
+    times(3, 20)
+}
 /// The scene is sampled at this stride of frames, so that much happens in one step.
 const STRIDE: usize = 20;
 
@@ -31,18 +34,19 @@ fn steps<R: Number>(
     let (mut cut, mut slips) = (0, 0);
     loop {
         let limit = run.solver.budget();
-        let frame = run.step(hand);
+        run.step(hand);
+        let (frame, output) = (&run.frame, &run.output);
         // A body that is behind may be at an event, with contacts that are about to change.
-        let is_cut = frame.status == Status::Behind;
+        let is_cut = output.status == Status::Behind;
         let broken = laws.broken(frame).into_iter();
         let mut broken =
-            broken.filter(|finding| !is_cut || [OUTSIDE, FINITE].contains(&finding.law));
+            broken.filter(|finding| !is_cut || [law::OUTSIDE, law::FINITE].contains(&finding.law));
         let first = broken.next();
         assert!(first.is_none(), "{first:?}: {frame:?}");
-        assert!(!is_bound || frame.work <= limit, "{limit}: {frame:?}");
+        assert!(!is_bound || output.work <= limit, "{limit}: {frame:?}");
         slips += frame.slips;
-        if frame.status < Status::Behind || run.behind == 0.0 {
-            return (cut, run.frame.status, slips);
+        if output.status < Status::Behind || R::wide(output.behind) == 0.0 {
+            return (cut, output.status, slips);
         }
         cut += 1;
     }
@@ -55,7 +59,7 @@ mod cases {
     pub(super) fn what_is_cut_goes_on_to_the_same_bits<R: Number>(evolution: Evolution) {
         let least = Of::<R>::LEAST_BUDGET;
         let mut cut = 0;
-        for number in 0..SCENES {
+        for number in 0..number_of_scenes() {
             let world = world(number);
             let laws = Laws::new::<R>(&world.among);
             let mut hands = hands(&world);
@@ -69,7 +73,7 @@ mod cases {
                         solver: whole.solver.clone().with_budget(units),
                         state: before.clone(),
                         frame: whole.frame.clone(),
-                        behind: 0.0,
+                        output: whole.output.clone(),
                     };
                     let (times, end, counted) = steps(&mut tight, (&laws, hand), units >= least);
                     assert_eq!(tight.state, whole.state, "scene {number}, budget {units}");

@@ -4,14 +4,16 @@
 //! Two things are not compared: whether a contact at the edge of its cone has stopped, and what counts as a slip when a contact moves on
 //! to the next pair.
 
-use stiction_core::{Evolution, Fixed, Status};
+use stiction_core::{Evolution, Fixed};
+use stiction_judge::{Contact, Frame, Status, Touch};
 use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::obstacles::shape::{Point, length, placed, separation, sub};
-use stiction_tests::obstacles::{Among, Contact, Frame, Obstacle, Run};
-use stiction_tests::reference::Touch;
-use stiction_tests::{Number, Setup, budget};
+use stiction_tests::obstacles::{Among, Obstacle, Run};
+use stiction_tests::{Number, Setup, times};
 
-const SCENES: u64 = budget(300, 20) as u64;
+fn number_of_scenes() -> u64 {
+    times(20, 300)
+}
 /// Frames of a turn in one direction.
 const FRAMES: usize = 100;
 /// Minimum distance of the shapes at the start (m); both have the size 1 m.
@@ -164,7 +166,7 @@ fn both<R: Number>(number: u64, evolution: Evolution, bound: f64) -> [usize; 2] 
         assert!(off < bound, "{off:e}: {}", words());
         assert_eq!(touches(&mirrored), touches(&other), "{}", words());
         assert_eq!(one.state, other.state, "{}", words());
-        let slides = one.contacts.iter().any(|c| c.sliding != 0) || one.slips > 0;
+        let slides = one.contacts.iter().any(|c| c.sliding != Some(0)) || one.slips > 0;
         counts[0] += usize::from(!one.contacts.is_empty());
         counts[1] += usize::from(slides);
     }
@@ -174,9 +176,9 @@ fn both<R: Number>(number: u64, evolution: Evolution, bound: f64) -> [usize; 2] 
 /// All scenes: most of them touch, and many slide.
 fn all<R: Number>(bound: f64) {
     for evolution in Evolution::ALL {
-        let counts = (0..SCENES).map(|number| both::<R>(number, evolution, bound));
+        let counts = (0..number_of_scenes()).map(|number| both::<R>(number, evolution, bound));
         let [touch, slide] = counts.fold([0; 2], |[a, b], [c, d]| [a + c, b + d]);
-        let frames = 3 * FRAMES * SCENES as usize;
+        let frames = 3 * FRAMES * number_of_scenes() as usize;
         assert!(touch > frames / 20, "{touch} of {frames} frames touch");
         assert!(slide > frames / 100, "{slide} of {frames} frames slide");
     }

@@ -1,25 +1,25 @@
 //! Runs of the cases, checked by the judge of traces: every frame, and its consistency with the frames before it.
 
 use stiction_core::Evolution;
-use stiction_judge::{Bounds, Judge};
+use stiction_judge::{Bounds, Frame, Judge};
 use stiction_tests::Number;
-use stiction_tests::obstacles::before_judge::{frame, scene};
+use stiction_tests::laws::evolution_of;
 use stiction_tests::obstacles::cases::{Case, all};
 use stiction_tests::obstacles::run::Run;
 
 fn is_lawful<R: Number>(case: &Case, evolution: Evolution, bounds: Bounds) -> bool {
-    let of_judge = match evolution {
-        Evolution::Path => stiction_judge::Evolution::Path,
-        Evolution::Frame => stiction_judge::Evolution::Frame,
-    };
-    let mut judge = Judge::new(scene::<R>(&case.among), bounds, of_judge);
+    let mut judge = Judge::new(case.among.judged::<R>(), bounds, evolution_of(evolution));
     let mut run = Run::<R>::start(&case.among, evolution, case.hands[0]);
     let mut broken = Vec::new();
     for (i, &hand) in case.hands.iter().enumerate() {
         if i > 0 {
             run.step(hand);
         }
-        let findings = judge.next(frame(i, &run.frame)).into_iter();
+        let frame = Frame {
+            t: i as f64,
+            ..run.frame.clone()
+        };
+        let findings = judge.next(frame).into_iter();
         broken.extend(findings.filter(|f| !f.holds()).map(|finding| (i, finding)));
     }
     if let Some(first) = broken.first() {

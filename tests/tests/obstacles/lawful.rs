@@ -5,12 +5,16 @@ use std::time::Duration;
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::guard::{Outcome, within};
 use stiction_tests::obstacles::survey::{Kind, look};
-use stiction_tests::{Number, budget};
+use stiction_tests::{Number, times};
 
 /// Scenes of 401 frames.
-const SCENES: u64 = budget(200, 10) as u64;
+fn number_of_scenes() -> u64 {
+    times(10, 200)
+}
 /// Rooms of 100 jumps: over all number types and evolutions more than 10⁵ jumps.
-const ROOMS: u64 = budget(200, 10) as u64;
+fn number_of_rooms() -> u64 {
+    times(10, 200)
+}
 /// More time than any scene takes.
 const LIMIT: Duration = Duration::from_secs(30);
 /// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with the rest.
@@ -29,15 +33,23 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
     }
 }
 
-/// Scenes that currently break a law: number type, evolution, number.
-const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
-const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
+/// Scenes that currently break a law, of the larger samples: number type, evolution, number.
+///
+/// In the worlds two corners lie on one line, one of them without friction, and the state is `two-vertex` instead of `edge`.
+const KNOWN_WORLDS: &[(&str, &str, u64)] = &[
+    ("f64", "path", 72),
+    ("f64", "path", 189),
+    ("f64", "frame", 72),
+    ("f64", "frame", 189),
+];
+/// A body that is jammed by a hand some hundred body sizes away has two contacts at one corner.
+const KNOWN_ROOMS: &[(&str, &str, u64)] = &[("f32", "path", 80), ("f32", "path", 152)];
 
 /// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
     let (count, known) = match scenes {
-        Kind::Worlds => (SCENES, KNOWN_WORLDS),
-        Kind::Rooms => (ROOMS, KNOWN_ROOMS),
+        Kind::Worlds => (number_of_scenes(), KNOWN_WORLDS),
+        Kind::Rooms => (number_of_rooms(), KNOWN_ROOMS),
     };
     let mut odd = 0;
     for evolution in Evolution::ALL {

@@ -4,7 +4,6 @@
 mod budget;
 mod cases;
 mod exchange;
-mod judge;
 mod judged;
 mod lawful;
 mod pegs;

@@ -6,7 +6,9 @@
 
 use stiction_tests::close;
 use stiction_tests::obstacles::Among;
-use stiction_tests::obstacles::cases::{Answer, Case, all};
+use stiction_tests::obstacles::cases::{Case, all};
+use stiction_tests::obstacles::compare::frame_of;
+use stiction_tests::obstacles::judged::answer;
 use stiction_tests::reference::Reference;
 
 /// The number of substeps per frame for the hand.
@@ -17,23 +19,6 @@ const POSE: f64 = 5e-12;
 const FORCE: f64 = 1e-10;
 /// The number of cases that are run; the remaining one must be refused by the reader.
 const RUN: usize = 15;
-
-/// The answer of the reference in a frame, after a number of slips.
-fn answer(among: &Among, body: &Reference, (hand, slips): ([f64; 3], u32)) -> Answer {
-    let setup = &among.setup;
-    let pose = body.pose();
-    let held = setup.world(pose, setup.holding_point.unwrap_or_default());
-    let contacts = body.contacts();
-    Answer {
-        pose,
-        contacts: (contacts.iter())
-            .map(|c| (c.touch, [c.normal, c.friction]))
-            .collect(),
-        pull: setup.stiffness_translation * (hand[1] - held[1]),
-        slips,
-        state: body.state(),
-    }
-}
 
 /// Poses, forces and contacts of a run; each frame is passed to `look`.
 pub(crate) fn run(
@@ -63,8 +48,9 @@ fn every_case_has_its_known_answer() {
     assert_eq!(cases.len(), RUN);
     for case in cases {
         println!("{}", case.name);
-        run(&case.among, &case, |frame, body, now| {
-            let answer = answer(&case.among, body, now);
+        let scene = case.among.reference();
+        run(&case.among, &case, |frame, body, (hand, slips)| {
+            let answer = answer(&frame_of(&scene, body, (0.0, hand)), slips);
             for check in case.checks.iter().filter(|check| check.frame == frame) {
                 let bound = if check.value.is_pose() { POSE } else { FORCE };
                 let error = check.error(&answer);

@@ -4,7 +4,6 @@
 mod cases;
 mod corners;
 mod judged;
-mod lawful;
 mod symmetry;
 mod traced;
 mod worlds;

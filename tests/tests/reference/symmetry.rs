@@ -1,11 +1,14 @@
 //! Scenes that are physically equivalent: a mirror image, body and world exchanged, an obstacle in two pieces, a floor and a block.
 
-use super::worlds::{World, friction, placed, world};
-use stiction_tests::budget;
+use super::worlds::{World, friction, world};
 use stiction_tests::draw::Draw;
+use stiction_tests::obstacles::shape::placed;
 use stiction_tests::reference::{Foot, Obstacle, Reference, Surface, Touch};
+use stiction_tests::times;
 
-const SCENES: usize = budget(50, 2);
+fn number_of_scenes() -> usize {
+    times(2, 50)
+}
 const SUBSTEPS: usize = 20;
 /// Largest difference between two equal poses, m and rad: touches are known to 1e-12 m, and every slip and fold after them
 /// amplifies that error.
@@ -52,7 +55,7 @@ fn mirrored(world: &World) -> World {
 #[test]
 fn a_mirror_image_behaves_like_a_mirror_image() {
     let mut draw = Draw::new(21);
-    for i in 0..SCENES {
+    for i in 0..number_of_scenes() {
         let world = world(&mut draw);
         let image = mirrored(&world);
         follow(&format!("scene {i}"), [&world, &image], |p| {
@@ -81,7 +84,7 @@ fn cut(shape: &[[f64; 2]], way: [f64; 2], least: f64) -> Vec<[f64; 2]> {
 #[test]
 fn an_obstacle_in_two_pieces_is_the_whole() {
     let mut draw = Draw::new(22);
-    for i in 0..SCENES {
+    for i in 0..number_of_scenes() {
         let world = world(&mut draw);
         let mut split = world.clone();
         split.scene.obstacles.clear();
@@ -117,7 +120,7 @@ fn an_obstacle_in_two_pieces_is_the_whole() {
 #[test]
 fn a_large_block_is_a_floor() {
     let mut draw = Draw::new(23);
-    for i in 0..SCENES {
+    for i in 0..number_of_scenes() {
         let mut block = world(&mut draw);
         // A soft body that may turn over is let go by the rule of half-planes whenever its free pose is clear of them.
         block.scene.k_theta = draw.between(30.0, 300.0);
@@ -149,7 +152,7 @@ fn inverse([x, y, angle]: [f64; 3]) -> [f64; 3] {
     [back[0], back[1], -angle]
 }
 
-/// The same contact, for the exchanged shapes.
+/// The contact between the exchanged shapes.
 fn exchanged(touch: Touch) -> Touch {
     match touch {
         Touch::Surface { .. } => touch,
@@ -180,7 +183,7 @@ fn exchanged(touch: Touch) -> Touch {
 fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
     let mut draw = Draw::new(24);
     let mut met = std::collections::BTreeMap::<&str, usize>::new();
-    for i in 0..SCENES {
+    for i in 0..number_of_scenes() {
         let mut world = world(&mut draw);
         world.scene.weight = 0.0;
         world.scene.obstacles.truncate(1);
@@ -213,7 +216,7 @@ fn body_and_obstacle_may_be_exchanged_under_a_hand_that_turns() {
                 let phi = hand[2] + 0.1 * turn * f64::from(step);
                 here.step([hand[0], hand[1], phi], SUBSTEPS);
                 there.step([x, y, -phi], SUBSTEPS);
-                // In free flight, the straight paths differ.
+                // In the air, the straight paths differ.
                 if here.state() == "non-contact" {
                     break;
                 }

@@ -1,6 +1,7 @@
 //! Random scenes of a body among convex obstacles, with paths of a hand that pushes it against them; body sizes of 1 m.
 
 use stiction_tests::draw::{Draw, polygon};
+use stiction_tests::obstacles::shape::{placed, separation};
 use stiction_tests::reference::{Obstacle, Scene, Surface};
 
 /// The body is at least this far from every obstacle at the start, m.
@@ -14,42 +15,6 @@ pub(crate) struct World {
     pub(crate) scene: Scene,
     pub(crate) start: [f64; 3],
     pub(crate) hands: Vec<[f64; 3]>,
-}
-
-/// Points of the body frame in the world frame.
-pub(crate) fn placed(points: &[[f64; 2]], [x, y, angle]: [f64; 3]) -> Vec<[f64; 2]> {
-    let (sin, cos) = angle.sin_cos();
-    let place = |p: &[f64; 2]| [x + cos * p[0] - sin * p[1], y + sin * p[0] + cos * p[1]];
-    points.iter().map(place).collect()
-}
-
-/// The outward unit normal of a side.
-pub(crate) fn outward(shape: &[[f64; 2]], side: usize) -> [f64; 2] {
-    let (from, to) = (shape[side], shape[(side + 1) % shape.len()]);
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let length = along[0].hypot(along[1]);
-    [along[1] / length, -along[0] / length]
-}
-
-/// The separation of two convex shapes along the axis that separates them best; negative if they overlap.
-pub(crate) fn separation(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
-    let beyond = |shape: &[[f64; 2]], other: &[[f64; 2]]| {
-        let along = |at: [f64; 2], way: [f64; 2]| {
-            let gap = |p: &[f64; 2]| way[0] * (p[0] - at[0]) + way[1] * (p[1] - at[1]);
-            other.iter().map(gap).fold(f64::INFINITY, f64::min)
-        };
-        let sides = if shape.len() < 2 { 0 } else { shape.len() };
-        (0..sides)
-            .flat_map(|side| {
-                let normal = outward(shape, side);
-                // A segment also has its own direction as an axis.
-                let end = (shape.len() == 2).then(|| along(shape[side], [normal[1], -normal[0]]));
-                [Some(along(shape[side], normal)), end]
-            })
-            .flatten()
-            .fold(f64::NEG_INFINITY, f64::max)
-    };
-    beyond(a, b).max(beyond(b, a))
 }
 
 /// A polygon of 3 to 6 corners, a rod or wall, or a point or pin.
@@ -119,7 +84,7 @@ pub(crate) fn world(draw: &mut Draw) -> World {
     }
 }
 
-/// The same with up to four obstacles, in half of the scenes above a floor.
+/// A body among up to four obstacles, in half of the scenes above a floor.
 pub(crate) fn crowded(draw: &mut Draw) -> World {
     let [mut among, more] = [world(draw), world(draw)];
     let body = placed(&among.scene.vertices, among.start);

@@ -6,7 +6,7 @@ use stiction_tests::run::planar;
 use stiction_tests::{Frame, Number, Run, Setup, test_each};
 
 test_each! {
-    cases::imbalance_is_told_until_the_hand_moves,
+    cases::imbalance_is_reported_until_the_hand_moves,
     cases::frame_after_an_imbalance_is_a_jump,
     cases::slot_without_friction_bears_nothing_along_it,
     cases::straight_across_a_slot_the_weight_is_borne,
@@ -24,7 +24,7 @@ mod cases {
     /// A heavy point on a smooth slope is held straight below itself along the slope: the pull turns it in neither
     /// direction. In a number type that finds no direction of turning, the point stays out of balance, and the status
     /// reports it as long as the hand rests there.
-    pub(super) fn imbalance_is_told_until_the_hand_moves<R: Number>(evolution: Evolution) {
+    pub(super) fn imbalance_is_reported_until_the_hand_moves<R: Number>(evolution: Evolution) {
         let slope = 15f64.to_radians();
         let (sin, cos) = slope.sin_cos();
         let setup = Setup::new(&[[0.05, 0.0]])

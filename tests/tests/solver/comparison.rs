@@ -11,14 +11,14 @@ use stiction_core::{CordicFixed, Evolution, LibmSingle, MicromathSingle};
 use stiction_tests::laws::{assert_lawful, judge};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
-use stiction_tests::{Number, Scenario, Setup, budget, scenes};
+use stiction_tests::{Number, Scenario, Setup, scenes, times};
 
 fn named() -> impl Iterator<Item = Scenario> {
     scenes::all().into_iter().map(|(_, scenario)| scenario)
 }
 
 fn random() -> impl Iterator<Item = Scenario> {
-    scenarios(budget(300, 20), 4)
+    scenarios(times(20, 300), 4)
 }
 
 fn is_accepted<R: Number>(scenario: &Scenario) -> bool {

@@ -2,8 +2,8 @@
 //! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand,
 //! independently of this solver.
 
-use stiction_core::{Evolution, Fixed, Full, StateKind, Status};
-use stiction_tests::run::{Frame, RunOf, run};
+use stiction_core::{Evolution, Fixed, StateKind, Status};
+use stiction_tests::run::{Frame, Run, run};
 use stiction_tests::{Number, Scenario, close, scenes};
 
 /// The scene with the hand at another depth (m), 1 kHz.
@@ -93,7 +93,7 @@ fn hardly_out_of_line<R: Number>() {
                 let mut setup = scenario.setup.clone();
                 setup.vertices.insert(1, [along, -0.03 - out]);
                 setup.start[1] += out;
-                let mut run = RunOf::<R, 5, 1, Full>::start(&setup, evolution, above);
+                let mut run = Run::<R>::start(&setup, evolution, above);
                 let mut edges = Vec::new();
                 for frame in path.iter().flat_map(|&hand| run.lead(hand, 40)) {
                     let what = format!("{} {evolution:?} {along} {out}", R::NAME);

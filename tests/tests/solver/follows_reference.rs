@@ -5,10 +5,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::reference::{Foot, Reference, Scene, Surface, Touch};
-use stiction_tests::{Frame, Run, Setup};
+use stiction_tests::{Frame, Run, Setup, times};
 
 /// Number of scenes, each of a hundred frames.
-const SCENES: usize = if cfg!(debug_assertions) { 4 } else { 200 };
+fn number_of_scenes() -> usize {
+    times(4, 200)
+}
 const SUBSTEPS: usize = 50;
 /// Largest difference between equal poses, in body sizes and rad.
 const POSE: f64 = 1e-6;
@@ -173,7 +175,7 @@ fn verdict(size: f64, before: &Frame, frame: &Frame, reference: &Reference) -> (
 fn random_scenes_follow_the_reference() {
     let mut draw = Draw::new(0);
     let (mut frames, mut open, mut ambiguous, mut report) = (0_usize, 0_usize, 0_usize, Vec::new());
-    for i in 0..SCENES {
+    for i in 0..number_of_scenes() {
         let (setup, hands) = case(&mut draw);
         let mut run = Run::<f64>::start(&setup, Evolution::Path, hands[0]);
         let mut reference = Reference::new(scene(&setup), setup.start, hands[0]);

@@ -6,7 +6,7 @@ use stiction_tests::laws::{assert_lawful, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::polyline;
 use stiction_tests::setup::VERTICES;
-use stiction_tests::{Number, RunOf, Setup, budget, close, judge, test_each};
+use stiction_tests::{Number, RunOf, Setup, close, judge, test_each, times};
 
 test_each!(
     cases::foot_is_below_the_hand,
@@ -103,7 +103,7 @@ mod cases {
         let lands = bisect(0.3, 0.8, |theta| phi(theta) - phi(fold));
         let setup = tool(ROTATION);
         let begin = [0.0, 0.35, -0.3];
-        let mut run = RunOf::<R, 1, 1, Frictionless>::start(&setup, evolution, begin);
+        let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, begin);
         run.lead([0.0, HEIGHT, -0.3], 20);
         let leans = bisect(-0.8, -0.3, |theta| phi(theta) + 0.3);
         close("leans", run.frame.pose[2], leans, R::ANALYTIC);
@@ -122,7 +122,7 @@ mod cases {
 
 /// Random scenes of one surface without friction: the laws hold in every frame, and a motion is always found.
 fn survey<R: Number>(evolution: Evolution) {
-    for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
+    for (i, scenario) in scenarios(times(30, 1000), 4).enumerate() {
         let mut setup = scenario.setup.clone().smooth();
         setup.surfaces.truncate(1);
         let hands = scenario.hands(50);
@@ -165,8 +165,8 @@ fn fixed_point_carries_a_point_tool_with_a_short_lever() {
         ];
         let hands = polyline(&keyframes, 300);
         for evolution in Evolution::ALL {
-            let mut exact = RunOf::<f64, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
-            let mut fixed = RunOf::<Fixed, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
+            let mut exact = RunOf::<f64, 1, 1, Bare>::start(&setup, evolution, hands[0]);
+            let mut fixed = RunOf::<Fixed, 1, 1, Bare>::start(&setup, evolution, hands[0]);
             for &hand in &hands {
                 let (is, should) = (fixed.step(hand).pose, exact.step(hand).pose);
                 let place = lever * angle + 2e-7;

@@ -179,7 +179,7 @@ mod cases {
         close("theta", frame.pose[2], 0.5, R::ANALYTIC);
     }
 
-    /// The same hand with one component invalid.
+    /// A hand with one component invalid.
     fn spoilt<R: Number>(hand: Hand<R::Si>) -> Vec<Hand<R::Si>> {
         let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::si);
         let spoil = |bad| {

@@ -5,13 +5,15 @@ use stiction_tests::haptic::measures::{Samples, Tally, against_f64, led};
 use stiction_tests::haptic::{Kind, scenes};
 use stiction_tests::laws::assert_lawful_run;
 use stiction_tests::run::planar;
-use stiction_tests::{Number, Run, Scenario, budget};
+use stiction_tests::{Number, Run, Scenario, times};
 
 /// The number of scenes of each kind.
-const SCENES: usize = budget(25, 2);
+fn number_of_scenes() -> usize {
+    times(2, 25)
+}
 
 fn all() -> impl Iterator<Item = (Kind, usize, Scenario)> {
-    let of = |kind| (0..).zip(scenes(kind)).take(SCENES);
+    let of = |kind| (0..).zip(scenes(kind)).take(number_of_scenes());
     Kind::ALL
         .into_iter()
         .flat_map(move |kind| of(kind).map(move |(i, scenario)| (kind, i, scenario)))
@@ -105,7 +107,7 @@ fn every_state_has_its_share() {
 /// of a stroke.
 #[test]
 fn runs_of_stick_slip_agree() {
-    let scenes = || scenes(Kind::StickSlip).take(SCENES);
+    let scenes = || scenes(Kind::StickSlip).take(number_of_scenes());
     let path = Evolution::Path;
     for (name, mut comparison, (quantile, bound)) in [
         ("f32", against_f64::<f32>(scenes(), path, 1), (0.99, 1e-3)),
@@ -134,7 +136,7 @@ fn runs_of_stick_slip_agree() {
 /// Poses of the hand that jumps after its first event are close to those along its path.
 #[test]
 fn frames_are_near_to_the_path() {
-    let scenes = scenes(Kind::StickSlip).take(SCENES);
+    let scenes = scenes(Kind::StickSlip).take(number_of_scenes());
     let mut comparison = against_f64::<f64>(scenes, Evolution::Frame, 1);
     let error = comparison.errors.quantile(0.99);
     assert!(error <= 2e-2, "{error:.1e} L");
@@ -143,7 +145,7 @@ fn frames_are_near_to_the_path() {
 /// If mu_s = mu_d, nothing slips, and in nine frames of ten whole runs differ by rounding alone.
 #[test]
 fn runs_without_stick_slip_agree() {
-    let scenes = || scenes(Kind::Equal).take(SCENES);
+    let scenes = || scenes(Kind::Equal).take(number_of_scenes());
     let path = Evolution::Path;
     for (name, mut comparison, bound) in [
         ("f32", against_f64::<f32>(scenes(), path, 1), 1e-5),

@@ -1,15 +1,32 @@
 //! Every law on every frame of random scenes and of the named ones, in every number type and both evolutions.
 
 use proptest::prelude::*;
-use stiction_core::{Event, Evolution, Fixed, Status};
+use stiction_core::{Event, Evolution, Fixed, Status, Wrench};
 use stiction_tests::laws::{assert_lawful, assert_lawful_run, judge_of, judged, worst};
 use stiction_tests::random::{same_every_run, scenario, scenarios};
 use stiction_tests::run::{polyline, run};
-use stiction_tests::{Number, Run, Scenario, Setup, budget, scenes};
+use stiction_tests::{Number, Run, Scenario, Setup, scenes, times};
 
 fn lawful<R: Number>(scenario: &Scenario, evolution: Evolution) {
     let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
     assert_lawful_run::<R>(&scenario.setup, evolution, &frames);
+    // None evades the laws of balance.
+    let ambiguous = frames.iter().find(|f| f.status == Status::Ambiguous);
+    assert_eq!(ambiguous, None, "{} {evolution:?}", R::NAME);
+}
+
+/// The force of the body on the hand is opposite to that of the hand on the body.
+#[test]
+fn feedback_is_the_opposite_wrench() {
+    let wrench = Wrench {
+        force: [1.5, -5.0],
+        moment: 0.25,
+    };
+    let opposite = Wrench {
+        force: [-1.5, 5.0],
+        moment: -0.25,
+    };
+    assert_eq!(wrench.feedback(), opposite);
 }
 
 #[test]
@@ -29,7 +46,7 @@ fn named_scenes_obey_every_law() {
 fn scenes_without_friction_obey_every_law() {
     fn glides<R: Number>() {
         let (mut frames, mut ambiguous) = (0, 0);
-        for scenario in scenarios(budget(100, 10), 8) {
+        for scenario in scenarios(times(10, 100), 8) {
             let setup = scenario.setup.clone().smooth();
             for evolution in Evolution::ALL {
                 let run = run::<R>(&setup, evolution, &scenario.hands(40));
@@ -116,7 +133,7 @@ fn two_vertex_slip_rubs_after_a_vertex_turned_back() {
 }
 
 proptest! {
-    #![proptest_config(same_every_run(budget(500, 30)))]
+    #![proptest_config(same_every_run(times(40, 500)))]
 
     #[test]
     fn path_evolution_obeys_every_law(scenario in scenario(4)) {

@@ -21,7 +21,6 @@ mod models;
 mod one_coefficient;
 mod projection;
 mod range;
-mod residual;
 mod scene_errors;
 mod size;
 mod slides_of_reference;

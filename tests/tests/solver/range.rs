@@ -1,14 +1,13 @@
 //! The range that a number type represents, and what it reports beyond that: scenes, hands and grasps far out.
 
-use stiction_core::{
-    Evolution, Fixed, Frictionless, Full, Parameter, SceneError, StateKind, Status,
-};
+use stiction_core::{Evolution, Fixed, Frictionless, Parameter, SceneError, StateKind, Status};
+use stiction_tests::setup::VERTICES;
 use stiction_tests::{Number, Run, RunOf, Setup, close, test_each};
 
 test_each!(
     cases::pull_counts_from_the_body,
     cases::hand_takes_hold_wound_up_to_a_bound,
-    cases::springs_of_a_body_at_rest_are_told_as_they_are,
+    cases::springs_of_a_body_at_rest_are_reported_as_they_are,
     cases::scene_goes_as_far_as_the_numbers,
 );
 
@@ -60,7 +59,9 @@ mod cases {
 
     /// A rod in a slot cannot turn, and a block on a floor does not lift: in certified frames, too, the spring forces are reported as they
     /// are, or refused beyond the range of the number type.
-    pub(super) fn springs_of_a_body_at_rest_are_told_as_they_are<R: Number>(evolution: Evolution) {
+    pub(super) fn springs_of_a_body_at_rest_are_reported_as_they_are<R: Number>(
+        evolution: Evolution,
+    ) {
         let most = most_turn::<R>();
         let slot = Setup::rod(1.0)
             .held_at([0.5, 0.0])
@@ -78,8 +79,8 @@ mod cases {
                 Status::Saturated
             };
             assert_eq!(frame.status, status, "{turn}");
-            let told = if carried { turn } else { 0.99 * most };
-            close("moment", frame.wrench[2], 6.4 * told / most, 1e-3);
+            let reported = if carried { turn } else { 0.99 * most };
+            close("moment", frame.wrench[2], 6.4 * reported / most, 1e-3);
         }
         // Pressed down, with its middle above the floor.
         let range = range::<R>();
@@ -91,9 +92,9 @@ mod cases {
         for i in 1..=120 {
             let pull = (f64::from(i) - 0.5) * range / 50.0;
             let frame = run.step([0.0, 0.3 - pull, 0.0]);
-            let told = -frame.wrench[1];
+            let reported = -frame.wrench[1];
             if frame.status == Status::Ok {
-                close("pull", told, pull, 1e-3 * range);
+                close("pull", reported, pull, 1e-3 * range);
                 assert!(pull <= range, "{pull}");
             } else {
                 assert!(
@@ -163,11 +164,12 @@ fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
         };
         let hand = [0.0, 4.0, upright];
         let held = |friction| {
-            let run = RunOf::<Fixed, 2, 1, Full>::start(&setup(friction), Evolution::Path, hand);
+            let run = Run::<Fixed>::start(&setup(friction), Evolution::Path, hand);
             run.frame.held
         };
         let run =
-            RunOf::<Fixed, 2, 1, Frictionless>::start(&setup(0.0), Evolution::Path, hand).frame;
+            RunOf::<Fixed, VERTICES, 1, Frictionless>::start(&setup(0.0), Evolution::Path, hand)
+                .frame;
         let status = if glides {
             Status::Ok
         } else {

@@ -118,7 +118,7 @@ fn start_pose() {
 
 /// For a position, the error reports the larger coordinate, with its sign.
 #[test]
-fn places_are_told_by_the_larger_coordinate() {
+fn places_are_reported_by_the_larger_coordinate() {
     for far in [1e13, -1e13] {
         for place in [[far, 0.0], [0.5 * far, far], [far, -0.5 * far]] {
             refused_by_all(Parameter::Start, far, |s| {
@@ -132,7 +132,7 @@ fn places_are_told_by_the_larger_coordinate() {
             s.vertices = vec![[-1.0, far], [1.0, far]];
         });
     }
-    // The same holds if the position is wrong relative to the others.
+    // So it is if the position is wrong relative to the others.
     refused_by_all(Parameter::Vertex(3), 1.5, |s| {
         (s.vertices[2], s.vertices[3]) = ([-0.5, 0.3], [-1.0, 1.5]);
     });

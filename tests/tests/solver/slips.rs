@@ -3,7 +3,7 @@
 use stiction_core::{Event, Evolution, Fixed, StateKind, Status};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
-use stiction_tests::{Frame, Number, Run, budget, scenes};
+use stiction_tests::{Frame, Number, Run, scenes, times};
 
 /// The displacement of the first contact in a frame in which that contact persists, and no other slides.
 fn way(before: &Frame, after: &Frame) -> Option<f64> {
@@ -30,7 +30,7 @@ fn way(before: &Frame, after: &Frame) -> Option<f64> {
 fn longest_slip_is_the_way_of_the_foot<R: Number>() {
     let named = scenes::all().into_iter().map(|(_, scenario)| scenario);
     let mut states = Vec::new();
-    for scenario in named.chain(scenarios(budget(100, 10), 4)) {
+    for scenario in named.chain(scenarios(times(10, 100), 4)) {
         let size = scenario.setup.size();
         for evolution in Evolution::ALL {
             let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
@@ -114,8 +114,8 @@ fn slide_up_to_a_wall_is_no_slip<R: Number>() {
     let end = run.step([x + 0.1, y - 0.01, 0.0]);
     assert_eq!((end.status, end.state), (Status::Ok, StateKind::Locked));
     assert_eq!((end.slips, end.longest_slip), (0, 0.0), "{}", R::NAME);
-    let told = [Event::Slide, Event::Jam, Event::Stop];
-    assert_eq!(end.events, told, "{}: {end:?}", R::NAME);
+    let reported = [Event::Slide, Event::Jam, Event::Stop];
+    assert_eq!(end.events, reported, "{}: {end:?}", R::NAME);
     assert!((end.pose[0] - 0.08).abs() < 1e-6, "{}: {end:?}", R::NAME);
 }
 

@@ -130,7 +130,7 @@ fn inches_and_pounds_evolve_as_metres_and_newtons() {
     }
 }
 
-/// The same state, and the same pose to within a bound (of the body size `l`, or rad).
+/// One state, and one pose to within a bound (of the body size `l`, or rad).
 fn ends_alike(name: &str, got: &Frame, want: &Frame, [bound, l]: [f64; 2]) {
     assert_eq!(got.state, want.state, "{name}");
     for (i, size) in [l, l, 1.0].into_iter().enumerate() {

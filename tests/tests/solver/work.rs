@@ -131,7 +131,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("frictionless tip", [[374, 2490], [372, 1400]]),
 ];
 
-/// The same where contacts glide.
+/// Mean and worst cost where contacts glide.
 const GLIDING: [(&str, [[u64; 2]; 2]); 11] = [
     ("box on a vertex", [[340, 1290], [340, 1290]]),
     ("box flat", [[160, 160], [160, 160]]),

@@ -70,7 +70,7 @@ fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, 
     heard(wire, (to_board, false), look)
 }
 
-/// The same as [`decoded`], for a peer with obstacles.
+/// As [`decoded`], for a peer with obstacles.
 fn decoded_among<T>(
     wire: &[u8],
     to_board: bool,

@@ -15,7 +15,7 @@ use heapless::Vec;
 
 /// A direction in which body and obstacle may be separated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(super) enum Separation {
     /// The normal of this side of the obstacle.
     Side(u8),
     /// The normal of this side of the body.
@@ -30,44 +30,44 @@ pub(super) enum Axis {
 pub(super) fn axes<R: Real, W: World<R>>(
     scene: &W,
     obstacle: usize,
-) -> impl Iterator<Item = Axis> + use<R, W> {
+) -> impl Iterator<Item = Separation> + use<R, W> {
     let own = corners(scene, obstacle);
     let body = scene.vertex_indices();
-    (sides(own.clone()).map(Axis::Side))
-        .chain(sides(body.clone()).map(Axis::BodySide))
-        .chain(ends(own).map(Axis::End))
-        .chain(ends(body).map(Axis::BodyEnd))
+    (sides(own.clone()).map(Separation::Side))
+        .chain(sides(body.clone()).map(Separation::BodySide))
+        .chain(ends(own).map(Separation::End))
+        .chain(ends(body).map(Separation::BodyEnd))
 }
 
 /// The features of the other shape that may be nearest along an axis: the vertices of the body, or the corners of the obstacle.
 pub(super) fn features<R: Real, W: World<R>>(
     scene: &W,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
 ) -> Range<u8> {
     match axis {
-        Axis::Side(_) | Axis::End(_) => scene.vertex_indices(),
-        Axis::BodySide(_) | Axis::BodyEnd(_) => corners(scene, obstacle),
+        Separation::Side(_) | Separation::End(_) => scene.vertex_indices(),
+        Separation::BodySide(_) | Separation::BodyEnd(_) => corners(scene, obstacle),
     }
 }
 
 /// Those whose gap may change because they are in no contact that lasts.
 pub(super) fn moving<R: Real, W: World<R>>(
     scene: &W,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     lasting: &[Pair],
 ) -> impl Iterator<Item = u8> {
     let line = match axis {
-        Axis::Side(side) => line_of(scene, side),
-        _ => 0,
+        Separation::Side(side) => line_of(scene, side),
+        Separation::BodySide(_) | Separation::End(_) | Separation::BodyEnd(_) => 0,
     };
     features(scene, (obstacle, axis)).filter(move |&feature| {
         let pair = match axis {
-            Axis::Side(_) => Pair {
+            Separation::Side(_) => Pair {
                 vertex: feature,
                 surface: line,
             },
-            Axis::BodySide(side) => Pair::of_corner(feature, side),
-            Axis::End(_) | Axis::BodyEnd(_) => return true,
+            Separation::BodySide(side) => Pair::of_corner(feature, side),
+            Separation::End(_) | Separation::BodyEnd(_) => return true,
         };
         !lasts(scene, pair, lasting)
     })
@@ -95,17 +95,17 @@ pub(super) fn is_at<R: Real, W: World<R>>(scene: &W, corner: u8, other: u8) -> b
 pub(super) fn direction<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
-    axis: Axis,
+    axis: Separation,
 ) -> Vec2<R> {
     let outward = |side: u8| {
         let normal = scene.body_normal(side);
         placed.orientation.rotation().apply(normal)
     };
     match axis {
-        Axis::Side(side) => scene.surface(side).normal,
-        Axis::End(corner) => scene.surface(corner).tangent,
-        Axis::BodySide(side) => -outward(side),
-        Axis::BodyEnd(vertex) => -outward(vertex).turned(),
+        Separation::Side(side) => scene.surface(side).normal,
+        Separation::End(corner) => scene.surface(corner).tangent,
+        Separation::BodySide(side) => -outward(side),
+        Separation::BodyEnd(vertex) => -outward(vertex).turned(),
     }
 }
 
@@ -175,7 +175,7 @@ struct Ruler<R> {
 
 impl<R: Real> Ruler<R> {
     /// The ruler of an axis for the body at a point of a motion: gaps are positive where body and obstacle are separated (L).
-    fn of<W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis) -> Self {
+    fn of<W: World<R>>(scene: &W, body: &Instant<R>, axis: Separation) -> Self {
         let placed = &body.placed;
         // To vertices.
         let from_obstacle = |normal: Vec2<R>, level: R| Self {
@@ -197,7 +197,7 @@ impl<R: Real> Ruler<R> {
             }
         };
         match axis {
-            Axis::Side(side) => {
+            Separation::Side(side) => {
                 let line = line_of(scene, side);
                 let surface = scene.surface(line);
                 let level = if placed.on == Some(line) {
@@ -207,13 +207,13 @@ impl<R: Real> Ruler<R> {
                 };
                 from_obstacle(surface.normal, level)
             }
-            Axis::End(corner) => {
+            Separation::End(corner) => {
                 let away = scene.surface(corner).tangent;
                 let place = scene.corner(corner).map_or(Vec2::ZERO, |c| c.place);
                 from_obstacle(away, away.dot(placed.point - place))
             }
-            Axis::BodySide(side) => from_body(scene.body_normal(side), side),
-            Axis::BodyEnd(vertex) => from_body(-scene.body_normal(vertex).turned(), vertex),
+            Separation::BodySide(side) => from_body(scene.body_normal(side), side),
+            Separation::BodyEnd(vertex) => from_body(-scene.body_normal(vertex).turned(), vertex),
         }
     }
 
@@ -231,10 +231,10 @@ impl<R: Real> Ruler<R> {
 }
 
 /// The position of a feature along an axis, in the frame of its shape.
-fn place_of<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Vec2<R> {
+fn place_of<R: Real, W: World<R>>(scene: &W, axis: Separation, feature: u8) -> Vec2<R> {
     match axis {
-        Axis::Side(_) | Axis::End(_) => scene.vertex(feature),
-        Axis::BodySide(_) | Axis::BodyEnd(_) => {
+        Separation::Side(_) | Separation::End(_) => scene.vertex(feature),
+        Separation::BodySide(_) | Separation::BodyEnd(_) => {
             (scene.corner(feature)).map_or(Vec2::ZERO, |corner| corner.place)
         }
     }
@@ -244,7 +244,7 @@ fn place_of<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Vec2<R>
 pub(super) fn off<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
-    axis: Axis,
+    axis: Separation,
     feature: u8,
 ) -> Sloped<R> {
     Ruler::of(scene, body, axis).off(place_of(scene, axis, feature))
@@ -255,21 +255,21 @@ pub(super) fn off<R: Real, W: World<R>>(
 pub(super) fn is_flat_on<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     lasting: &[Pair],
 ) -> bool {
     let own = corners(scene, obstacle);
     let is_along = |pair: &Pair| match axis {
-        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
-        Axis::BodySide(side) => {
+        Separation::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Separation::BodySide(side) => {
             pair.is_corner() && pair.body_side() == side && own.contains(&pair.surface)
         }
-        Axis::End(_) | Axis::BodyEnd(_) => false,
+        Separation::End(_) | Separation::BodyEnd(_) => false,
     };
     lasting.len() > 1
         && lasting.iter().filter(|pair| is_along(pair)).any(|&pair| {
             let mut others = lasting.iter().filter(|&&other| other != pair);
-            others.any(|&other| scene.lie_in_line([pair, other], placed))
+            others.any(|&other| placed.lie_in_line(scene, [pair, other]))
         })
 }
 
@@ -281,7 +281,7 @@ pub(super) fn flat_side<R: Real, W: World<R>>(
 ) -> Option<u8> {
     let (&first, others) = lasting.split_first()?;
     let mut others = others.iter().copied();
-    let other = others.find(|&other| scene.lie_in_line([first, other], placed))?;
+    let other = others.find(|&other| placed.lie_in_line(scene, [first, other]))?;
     if let Some(corner) = [first, other].into_iter().find(|pair| pair.is_corner()) {
         return Some(corner.body_side());
     }
@@ -306,7 +306,7 @@ pub(super) fn lies_over<R: Real, W: World<R>>(
 ) -> bool {
     flat_side(scene, placed, lasting).is_some_and(|side| {
         let body = Instant::at_rest(*placed);
-        let gap = gap_along(scene, &body, (obstacle, Axis::BodySide(side)), &[]);
+        let gap = gap_along(scene, &body, (obstacle, Separation::BodySide(side)), &[]);
         gap.abs() <= R::TOUCH.doubled() && placed.separation(scene, obstacle) <= R::TOUCH.doubled()
     })
 }
@@ -315,7 +315,7 @@ pub(super) fn lies_over<R: Real, W: World<R>>(
 pub(super) fn gap_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     lasting: &[Pair],
 ) -> R {
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
@@ -327,18 +327,18 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     })
 }
 
-/// The same, less the most by which a gap may change if its feature moves by the given fraction of its distance from the placed point, or
-/// of a body size if that is more; `flat`: two of the contacts that last are collinear.
+/// The least gap of an obstacle along an axis of the features that move, less the most by which a gap may change if its feature moves by the
+/// given fraction of its distance from the placed point, or of a body size if that is more; `flat`: two of the contacts that last are collinear.
 pub(super) fn gap_less<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     ((lasting, flat), by): ((&[Pair], bool), R),
 ) -> R {
     let is_along = |pair: &Pair| match axis {
-        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
-        Axis::BodySide(side) => pair.is_corner() && pair.body_side() == side,
-        Axis::End(_) | Axis::BodyEnd(_) => false,
+        Separation::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Separation::BodySide(side) => pair.is_corner() && pair.body_side() == side,
+        Separation::End(_) | Separation::BodyEnd(_) => false,
     };
     // Most axes have no such contact.
     let any = lasting.iter().any(is_along);
@@ -346,7 +346,7 @@ pub(super) fn gap_less<R: Real, W: World<R>>(
         return R::HUGE;
     }
     let ruler = Ruler::of(scene, &Instant::at_rest(*placed), axis);
-    let of_corners = matches!(axis, Axis::BodySide(_) | Axis::BodyEnd(_));
+    let of_corners = matches!(axis, Separation::BodySide(_) | Separation::BodyEnd(_));
     let mut least = R::HUGE;
     let mut look = |feature| {
         let from = place_of(scene, axis, feature) - ruler.origin;
@@ -369,7 +369,7 @@ pub(super) fn gap_less<R: Real, W: World<R>>(
 pub(super) fn room_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     lasting: &[Pair],
 ) -> R {
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
@@ -380,8 +380,10 @@ pub(super) fn room_along<R: Real, W: World<R>>(
         let place = place_of(scene, axis, feature);
         let gap = ruler.value(place);
         let far = match axis {
-            Axis::BodySide(_) | Axis::BodyEnd(_) => (place - ruler.origin).length_bound(),
-            Axis::Side(_) | Axis::End(_) => R::ONE,
+            Separation::BodySide(_) | Separation::BodyEnd(_) => {
+                (place - ruler.origin).length_bound()
+            }
+            Separation::Side(_) | Separation::End(_) => R::ONE,
         };
         least.min(if gap > R::ZERO && far > R::ONE {
             gap / far
@@ -396,7 +398,7 @@ pub(super) fn room_along<R: Real, W: World<R>>(
 pub(super) fn stays_open<R: Real, W: World<R>>(
     scene: &W,
     [from, to]: [&Instant<R>; 2],
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     (lasting, width): (&[Pair], R),
 ) -> bool {
     let [here, there] = [from, to].map(|body| Ruler::of(scene, body, axis));
@@ -416,7 +418,7 @@ pub(super) fn stays_open<R: Real, W: World<R>>(
 pub(super) fn opening_along<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
-    (obstacle, axis): (usize, Axis),
+    (obstacle, axis): (usize, Separation),
     (lasting, gap): (&[Pair], R),
 ) -> R {
     let ruler = Ruler::of(scene, body, axis);
@@ -438,7 +440,7 @@ pub(super) fn widest<R: Real, W: World<R>>(
     body: &Instant<R>,
     obstacle: usize,
     (lasting, beside): (&[Pair], Beside<'_, R>),
-) -> (Option<Axis>, R) {
+) -> (Option<Separation>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
     if (corners(scene, obstacle).len(), scene.vertices().len()) == (1, 1) {

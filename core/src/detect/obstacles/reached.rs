@@ -2,7 +2,7 @@
 
 use super::super::Placed;
 use super::axes::{
-    Axis, Beside, direction, faces, gap_along, is_at, is_flat_on, lies_over, moving, off,
+    Beside, Separation, direction, faces, gap_along, is_at, is_flat_on, lies_over, moving, off,
     opening_along, stays_open, widest,
 };
 use super::tally::{Sizes, Tally};
@@ -117,7 +117,8 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
     )
 }
 
-/// The same, piece by piece.
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, except for contacts that last, found piece by piece. `at`: the
+/// body at a point of the motion.
 fn first_in_pieces<R: Real, W: World<R>>(
     scene: &W,
     (known, among): (Known<'_>, Among),
@@ -401,9 +402,9 @@ fn touched<R: Real, W: World<R>>(
     // If a body lies flat on a side, its vertex moves with the whole side.
     let closing = |pair: Pair| {
         let axis = if pair.is_corner() {
-            Axis::BodySide(pair.body_side())
+            Separation::BodySide(pair.body_side())
         } else {
-            Axis::Side(pair.surface)
+            Separation::Side(pair.surface)
         };
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         opening_along(scene, body, (obstacle, axis), (lasting, gap))

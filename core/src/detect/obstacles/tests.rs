@@ -18,7 +18,7 @@ fn scene(body: &[[f64; 2]], obstacles: &[&[[f64; 2]]]) -> Scenery {
     scene_on(body, &[], obstacles)
 }
 
-/// The same on half-planes.
+/// A body on half-planes among obstacles of the same friction.
 fn scene_on(
     body: &[[f64; 2]],
     surfaces: &[SurfaceDescription<f64>],

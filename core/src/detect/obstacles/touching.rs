@@ -169,7 +169,7 @@ impl<R: Real> Placed<R> {
         self.work_within(scene, radius, Sizes::touching)
     }
 
-    /// The same in units of work.
+    /// The cost of finding the contacts that touch to within the tolerance of a closing gap, in units of work.
     pub(crate) fn touching_work<W: World<R>>(&self, scene: &W) -> u32 {
         units(self.work_of_touching(scene, R::TOUCH.doubled()))
     }
@@ -307,7 +307,7 @@ impl<R: Real> Placed<R> {
         let is_inner = |&pair: &Pair| {
             let tangent = scene.face(pair, self.orientation.rotation()).tangent;
             let arm = self.arm_to(scene, pair);
-            let in_line = |&&other: &&Pair| other != pair && scene.lie_in_line([pair, other], self);
+            let in_line = |&&other: &&Pair| other != pair && self.lie_in_line(scene, [pair, other]);
             let along = |other: &Pair| tangent.dot(self.arm_to(scene, *other) - arm);
             let others = || contacts.iter().filter(in_line).map(along);
             others().any(|x| x > R::ZERO) && others().any(|x| x < R::ZERO)

@@ -3,7 +3,7 @@
 //! computed once and stays valid for some time.
 
 use super::super::Placed;
-use super::axes::{Axis, axes, gap_less, lies_over, room_along};
+use super::axes::{Separation, axes, gap_less, lies_over, room_along};
 use super::tally::{Sizes, Tally};
 use crate::contact::Pair;
 use crate::motion::Instant;
@@ -26,14 +26,14 @@ impl Watch {
     const BODY_SIDE: u8 = 0x80;
 
     /// A byte for an axis, not 0; 0 if there is none.
-    fn name<R: Real, W: World<R>>(scene: &W, (obstacle, axis): (usize, Axis)) -> u8 {
+    fn name<R: Real, W: World<R>>(scene: &W, (obstacle, axis): (usize, Separation)) -> u8 {
         match (axis, u8::try_from(obstacle)) {
-            (Axis::Side(side), _) => {
+            (Separation::Side(side), _) => {
                 let index = side.saturating_sub(scene.surface_indices().end);
                 let named = index.saturating_add(1);
                 if named < Self::BODY_SIDE { named } else { 0 }
             }
-            (Axis::BodySide(side), Ok(obstacle)) if obstacle < 16 && side < 8 => {
+            (Separation::BodySide(side), Ok(obstacle)) if obstacle < 16 && side < 8 => {
                 Self::BODY_SIDE | obstacle << 3 | side
             }
             _ => 0,
@@ -41,7 +41,11 @@ impl Watch {
     }
 
     /// The axis of an obstacle.
-    pub(super) fn axis_of<R: Real, W: World<R>>(self, scene: &W, obstacle: usize) -> Option<Axis> {
+    pub(super) fn axis_of<R: Real, W: World<R>>(
+        self,
+        scene: &W,
+        obstacle: usize,
+    ) -> Option<Separation> {
         let mut named = self
             .0
             .into_iter()
@@ -49,14 +53,14 @@ impl Watch {
         named.find(|&(of, _)| of == obstacle).map(|(_, axis)| axis)
     }
 
-    fn named<R: Real, W: World<R>>(scene: &W, name: u8) -> Option<(usize, Axis)> {
+    fn named<R: Real, W: World<R>>(scene: &W, name: u8) -> Option<(usize, Separation)> {
         if name & Self::BODY_SIDE != 0 {
             let obstacle = usize::from((name & !Self::BODY_SIDE) >> 3);
-            return Some((obstacle, Axis::BodySide(name & 7)));
+            return Some((obstacle, Separation::BodySide(name & 7)));
         }
         let side = (scene.surface_indices().end).saturating_add(name.checked_sub(1)?);
         let obstacle = scene.corner(side)?.obstacle;
-        Some((usize::from(obstacle), Axis::Side(side)))
+        Some((usize::from(obstacle), Separation::Side(side)))
     }
 }
 
@@ -104,7 +108,7 @@ impl<R: Real> Short<'_, R> {
     fn is_open<W: World<R>>(
         &self,
         scene: &W,
-        axis: (usize, Axis),
+        axis: (usize, Separation),
         (flat, tally): (bool, &Tally),
     ) -> bool {
         let sizes = Sizes::of_one(scene, axis.0);
@@ -122,7 +126,7 @@ impl<R: Real> Short<'_, R> {
     /// Returns whether two of the contacts that last are collinear.
     fn is_flat<W: World<R>>(&self, scene: &W) -> bool {
         match *self.lasting {
-            [one, other] => scene.lie_in_line([one, other], &self.after),
+            [one, other] => self.after.lie_in_line(scene, [one, other]),
             _ => self.lasting.len() > 1,
         }
     }
@@ -155,7 +159,7 @@ impl<R: Real> Short<'_, R> {
                     axis,
                 )
             };
-            let wider = |a: (R, Axis), b: (R, Axis)| if b.0 > a.0 { b } else { a };
+            let wider = |a: (R, Separation), b: (R, Separation)| if b.0 > a.0 { b } else { a };
             // A point and a pin have no axis.
             let Some((off, axis)) = axes(scene, obstacle).map(along).reduce(wider) else {
                 continue;

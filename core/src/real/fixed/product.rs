@@ -75,7 +75,7 @@ pub(super) fn square(x: i32) -> i32 {
         .wrapping_add(upper.wrapping_mul(lower) >> 14)
 }
 
-/// The same products by four multiplies of 16-bit halves.
+/// The products of this file by four multiplies of 16-bit halves, bit for bit.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod halves {
     use super::{PLACES, RAIL};

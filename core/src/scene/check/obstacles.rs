@@ -2,7 +2,7 @@
 
 use super::outline::{check_convex, sides, spread};
 use super::{
-    Checked, Representable, check_friction, check_model_friction, fits, larger, require, thinnest,
+    Checked, Friction, Representable, check_model_friction, fits, larger, require, thinnest,
 };
 use crate::contact::Pair;
 use crate::geometry::Vec2;
@@ -56,14 +56,16 @@ pub(in crate::scene) fn check_obstacles<R: Real, M: Model>(
             Parameter::ObstacleFrictionStatic(i),
         );
         check_model_friction::<R::Si, M>(mu_s, fixed)?;
-        check_friction(
-            (mu_s, fixed),
-            (
-                obstacle.friction_dynamic,
-                Parameter::ObstacleFrictionDynamic(i),
-            ),
-            (obstacle.memory, Parameter::ObstacleMemory(i)),
-        )?;
+        let friction = Friction {
+            mu_s,
+            mu_d: obstacle.friction_dynamic,
+            memory: obstacle.memory,
+        };
+        friction.check([
+            fixed,
+            Parameter::ObstacleFrictionDynamic(i),
+            Parameter::ObstacleMemory(i),
+        ])?;
     }
     Ok(())
 }

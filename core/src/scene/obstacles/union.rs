@@ -7,7 +7,7 @@ use crate::list::gather;
 use crate::obstacle::Corner;
 use crate::real::Real;
 use crate::scene::one_in;
-use crate::world::Surface;
+use crate::surface::Surface;
 
 /// A side that begins at a corner; for a pin, which has no side, of length zero.
 pub(super) struct Side<F> {
@@ -186,7 +186,8 @@ impl<F: Real, const C: usize> Outline<F, C> {
 pub(super) fn cover<R: Real>(
     corners: &mut [Corner<R>],
     sides: &[Side<R::Si>],
-    (normal, offset): (Vec2<R::Si>, R::Si),
+    normal: Vec2<R::Si>,
+    offset: R::Si,
 ) {
     for (corner, side) in corners.iter_mut().zip(sides) {
         let near = near::<R>(side.from.length_bound().max(offset.abs()));

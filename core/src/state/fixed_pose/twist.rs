@@ -125,7 +125,7 @@ impl<R: Real> FixedPose<R> {
                     turn,
                 })
             }
-            Some(sign) if scene.are_in_line([a, b], &load.placed) => {
+            Some(sign) if load.placed.are_in_line(scene, [a, b]) => {
                 self.sliding(&load, &self.surface(scene, a), sign)
             }
             Some(_) if a.vertex == b.vertex && !a.is_corner() => None,

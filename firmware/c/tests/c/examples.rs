@@ -36,7 +36,7 @@ struct Taken {
 fn knob(machine: &Machine, library: &Library) -> Result<Taken, EmulatorError> {
     let out = tempfile::tempdir()?;
     let sources = ["tests/c/turned.c", "examples/knob.c"];
-    let program = machine.build(library, &sources, (out.path(), &[]))?;
+    let program = machine.build(library, &sources, out.path(), &[])?;
     let said = machine.run_counting(&program)?;
     let number = |name: &str| {
         let line = said.lines().find_map(|line| line.strip_prefix(name))?;
@@ -108,7 +108,7 @@ fn the_torques_of_the_pantograph_do_the_work_of_its_force() {
     let out = tempfile::tempdir().expect("a folder");
     let sources = ["tests/c/pantograph.c", "examples/pantograph.c"];
     let said = machine
-        .build(&FLOAT, &sources, (out.path(), &[]))
+        .build(&FLOAT, &sources, out.path(), &[])
         .and_then(|program| machine.run(&program));
     if let Some(said) = if_installed(said) {
         assert_eq!(said, "");
@@ -138,7 +138,7 @@ fn the_first_lines_of_the_readme_run() {
     let source = source.to_str().expect("a path of text");
     let machine = Machine::computer(Compiler::Gcc, &[]);
     let said = machine
-        .build(&FLOAT, &[source], (out.path(), &[]))
+        .build(&FLOAT, &[source], out.path(), &[])
         .and_then(|program| machine.run(&program));
     if let Some(said) = if_installed(said) {
         assert_eq!(said, "");

@@ -169,7 +169,7 @@ pub(crate) fn hashes<R: Real<Si = f32>, M: Room>(library: &Library, frames: u32)
             let built = file.described_among::<R, _>(|d, o| (M::scene::<R>(d, o), d.start));
             let ((scene, start), _) = built;
             let solver = Solver::new(scene, Evolution::ALL[i % 2]);
-            hash(&solver, start, (2_463_534_242 + i as u32, frames))
+            hash(&solver, start, 2_463_534_242 + i as u32, frames)
         })
         .collect()
 }
@@ -177,7 +177,8 @@ pub(crate) fn hashes<R: Real<Si = f32>, M: Room>(library: &Library, frames: u32)
 fn hash<R: Real<Si = f32>, M: Room>(
     solver: &Solver<R, 8, 4, M>,
     start: [f32; 3],
-    (seed, frames): (u32, u32),
+    seed: u32,
+    frames: u32,
 ) -> u32 {
     let (mut random, mut hash) = (Random(seed), Hash(2_166_136_261));
     let [mut x, mut y, mut phi] = [0; 3];

@@ -144,7 +144,8 @@ impl Machine {
         &self,
         library: &Library,
         sources: &[&str],
-        (out, defined): (&Path, &[String]),
+        out: &Path,
+        defined: &[String],
     ) -> Result<PathBuf, EmulatorError> {
         let archive = library.archive(self.target)?;
         let startup = self.chip.as_ref().map_or("hosted.c", |chip| chip.startup);
@@ -187,7 +188,7 @@ impl Machine {
         let objects: Vec<PathBuf> = objects
             .map(|name| out.join(name).with_extension("o"))
             .collect();
-        output_of(chip.link(&machines.join("link.ld"), &objects, (&archive, &program))?)?;
+        output_of(chip.link(&machines.join("link.ld"), &objects, &archive, &program)?)?;
         Ok(program)
     }
 
@@ -202,7 +203,7 @@ impl Machine {
         }
     }
 
-    /// The same with a clock that counts the instructions of the chip, which is slower to emulate.
+    /// What a program prints, with a clock that counts the instructions of the chip, which is slower to emulate.
     ///
     /// # Errors
     /// As above.
@@ -220,7 +221,8 @@ impl Chip {
         &self,
         script: &Path,
         objects: &[PathBuf],
-        (archive, program): (&Path, &Path),
+        archive: &Path,
+        program: &Path,
     ) -> Result<Command, EmulatorError> {
         let mut rustc = Command::new("rustc");
         rustc.args(["--print", "target-libdir"]);

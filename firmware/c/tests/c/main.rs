@@ -22,7 +22,7 @@ fn hashes(machine: &Machine, library: &Library) -> Result<Vec<u32>, EmulatorErro
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("scenes.h"), scenes_header(library))?;
     let defined = [format!("-DFRAMES={FRAMES}u")];
-    let program = machine.build(library, &["tests/c/walk.c"], (folder.path(), &defined))?;
+    let program = machine.build(library, &["tests/c/walk.c"], folder.path(), &defined)?;
     let said = machine.run(&program)?;
     let hash = |line: &str| u32::from_str_radix(line.strip_prefix("hash ")?, 16).ok();
     let hashes: Option<Vec<u32>> = said.lines().map(hash).collect();
@@ -78,7 +78,7 @@ fn what_no_caller_should_give_is_refused() {
         let machine = Machine::computer(compiler, SANITIZED);
         let folder = tempfile::tempdir().expect("a folder");
         let said = machine
-            .build(&library, &["tests/c/hostile.c"], (folder.path(), &[]))
+            .build(&library, &["tests/c/hostile.c"], folder.path(), &[])
             .and_then(|program| machine.run(&program));
         if let Some(said) = if_installed(said) {
             assert_eq!(said, "", "{compiler:?} {library:?}");

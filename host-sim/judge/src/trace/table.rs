@@ -1,6 +1,7 @@
 //! CSV: a header and one row per frame, with up to four contacts. If the column `contacts` of a row reports more, or a row
 //! has four contacts and no such column, the frame is marked as incomplete.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::fs::File;
@@ -9,8 +10,9 @@ use std::rc::Rc;
 
 use csv::{Reader, StringRecord};
 
-use super::{LONGEST_RECORD, Line, Names, Told, event, sliding, state, status};
-use crate::frame::{Contact, Frame, State};
+use super::record::{Entry, Names, Record};
+use super::{LONGEST_RECORD, Line};
+use crate::frame::State;
 
 /// Contacts in a row.
 const CONTACTS: usize = 4;
@@ -145,7 +147,8 @@ impl Rows {
             Ok(false) => None,
             Ok(true) => {
                 let line = self.row.position().map_or(0, csv::Position::line);
-                Some((line, self.columns.frame(&self.row, names)))
+                let record = self.columns.record(&self.row);
+                Some((line, record.and_then(|record| record.frame(names))))
             }
             Err(error) => {
                 let line = error.position().map_or(0, csv::Position::line);
@@ -170,7 +173,7 @@ fn plain(error: &csv::Error) -> String {
 }
 
 impl Columns {
-    fn frame(&self, row: &StringRecord, names: &Names) -> Result<Frame, String> {
+    fn record<'a>(&self, row: &'a StringRecord) -> Result<Record<'a>, String> {
         let text = |name: &str| {
             self.scalars
                 .get(name)
@@ -178,39 +181,41 @@ impl Columns {
                 .unwrap_or("")
         };
         let value = |name: &str| number(name, text(name));
-        let three = |names: [&str; 3]| -> Result<[f64; 3], String> {
-            Ok([value(names[0])?, value(names[1])?, value(names[2])?])
+        let three = |names: [&str; 3]| -> Result<[Option<f64>; 3], String> {
+            let [a, b, c] = names.map(value);
+            Ok([Some(a?), Some(b?), Some(c?)])
         };
         let mut contacts = Vec::new();
         for (k, places) in self.contacts.iter().flatten().enumerate() {
-            let Some(contact) = places.contact(k, row, names)? else {
+            let Some(contact) = places.contact(k, row)? else {
                 break;
             };
             contacts.push(contact);
         }
-        let state = state(text("state"))?;
         let in_all = match self.count.and_then(|i| row.get(i)) {
             Some(field) => count("contacts", field)?,
-            None if contacts.len() == CONTACTS && state == State::Locked => CONTACTS + 1,
+            None if contacts.len() == CONTACTS && text("state") == State::Locked.name() => {
+                CONTACTS + 1
+            }
             None => contacts.len(),
         };
-        Ok(Frame {
+        Ok(Record {
             t: value("t")?,
             hand: three(["hand_x", "hand_y", "hand_phi"])?,
             held: flag(text("held"))?,
             pose: three(["pose_x", "pose_y", "pose_theta"])?,
             depth: (self.depth.and_then(|i| row.get(i)))
                 .map_or(Ok(0.0), |field| number("depth", field))?,
-            state,
-            complete: in_all <= contacts.len(),
+            state: Cow::Borrowed(text("state")),
+            more_contacts: in_all > contacts.len(),
             contacts,
             wrench: three(["wrench_x", "wrench_y", "wrench_moment"])?,
             slips: u32::try_from(count("slips", text("slips"))?)
                 .map_err(|error| format!("`slips`: {error}"))?,
             events: (text("events").split_whitespace())
-                .map(event)
-                .collect::<Result<_, _>>()?,
-            status: status(text("status"))?,
+                .map(Cow::Borrowed)
+                .collect(),
+            status: Cow::Borrowed(text("status")),
             behind: (self.behind.and_then(|i| row.get(i)))
                 .filter(|field| !field.is_empty())
                 .map(|field| number("behind", field))
@@ -221,49 +226,39 @@ impl Columns {
 
 impl Places {
     /// Contact `k` of a row, if it has that many.
-    fn contact(
-        &self,
-        k: usize,
-        row: &StringRecord,
-        names: &Names,
-    ) -> Result<Option<Contact>, String> {
-        let field = |i: usize| row.get(self.all[i]).unwrap_or("");
-        let of_obstacles = |i: usize| self.of_obstacles[i].and_then(|i| row.get(i)).unwrap_or("");
-        if field(0).is_empty() && of_obstacles(2).is_empty() {
+    fn contact<'a>(&self, k: usize, row: &'a StringRecord) -> Result<Option<Entry<'a>>, String> {
+        let given = |i: usize| row.get(i).filter(|text| !text.is_empty());
+        let of_obstacles = |i: usize| self.of_obstacles[i].and_then(given);
+        let vertex = given(self.all[0]);
+        if vertex.is_none() && of_obstacles(2).is_none() {
             return Ok(None);
         }
-        let given = |text| Some(text).filter(|text: &&str| !text.is_empty());
-        let index = |name: &str, text| given(text).map(|text| count(name, text)).transpose();
-        let told = Told {
-            vertex: index("vertex", field(0))?,
-            surface: given(field(1)),
-            obstacle: given(of_obstacles(0)),
+        let index = |name: &str, text: Option<&str>| text.map(|text| count(name, text)).transpose();
+        let value =
+            |name: &str, i: usize| number(&format!("c{k}_{name}"), row.get(i).unwrap_or(""));
+        let direction = match self.direction {
+            Some([x, y]) if given(x).is_some() => Some([
+                Some(value("direction_x", x)?),
+                Some(value("direction_y", y)?),
+            ]),
+            _ => None,
+        };
+        let sign = |field: &str| {
+            let sign = field.parse();
+            sign.map_err(|_| not_a_number(&format!("c{k}_sliding"), field))
+        };
+        let [_, surface, x, y, normal, friction] = self.all;
+        Ok(Some(Entry {
+            vertex: index("vertex", vertex)?,
+            surface: given(surface).map(Cow::Borrowed),
+            obstacle: of_obstacles(0).map(Cow::Borrowed),
             side: index("side", of_obstacles(1))?,
             corner: index("corner", of_obstacles(2))?,
             body_side: index("body_side", of_obstacles(3))?,
-        };
-        let along =
-            |name: &str, i: usize| number(&format!("c{k}_{name}"), row.get(i).unwrap_or(""));
-        let direction = match self.direction {
-            Some([x, y]) if row.get(x).is_some_and(|text| !text.is_empty()) => {
-                Some([along("direction_x", x)?, along("direction_y", y)?])
-            }
-            _ => None,
-        };
-        let value = |i: usize| number(&format!("c{k}_{}", CONTACT[i]), field(i));
-        let sign = |field: &str| {
-            let sign = field.parse();
-            sliding(
-                k,
-                sign.map_err(|_| not_a_number(&format!("c{k}_sliding"), field))?,
-            )
-        };
-        Ok(Some(Contact {
-            touch: names.touch(k, &told)?,
-            point: [value(2)?, value(3)?],
+            point: [Some(value("x", x)?), Some(value("y", y)?)],
             direction,
-            normal: value(4)?,
-            friction: value(5)?,
+            normal: value("normal", normal)?,
+            friction: value("friction", friction)?,
             sliding: (self.sliding.and_then(|i| row.get(i)))
                 .map(sign)
                 .transpose()?,

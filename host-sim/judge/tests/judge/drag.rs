@@ -137,9 +137,3 @@ fn regrasped(t: f64, x: f64) -> Vec<Frame> {
     frames[2].events = vec![Event::Grasp];
     frames
 }
-
-/// The index of the frame in which the box first slips.
-pub(crate) fn first_slip(frames: &[Frame]) -> usize {
-    let slip = frames.iter().position(|frame| frame.slips > 0);
-    slip.expect("a slip")
-}

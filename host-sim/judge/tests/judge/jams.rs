@@ -75,13 +75,13 @@ fn only(law: &'static str) -> BTreeSet<&'static str> {
     BTreeSet::from([law])
 }
 
-const TOLD: [Option<i8>; 2] = [None, Some(0)];
+const REPORTED: [Option<i8>; 2] = [None, Some(0)];
 
 #[test]
 fn jam_that_holds_is_lawful() {
     let scene = wedge(0.2);
-    for told in TOLD {
-        let frames = [1.0, 1.2].map(|n| held(&scene, [n, 1.1 * n], 0.28, told));
+    for reported in REPORTED {
+        let frames = [1.0, 1.2].map(|n| held(&scene, [n, 1.1 * n], 0.28, reported));
         assert_eq!(laws(&scene, frames), BTreeSet::new());
     }
 }
@@ -89,9 +89,9 @@ fn jam_that_holds_is_lawful() {
 #[test]
 fn jam_that_is_let_go_is_found() {
     let scene = wedge(0.2);
-    for told in TOLD {
+    for reported in REPORTED {
         // Pulled outwards and up: the ceiling's gap would close.
-        let [last, next] = [0.05, 0.06].map(|n| held(&scene, [n, 2.0 * n], 0.28, told));
+        let [last, next] = [0.05, 0.06].map(|n| held(&scene, [n, 2.0 * n], 0.28, reported));
         let laws = laws(&scene, [last, let_go(&next)]);
         assert!(laws.contains(law::HOLDS), "{laws:?}");
     }
@@ -101,8 +101,8 @@ fn jam_that_is_let_go_is_found() {
 #[test]
 fn jam_that_is_pulled_apart_may_open() {
     let scene = wedge(0.2);
-    for told in TOLD {
-        let frames = [1.0, 1.2].map(|n| held(&scene, [n, n], 0.28, told));
+    for reported in REPORTED {
+        let frames = [1.0, 1.2].map(|n| held(&scene, [n, n], 0.28, reported));
         let opened = let_go(&frames[1]);
         assert_eq!(laws(&scene, [frames[0].clone(), opened]), BTreeSet::new());
     }
@@ -124,8 +124,8 @@ fn jam_that_needs_stiction_holds_where_it_has_it() {
 #[test]
 fn contacts_that_cannot_hold_may_open() {
     let scene = wedge(0.6);
-    for told in TOLD {
-        let first = held(&scene, [0.1, 0.1], 0.0, told);
+    for reported in REPORTED {
+        let first = held(&scene, [0.1, 0.1], 0.0, reported);
         let mut out = first.clone();
         out.hand = [0.1, 0.5, FRAC_PI_2];
         assert_eq!(laws(&scene, [first, let_go(&out)]), BTreeSet::new());

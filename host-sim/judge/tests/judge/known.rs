@@ -95,11 +95,12 @@ fn slip_of_a_vertex_that_ends_a_hundredth_off_is_found() {
 #[test]
 fn slip_of_a_point_with_any_angle_is_known() {
     for lever in [0.0, 1e-17] {
-        let scene = scene(&format!(
-            "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [{lever:?}, 0.0]\n\
+        let mut scene = scene(
+            "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [0.0, 0.0]\n\
              [spring]\ntranslation = 1.0\nrotation = 0.0\n\
              [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\nstatic = 0.5\ndynamic = 0.2\n",
-        ));
+        );
+        scene.holding_point = Some([lever, 0.0]);
         let to = |end| slip(&scene, [0.05, -0.1, 0.0], [[0.0, 1.0], [end, 1.0]]);
         assert_eq!(to(0.03), BTreeSet::new());
         assert!(to(0.02).contains(law::SLIP_ENDS));

@@ -142,20 +142,20 @@ fn slide_that_goes_back_is_found() {
 }
 
 #[test]
-fn slide_and_stop_that_are_not_told_are_found() {
+fn slide_and_stop_that_are_not_reported_are_found() {
     for place in [TURNS, BEGINS] {
         let silent = after(place, |frame| frame.events.clear());
-        assert!(silent.contains(law::SLIDE_TOLD), "{place}");
+        assert!(silent.contains(law::SLIDE_REPORTED), "{place}");
     }
     for event in [Event::Slide, Event::Stop] {
         let idle = after(RESTS, |frame| frame.events = vec![event]);
-        assert!(idle.contains(law::SLIDE_TOLD), "{event:?}");
+        assert!(idle.contains(law::SLIDE_REPORTED), "{event:?}");
     }
     let ended = after(BEGINS, |frame| {
         frame.events = vec![Event::Slide, Event::Stop];
     });
     // Nor do such events lead to the actual state.
-    let both = BTreeSet::from([law::SLIDE_TOLD, law::COME_AND_GO]);
+    let both = BTreeSet::from([law::SLIDE_REPORTED, law::COME_AND_GO]);
     assert_eq!(ended, both);
     // From one direction to the other in one frame: both events.
     let turned = |events: &[Event]| {
@@ -275,7 +275,7 @@ fn thresholds_of_memory_lengths() {
         let normal = |part: f64, x: f64| {
             let parsed = self::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
-            // The same without the weight of 1 N and its friction.
+            // Without the weight of 1 N and its friction.
             lighten(&parsed, &mut frame, part * threshold);
             frame
         };

@@ -175,7 +175,7 @@ fn names_of_two_contacts_in_one_line() {
 
 /// Vertex and corner at one place are one contact.
 #[test]
-fn contact_that_is_told_as_two_is_found() {
+fn contact_that_is_reported_as_two_is_found() {
     let mut frames = pushed();
     frames.truncate(1);
     frames[0] = flat(-0.05, 1.0);

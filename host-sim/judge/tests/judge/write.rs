@@ -2,17 +2,17 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Judge, Scene, State, Status};
-use stiction_judge::{InputError, Survey, Touch, Trace};
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Status};
+use stiction_judge::{InputError, Source, Survey, Touch, Trace};
 use tempfile::TempDir;
 
 /// The formats.
 pub(crate) const FORMATS: [&str; 2] = ["jsonl", "csv"];
 
 pub(crate) fn scene(text: &str) -> Scene {
-    Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+    Scene::parse(Source::new("scene.toml", text)).expect("a sound scene")
 }
 
 /// A vertex on a surface.
@@ -39,47 +39,6 @@ pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
     }
 }
 
-fn state(state: State) -> &'static str {
-    match state {
-        State::NonContact => "non-contact",
-        State::SingleVertex => "single-vertex",
-        State::Edge => "edge",
-        State::TwoVertex => "two-vertex",
-        State::Corner => "corner",
-        State::Locked => "locked",
-    }
-}
-
-fn event(event: Event) -> &'static str {
-    match event {
-        Event::Touch => "touch",
-        Event::Lift => "lift",
-        Event::Slip => "slip",
-        Event::Tip => "tip",
-        Event::Land => "land",
-        Event::Snap => "snap",
-        Event::Jam => "jam",
-        Event::Grasp => "grasp",
-        Event::Release => "release",
-        Event::Slide => "slide",
-        Event::Stop => "stop",
-    }
-}
-
-fn status(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "ok",
-        Status::EventLimit => "event-limit",
-        Status::IterationLimit => "iteration-limit",
-        Status::Ambiguous => "ambiguous",
-        Status::Saturated => "saturated",
-        Status::HeldLast => "held-last",
-        Status::Jammed => "jammed",
-        Status::Behind => "behind",
-        Status::Twist => "twist",
-    }
-}
-
 /// A number in JSON: one that is not finite is null.
 fn digits(x: f64) -> String {
     if x.is_finite() {
@@ -95,7 +54,7 @@ fn list(numbers: &[f64]) -> String {
 }
 
 /// The touching features, by JSON key and in the order of the CSV columns.
-fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
+fn reported(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
     let index = |index: usize| Some(index.to_string());
     let (mut vertex, mut surface, mut obstacle) = (None, None, None);
     let (mut side, mut corner, mut body_side) = (None, None, None);
@@ -138,7 +97,7 @@ fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
 fn object(scene: &Scene, frame: &Frame) -> String {
     let contact = |c: &Contact| {
         let is_name = |key: &str| matches!(key, "surface" | "obstacle");
-        let keys: Vec<_> = (told(scene, c.touch).into_iter())
+        let keys: Vec<_> = (reported(scene, c.touch).into_iter())
             .filter_map(|(key, value)| value.map(|value| (key, value)))
             .map(|(key, value)| match is_name(key) {
                 true => format!(r#""{key}":{value:?}"#),
@@ -162,7 +121,7 @@ fn object(scene: &Scene, frame: &Frame) -> String {
     let events: Vec<_> = frame
         .events
         .iter()
-        .map(|&e| format!("{:?}", event(e)))
+        .map(|&e| format!("{:?}", e.name()))
         .collect();
     format!(
         r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?}{},"more":1}}"#,
@@ -171,12 +130,12 @@ fn object(scene: &Scene, frame: &Frame) -> String {
         frame.held,
         list(&frame.pose),
         digits(frame.depth),
-        state(frame.state),
+        frame.state.name(),
         contacts.join(","),
         list(&frame.wrench),
         frame.slips,
         events.join(","),
-        status(frame.status),
+        frame.status.name(),
         behind.unwrap_or_default()
     )
 }
@@ -188,7 +147,7 @@ fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
             .collect::<Vec<_>>()
             .join(",")
     };
-    let events: Vec<_> = frame.events.iter().map(|&e| event(e)).collect();
+    let events: Vec<_> = frame.events.iter().map(|e| e.name()).collect();
     let mut row = format!(
         "{:?},{},{},{},{:?},{},{},{},{},{}",
         frame.t,
@@ -196,11 +155,11 @@ fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
         frame.held,
         numbers(&frame.pose),
         frame.depth,
-        state(frame.state),
+        frame.state.name(),
         numbers(&frame.wrench),
         frame.slips,
         events.join(" "),
-        status(frame.status)
+        frame.status.name()
     );
     let behind = frame.behind.map(digits).unwrap_or_default();
     write!(row, ",{behind}").expect("a string");
@@ -230,10 +189,10 @@ fn field(scene: &Scene, c: &Contact, column: &str) -> String {
             .map(|n| format!("{:?}", n[1]))
             .unwrap_or_default(),
         _ => {
-            let told = told(scene, c.touch)
+            let reported = reported(scene, c.touch)
                 .into_iter()
                 .find(|(key, _)| *key == column);
-            told.and_then(|(_, value)| value).unwrap_or_default()
+            reported.and_then(|(_, value)| value).unwrap_or_default()
         }
     }
 }

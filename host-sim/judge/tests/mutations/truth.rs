@@ -1,15 +1,13 @@
 //! True traces: the solver's answers as they appear in a trace, number by number.
 
 use std::fmt::Display;
-use std::path::Path;
 
 use stiction_core::{
     Evolution as Way, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, narrow_hand,
 };
 use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Scene, Status};
 use stiction_scene::{Among, HostModel, HostSolver, Indices, Motion, SceneFile, Source};
-use stiction_tests::obstacles::before_judge;
-use stiction_tests::obstacles::run::named;
+use stiction_tests::obstacles::run::judged;
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +56,7 @@ pub(crate) fn truth(name: &str, text: &str, number: Number, evolution: Evolution
         name: name.to_owned(),
         number,
         evolution,
-        scene: Scene::parse(Path::new(name), text).expect("a scene"),
+        scene: Scene::parse(Source::new(name, text)).expect("a scene"),
         frames,
     }
 }
@@ -91,7 +89,7 @@ fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
                 output
             }
         };
-        told::<R, M>(
+        printed_frame::<R, M>(
             sample.t,
             (&solver, state.as_ref().expect("one"), &output),
             indices.as_ref(),
@@ -105,7 +103,7 @@ fn printed(x: impl Display) -> f64 {
     x.to_string().parse().expect("a number")
 }
 
-fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
+fn printed_frame<R: Real<Si: SiFloat + Display>, M: HostModel>(
     t: f64,
     (solver, state, output): (&HostSolver<R, M>, &State<R>, &Output<R::Si>),
     indices: Option<&Indices>,
@@ -120,9 +118,7 @@ fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
         };
         let touch = touching.map_or(of_surface, |touching| touching.touch);
         Contact {
-            touch: before_judge::touch(named(
-                indices.map_or(touch, |indices| indices.touch(touch)),
-            )),
+            touch: judged(indices.map_or(touch, |indices| indices.touch(touch))),
             point: contact.point.map(printed),
             direction: touching.map(|touching| touching.direction.map(printed)),
             normal: printed(contact.normal),

@@ -3,9 +3,9 @@
 use crate::board::Board;
 use crate::budgets::{Budget, follow};
 use crate::chip::AN505;
-use crate::client::hand_path;
 use crate::drags;
 use stiction_core::narrow_hand;
+use stiction_tests::station::client::hand_path;
 use stiction_wire::{Command, Mode, SceneCommand, Stepping};
 
 /// Ticks and samples of a second: the most that the board takes.

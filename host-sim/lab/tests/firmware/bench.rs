@@ -1,9 +1,9 @@
 //! The emulated Pico on its own clock and its client, in one thread.
 
 use crate::chip as board;
-use crate::client::{Client, Said};
 use stiction_host_sim::firmware::image::flashed;
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_tests::station::client::{Client, Said};
 use stiction_wire::{Command, Health, Reason};
 
 /// Cycles of a ms.
@@ -23,7 +23,7 @@ impl Bench {
         let image = board.image()?;
         let mut bench = Self {
             chip: Chip::new(flashed(&image.path, FLASH).unwrap()),
-            client: Client::new(),
+            client: Client::default(),
         };
         bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
         Some(bench)
@@ -43,8 +43,8 @@ impl Bench {
     /// Waits for a report; those before it are passed over.
     pub(crate) fn wait<T>(&mut self, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
         for _ in 0..PATIENCE {
-            while let Some(heard) = self.client.heard.pop_front() {
-                if let Some(found) = wanted(&heard.said) {
+            while let Some(received) = self.client.inbox.pop_front() {
+                if let Some(found) = wanted(&received.said) {
                     return found;
                 }
             }
@@ -65,7 +65,7 @@ impl Bench {
     }
 
     pub(crate) fn health(&mut self) -> Health {
-        self.client.heard.clear();
+        self.client.inbox.clear();
         self.wait(|said| match said {
             Said::Health(health) => Some(*health),
             _ => None,

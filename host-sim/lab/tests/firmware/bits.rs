@@ -1,10 +1,10 @@
 //! Every pose of an emulated board has the bits that the solver computes here, each board against its own number type.
 
-use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::{Said, hand_path};
 use stiction_core::{Evolution, Fixed, Real};
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Said, hand_path};
 use stiction_wire::{Command, Mode, NumberType, Pose, Reset, Stepping};
 
 pub(crate) const SAMPLES: u32 = 3_000;

@@ -1,7 +1,6 @@
 //! An emulated board: its emulator started with its image, its serial line a socket, its RAM read when asked for.
 
 use crate::chip::{Chip, Image, PICO};
-use crate::client::{Client, Known, Said};
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
@@ -9,6 +8,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use stiction_host_sim::firmware::board::Emulator;
 use stiction_host_sim::trade::chip::Chip as Processor;
+use stiction_tests::station::client::{Client, Known, Said};
 use stiction_wire::{Command, Health};
 
 /// Nothing takes longer.
@@ -45,7 +45,7 @@ impl Board {
             emulator,
             line,
             came: Vec::new(),
-            client: Client::new(),
+            client: Client::default(),
         };
         // Before its line is open, bytes are lost.
         board.wait(|_, said| matches!(said, Said::Pose(_)).then_some(()));
@@ -110,7 +110,7 @@ impl Board {
             std::thread::sleep(Duration::from_millis(25));
             self.listen();
         }
-        self.client.heard.clear();
+        self.client.inbox.clear();
     }
 
     /// Waits for a report of a kind; those before it are passed over.
@@ -127,8 +127,8 @@ impl Board {
     ) -> Option<T> {
         let begun = Instant::now();
         loop {
-            while let Some(heard) = self.client.heard.pop_front() {
-                if let Some(found) = wanted(heard.time, &heard.said) {
+            while let Some(received) = self.client.inbox.pop_front() {
+                if let Some(found) = wanted(received.time, &received.said) {
                     return Some(found);
                 }
             }

@@ -2,11 +2,11 @@
 
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, F405_AMONG, MICROBIT, PICO};
-use crate::client::{Known, Said, hand_path, scene};
-use crate::common::BOX;
 use std::fs;
 use stiction_core::Hand;
 use stiction_host_sim::firmware::workspace;
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Known, Said, hand_path, scene};
 use stiction_wire::{Command, Health, Mode, Parameters, Reset, Stepping};
 use toml::Table;
 

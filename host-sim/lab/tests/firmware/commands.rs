@@ -2,9 +2,9 @@
 
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::{Said, scene};
-use crate::common::BOX;
 use crate::silence::{alone, pressed};
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Said, scene};
 use stiction_wire::{Command, Mode, Parameters, Reset};
 
 /// Commands while the box is pressed to the floor, in the image itself.

@@ -3,8 +3,8 @@
 
 use crate::bench::Bench;
 use crate::chip::KNOB;
-use crate::client::Said;
 use crate::wiring::{Driver, Pins, Tracks, turn};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Mode};
 
 #[test]

@@ -1,14 +1,14 @@
 //! Bad lines and bad clients: floods, damaged bytes, a client that dies in a frame.
 
-use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::{Client, Said, hand_path};
-use crate::random::{Random, garbled};
 use crate::silence::{alone, deep, fallen_silent, last_sample, pressed};
 use std::collections::HashMap;
 use stiction_core::{Fixed, Hand, Real, Wrench};
 use stiction_firmware::safety::Limits;
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Client, Said, hand_path};
+use stiction_tests::station::noise::{Random, garbled};
 use stiction_wire::{Command, Drive, Mode, Pose, Stepping};
 
 /// How large a force is (N).
@@ -19,7 +19,7 @@ fn size(wrench: &Wrench<f32>) -> f32 {
 
 /// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time is recorded. From one
 /// telling to the next the force changes no faster than allowed.
-fn pressed_to_the_full(board: &mut Board, every_us: u32) -> Vec<Pose> {
+fn pressed_to_the_full(board: &mut Board, reported_every_us: u32) -> Vec<Pose> {
     let wanted = 500.0 * (0.05 - deep().position[1]);
     let rate = Limits::DEFAULT.force_rate;
     let (mut poses, mut before): (Vec<Pose>, Option<(u32, f32)>) = (Vec::new(), None);
@@ -35,7 +35,7 @@ fn pressed_to_the_full(board: &mut Board, every_us: u32) -> Vec<Pose> {
                 let now = size(feedback);
                 let (at, force) = before.replace((time, now)).unwrap_or((time, 0.0));
                 // One that was not sent makes the step to the next larger.
-                let passed_us = time.wrapping_sub(at).max(every_us);
+                let passed_us = time.wrapping_sub(at).max(reported_every_us);
                 let step = rate * passed_us as f32 * 1e-6;
                 assert!(now <= force + 1.001 * step, "{force} N to {now} N");
                 (now > 0.99 * wanted).then_some(true)
@@ -63,9 +63,9 @@ fn client_dies(chip: &'static Chip) {
         forces_every: 4,
         ..mode
     };
-    let every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
+    let reported_every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
     board.done(Command::Mode(often));
-    pressed_to_the_full(&mut board, every_us);
+    pressed_to_the_full(&mut board, reported_every_us);
     board.done(Command::Mode(mode));
     let before = pressed(&mut board);
     let last = last_sample(&mut board);
@@ -87,11 +87,11 @@ fn client_dies(chip: &'static Chip) {
     let health = board.health();
     assert_eq!(health.drive, Drive::Silent);
     let counted = health.faults.total();
-    board.client = Client::new();
+    board.client = Client::default();
     assert_eq!(board.info().mode, mode);
     board.done(Command::Mode(often));
     // From nothing, and from where the body was left.
-    for pose in pressed_to_the_full(&mut board, every_us) {
+    for pose in pressed_to_the_full(&mut board, reported_every_us) {
         assert!(pose.held && pose.position == before.position, "{pose:?}");
     }
     let health = board.health();
@@ -202,7 +202,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
     const MOST_READS: u32 = 40;
     let (mut out, mut back) = (Random(6), Random(7));
     // What the board says, before the line damages it, and after.
-    let (mut at_board, mut beyond) = (Client::new(), Client::new());
+    let (mut at_board, mut beyond) = (Client::default(), Client::default());
     let mut beside = Beside::<R>::new(&mode);
     beside.solver = beside.solver.with_budget(board.info().budget);
     let mut sent: HashMap<u32, Pose> = HashMap::new();
@@ -248,7 +248,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
 }
 
 fn poses(client: &mut Client) -> Vec<Pose> {
-    let said = client.heard.drain(..).map(|heard| heard.said);
+    let said = client.inbox.drain(..).map(|received| received.said);
     said.filter_map(|said| match said {
         Said::Pose(pose) => Some(pose),
         _ => None,

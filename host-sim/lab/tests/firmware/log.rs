@@ -5,11 +5,11 @@
 //! are reported only where the client waits for them. A hand presses with one sample: its force is on until silence ends it.
 
 use crate::chip::{Chip, F405, MICROBIT};
-use crate::client::Client;
 use crate::session::Session;
 use std::fs;
 use std::path::Path;
 use stiction_core::Hand;
+use stiction_tests::station::client::Client;
 use stiction_wire::{Command, Reset};
 
 /// The counts of a second.
@@ -82,7 +82,7 @@ fn untimed(line: &str) -> String {
 fn whole_session(chip: &Chip) -> Option<String> {
     let mut transcript = Transcript {
         session: Session::start(chip)?,
-        client: Client::new(),
+        client: Client::default(),
         text: String::new(),
     };
     transcript.events("force: off");

@@ -5,9 +5,9 @@
 use crate::board::Board;
 use crate::budgets::Budget;
 use crate::chip::PANTOGRAPH;
-use crate::client::Said;
 use std::collections::HashMap;
 use stiction_core::Hand;
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Drive, Mode, Reason};
 
 #[test]

@@ -3,11 +3,11 @@
 
 use crate::bench::Bench;
 use crate::chip::PICO_PANTOGRAPH;
-use crate::client::Said;
-use crate::example::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
-use crate::reference::{reference, transposed};
 use crate::wiring::{Driver, Pins, Tracks, turn};
 use std::f64::consts::TAU;
+use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
+use stiction_tests::pantograph::{reference, transposed};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Mode};
 
 const JOINTS: [&str; 3] = ["Left", "Right", "Handle"];

@@ -3,10 +3,10 @@
 use crate::bench::{Bench, MS, PATIENCE};
 use crate::budgets::Budget;
 use crate::chip::{self as board, Image, PICO, PICO_FLASHED};
-use crate::client::{Client, Said};
 use crate::drags;
 use stiction_core::{Hand, narrow_hand};
 use stiction_host_sim::trade::Case;
+use stiction_tests::station::client::{Client, Said};
 use stiction_wire::{Command, Drive, Health, SceneCommand};
 
 impl Bench {
@@ -45,7 +45,7 @@ impl Bench {
             self.chip.resets() == 1
         });
         assert!(takes.is_some(), "it is not reset: {:?}", self.chip);
-        self.client = Client::new();
+        self.client = Client::default();
         self.chip.gone();
         let health = self.health();
         assert_eq!(health.drive, Drive::Silent);
@@ -61,14 +61,14 @@ impl Bench {
         for sample in case.path.frames(Some(1000.0)) {
             self.send(Command::Hand(narrow_hand(&sample.hand)));
             self.pass();
-            self.client.heard.clear();
+            self.client.inbox.clear();
             frames += 1;
         }
         frames
     }
 }
 
-/// What becomes of a board after something is done to it: with the image without a log, and with that which `cargo run` flashes, of which
+/// What becomes of a board after something is done to it: with the image without a log, and with that which `cargo load` flashes, of which
 /// the log holds panics of its own.
 fn survives(boards: &[&board::Chip], disaster: impl Fn(&mut Bench, &Image)) {
     for board in boards {

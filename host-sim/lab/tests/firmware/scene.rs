@@ -1,12 +1,12 @@
 //! A scene file compiled into the boards: the solver is as large as the scene needs, and runs that scene, obstacles as well.
 
-use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT, SMALL_MICROBIT, bundled};
-use crate::client::{Said, scene};
-use crate::common::BOX;
 use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
 use stiction_scene::{Among, HostModel, Motion, SceneFile, WrittenScene};
+use stiction_tests::station::BOX;
+use stiction_tests::station::beside::{Beside, assert_same};
+use stiction_tests::station::client::{Said, scene};
 use stiction_wire::{Command, Mode, Pose, Reason, Stepping};
 
 /// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface, friction, no weight.

@@ -55,7 +55,7 @@ impl Session {
         let first = log.recv_timeout(BUILT).expect("the line is named");
         assert_eq!(first, format!("serial line: {},wait=on", at("line")));
         let line = connected(&folder.join("line"));
-        heard_by_nobody(line.try_clone().unwrap());
+        received_by_nobody(line.try_clone().unwrap());
         Some(Self {
             folder,
             child,
@@ -110,7 +110,7 @@ fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
 }
 
 /// What the board sends is taken from the line, so that it can send more.
-fn heard_by_nobody(mut line: UnixStream) {
+fn received_by_nobody(mut line: UnixStream) {
     thread::spawn(move || {
         let mut bytes = [0; 4096];
         while line.read(&mut bytes).is_ok_and(|count| count > 0) {}

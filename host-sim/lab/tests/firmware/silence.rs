@@ -2,9 +2,9 @@
 
 use crate::board::{AGAIN, Board};
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::Said;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use stiction_core::{Hand, Wrench};
+use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Drive, Mode, Pose};
 
 /// One emulated line at a time: an emulator that another one keeps from its core loses bytes of the line.

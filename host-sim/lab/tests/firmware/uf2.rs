@@ -1,10 +1,10 @@
 //! A Pico that is flashed with the file of `stiction image` runs its scene. What is in the file is tested with the program.
 
 use crate::chip::PICO;
-use crate::client::{Client, Said};
 use stiction_host_sim::firmware::image::parts;
 use stiction_host_sim::firmware::uf2::{Family, uf2};
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_tests::station::client::{Client, Said};
 use stiction_wire::Command;
 
 /// What a boot program writes into a flash of 2 MB: each block of 512 bytes has the address of a page and, behind 32 bytes, the page.
@@ -24,16 +24,19 @@ fn a_pico_that_is_flashed_with_the_file_runs_its_scene() {
     };
     let file = uf2(&parts(&image.path).unwrap(), Family::RP2040).unwrap();
     let mut chip = Chip::new(written(&file));
-    let mut client = Client::new();
+    let mut client = Client::default();
     let ms = u64::from(MEGAHERTZ) * 1_000;
     chip.run(10 * ms);
     chip.bring(&client.encode(Command::Hello));
     chip.run(10 * ms);
     client.listen(&chip.gone());
-    let info = client.heard.iter().find_map(|heard| match &heard.said {
-        Said::Info(info) => Some(info.clone()),
-        _ => None,
-    });
+    let info = client
+        .inbox
+        .iter()
+        .find_map(|received| match &received.said {
+            Said::Info(info) => Some(info.clone()),
+            _ => None,
+        });
     let info = info.expect("it says what it is");
     // A point on a plane, with friction and without weight or obstacles.
     assert_eq!((&*info.name, info.room), ("pico", [1, 1]));

@@ -90,7 +90,7 @@ pub(crate) fn turn(bench: &mut Bench, tracks: &mut [Tracks], to: &[i32]) {
     for _ in 0..200 {
         bench.pass();
     }
-    bench.client.heard.clear();
+    bench.client.inbox.clear();
 }
 
 /// The driver of a motor at two pins.

@@ -5,9 +5,9 @@ use std::io::BufRead;
 use std::path::Path;
 
 use stiction_core::TrackerSample;
-use stiction_text::Lines;
 
 use crate::source::{InputError, excerpt, not_text};
+use crate::text::Lines;
 
 const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];

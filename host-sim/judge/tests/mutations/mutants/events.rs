@@ -98,7 +98,7 @@ impl Maker<'_> {
         let beside = if alone { "" } else { BESIDE };
         let name = format!("{event:?}{beside}");
         self.add(Of::Events, &format!("{name} not reported"), at, |tail| {
-            tail[0].events.retain(|&told| told != event);
+            tail[0].events.retain(|&reported| reported != event);
             if event == Event::Slip {
                 tail[0].slips = 0;
             }
@@ -129,8 +129,12 @@ impl Maker<'_> {
             &format!("{name} called {other:?}"),
             at,
             |tail| {
-                for told in tail[0].events.iter_mut().filter(|told| **told == event) {
-                    *told = other;
+                for reported in tail[0]
+                    .events
+                    .iter_mut()
+                    .filter(|reported| **reported == event)
+                {
+                    *reported = other;
                 }
             },
         );

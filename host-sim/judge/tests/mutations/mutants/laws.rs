@@ -37,7 +37,7 @@ impl Maker<'_> {
     /// Numbers of one frame.
     fn numbers(&mut self, at: usize) {
         let size = size(&self.truth.scene);
-        let told = 2.0 * self.truth.number.bounds().residual * largest(&self.truth.frames[at]);
+        let reported = 2.0 * self.truth.number.bounds().residual * largest(&self.truth.frames[at]);
         let all = |frame: &mut Frame, factor: f64| {
             frame.wrench.iter_mut().for_each(|x| *x *= factor);
             for contact in &mut frame.contacts {
@@ -64,7 +64,7 @@ impl Maker<'_> {
                 frame.hand[0] += 1e-3 * size
             }),
             ("a direction of friction turned", &|frame| {
-                let rubs = |c: &&mut Contact| c.friction.abs() > told;
+                let rubs = |c: &&mut Contact| c.friction.abs() > reported;
                 frame
                     .contacts
                     .iter_mut()
@@ -84,7 +84,7 @@ impl Maker<'_> {
                 frame.state = by_count(frame);
             }),
             ("slides reported", &|frame| {
-                let rubs = |c: &&mut Contact| c.friction.abs() > told;
+                let rubs = |c: &&mut Contact| c.friction.abs() > reported;
                 for contact in frame.contacts.iter_mut().filter(rubs) {
                     contact.sliding = contact
                         .sliding
@@ -150,7 +150,7 @@ impl Maker<'_> {
         } else {
             0.0
         };
-        let told =
+        let reported =
             2.0 * (1.0 + turning) * (bounds.slip * largest(last).max(largest(next))).max(rounding);
         for (name, part) in [
             ("0.1 % short", -1e-3),
@@ -159,7 +159,7 @@ impl Maker<'_> {
         ] {
             // A force that is no larger than rounding is no fault.
             let force = part * length * truth.scene.stiffness_translation;
-            if force.abs() < told {
+            if force.abs() < reported {
                 continue;
             }
             self.add(Of::Laws, &format!("a slip {name}"), at, |tail| {

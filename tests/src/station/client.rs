@@ -1,0 +1,254 @@
+//! A client of a station: from commands to bytes, ticks of a clock, from bytes to the board's reports.
+
+use std::collections::VecDeque;
+use stiction_core::{Contact, Description, Event, Hand, Wrench};
+use stiction_wire::{
+    Command, ContactAmong, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType,
+    Pose, Reason, Reference, Reply, Report, ReportAmong, Room, SceneCommand, Subject,
+};
+
+/// Reports of a board that own their data; FRAME.md describes them.
+#[allow(missing_docs)]
+#[derive(Clone, Debug, PartialEq)]
+pub enum Said {
+    Pose(Pose),
+    Forces {
+        wrench: Wrench<f32>,
+        feedback: Wrench<f32>,
+        turns: i32,
+        contacts: Vec<Contact<f32>>,
+    },
+    ForcesAmong {
+        wrench: Wrench<f32>,
+        turns: i32,
+        contacts: Vec<ContactAmong>,
+    },
+    Room(Room),
+    Events {
+        slips: u32,
+        longest_slip: f32,
+        list: Vec<Event>,
+    },
+    Reply(Answer),
+    Info(Known),
+    Health(Health),
+    Pong {
+        sequence: u8,
+        time: u32,
+    },
+}
+
+/// A reply.
+#[allow(missing_docs)]
+#[derive(Clone, Debug)]
+pub struct Answer {
+    pub command: Reference,
+    pub reason: Reason,
+    pub subject: Subject,
+    pub value: f32,
+    pub limit: f32,
+    pub allowed: String,
+}
+
+impl PartialEq for Answer {
+    /// NaN equals NaN.
+    fn eq(&self, other: &Self) -> bool {
+        let key = |a: &Self| {
+            let bits = [a.value.to_bits(), a.limit.to_bits()];
+            (a.command, a.reason, a.subject, bits, a.allowed.clone())
+        };
+        key(self) == key(other)
+    }
+}
+
+/// What a board reports about itself.
+#[allow(missing_docs)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    pub version: [u8; 3],
+    pub number: NumberType,
+    pub room: [u8; 2],
+    pub has: [bool; 3],
+    pub longest_frame: u16,
+    pub fastest_tick: u16,
+    pub budget: u32,
+    pub stiffest: [f32; 2],
+    pub stiffness: [f32; 2],
+    pub friction: [f32; 2],
+    pub memory: Option<f32>,
+    pub mode: Mode,
+    pub name: String,
+}
+
+impl From<Report<'_>> for Said {
+    fn from(report: Report<'_>) -> Self {
+        match report {
+            Report::Pose(pose) => Self::Pose(pose),
+            Report::Forces(forces) => said_forces(&forces),
+            Report::Events(events) => Self::Events {
+                slips: events.slips,
+                longest_slip: events.longest_slip,
+                list: events.list.iter().collect(),
+            },
+            Report::Reply(reply) => Self::Reply(answer(&reply)),
+            Report::Info(info) => Self::Info(known(&info)),
+            Report::Health(health) => Self::Health(health),
+            Report::Pong(pong) => Self::Pong {
+                sequence: pong.sequence,
+                time: pong.time,
+            },
+        }
+    }
+}
+
+impl From<ReportAmong<'_>> for Said {
+    fn from(report: ReportAmong<'_>) -> Self {
+        match report {
+            ReportAmong::Common(report) => report.into(),
+            ReportAmong::Room(room) => Self::Room(room),
+            ReportAmong::ForcesAmong(forces) => Self::ForcesAmong {
+                wrench: forces.wrench,
+                turns: forces.turns,
+                contacts: forces.contacts.iter().collect(),
+            },
+        }
+    }
+}
+
+fn said_forces(forces: &Forces<'_>) -> Said {
+    Said::Forces {
+        wrench: forces.wrench,
+        feedback: forces.feedback,
+        turns: forces.turns,
+        contacts: forces.contacts.iter().collect(),
+    }
+}
+
+fn answer(reply: &Reply<'_>) -> Answer {
+    Answer {
+        command: reply.command,
+        reason: reply.reason,
+        subject: reply.subject,
+        value: reply.value,
+        limit: reply.limit,
+        allowed: reply.allowed.to_string(),
+    }
+}
+
+fn known(info: &Info<'_>) -> Known {
+    Known {
+        version: info.version,
+        number: info.number,
+        room: [info.vertices, info.surfaces],
+        has: [info.friction, info.weight, info.actuators],
+        longest_frame: info.longest_frame,
+        fastest_tick: info.fastest_tick,
+        budget: info.budget,
+        stiffest: info.stiffest,
+        stiffness: info.stiffness,
+        friction: info.friction_now,
+        memory: info.memory_now,
+        mode: info.mode,
+        name: info.name.to_string(),
+    }
+}
+
+/// A report with its header.
+#[allow(missing_docs)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Received {
+    pub sequence: u8,
+    pub time: u32,
+    pub said: Said,
+}
+
+/// Numbers commands, and receives reports.
+#[derive(Debug)]
+pub struct Client {
+    /// The sequence number of the next command.
+    pub sequence: u8,
+    decoder: Decoder<512>,
+    /// What was received and not yet taken.
+    pub inbox: VecDeque<Received>,
+}
+
+impl Default for Client {
+    fn default() -> Self {
+        Self {
+            sequence: 0,
+            decoder: Decoder::new(),
+            inbox: VecDeque::new(),
+        }
+    }
+}
+
+impl Client {
+    /// The next command as it is sent over the wire.
+    pub fn encode<'a>(&mut self, message: impl Message<'a>) -> Vec<u8> {
+        let sequence = self.sequence;
+        self.sequence = sequence.wrapping_add(1);
+        let mut wire = [0; 1024];
+        let frame = Frame {
+            sequence,
+            time: 7,
+            message,
+        };
+        frame.encode(&mut wire).unwrap().to_vec()
+    }
+
+    /// Bytes from the board.
+    pub fn listen(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            if let Some(Ok(frame)) = self.decoder.push::<ReportAmong>(byte) {
+                self.inbox.push_back(Received {
+                    sequence: frame.sequence,
+                    time: frame.time,
+                    said: frame.message.into(),
+                });
+            }
+        }
+    }
+
+    /// Frames of the board that were not accepted.
+    pub fn faults(&self) -> &Faults {
+        self.decoder.faults()
+    }
+}
+
+/// The command of a scene.
+pub fn scene(description: &'static Description<'static, f32>) -> Command<'static> {
+    Command::Scene(SceneCommand::from(description))
+}
+
+/// A path of the hand along keyframes (s; m, m, rad): pressing, dragging, turning, releasing and grasping again.
+pub fn hand_path(samples: u32) -> Vec<Hand<f32>> {
+    const KEYS: [(f32, [f32; 3]); 9] = [
+        (0.0, [0.0, 0.055, 0.0]),
+        (0.1, [0.0, 0.042, 0.0]),
+        (0.3, [0.08, 0.041, 0.1]),
+        (0.45, [0.05, 0.060, 0.9]),
+        (0.55, [0.04, 0.045, 1.2]),
+        (0.7, [-0.06, 0.043, 1.7]),
+        (0.8, [-0.06, 0.075, 3.0]),
+        (0.9, [-0.02, 0.050, 6.1]),
+        (1.0, [0.0, 0.055, 6.3]),
+    ];
+    (0..samples)
+        .map(|i| {
+            let t = i as f32 / samples as f32;
+            let next = KEYS.iter().position(|(at, _)| *at > t).unwrap();
+            let ((from, a), (to, b)) = (KEYS[next - 1], KEYS[next]);
+            let part = (t - from) / (to - from);
+            let [x, y, phi]: [f32; 3] = std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part);
+            let hand = Hand {
+                depth: 0.3 * t,
+                ..Hand::new(x, y, phi)
+            };
+            if (0.60..0.63).contains(&t) {
+                hand.released()
+            } else {
+                hand
+            }
+        })
+        .collect()
+}
