@@ -9,18 +9,15 @@ use stiction_core::{Fixed, Parts, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
 
 use crate::files::{self, Files, WriteError};
-use crate::options::{parse_evolution, parse_number, trace_parser};
+use crate::options::trace_parser;
 use crate::recording::{Change, Head, Recording, RecordingError, RecordingLine, this_build};
 use crate::report;
 use crate::trace::{Format, Record};
 use stiction_live::body::{Body, Setting};
 use stiction_live::number::Number;
-use stiction_live::number::Number;
 use stiction_live::number::{parse_evolution, parse_number};
 use stiction_live::record::{Frame, Run, Scenery};
-use stiction_live::record::{Frame, Run, Scenery};
 use stiction_live::simulate::{Kind, Running, Task, with_solver};
-use stiction_live::simulate::{Running, Task, with_solver};
 
 /// The arguments of `stiction replay`.
 #[derive(Args, Clone, Debug)]

@@ -9,6 +9,7 @@ use stiction_core::{Evolution, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile};
 
 use crate::options::{evolution_parser, parse_budget, parse_rate};
+use stiction_live::number::Number;
 use stiction_live::record::Frame;
 use stiction_live::simulate::{Kind, Running, Task, with_solver};
 

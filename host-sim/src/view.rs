@@ -47,7 +47,10 @@ use std::time::Duration;
 
 use clap::Args;
 use stiction_core::Evolution;
+use stiction_live::body::{Setting, check, without_obstacles};
+use stiction_live::number::Number;
 use stiction_live::replay::Way;
+use stiction_live::scenes;
 use stiction_live::stage::Stage;
 use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};

@@ -24,12 +24,12 @@ const IN_REACH: f64 = 0.13;
 const OUT_OF_REACH: f64 = 1.0;
 
 /// A scene and its hand in every frame.
-struct Case {
+struct Course {
     scene: SceneFile,
     hands: Vec<Hand<f64>>,
 }
 
-impl Case {
+impl Course {
     fn bundled(name: &str) -> Result<Self, Box<dyn Error>> {
         let text = scenes::ALL.iter().find(|(other, _)| *other == name);
         let (_, text) = text.ok_or("no bundled scene of this name")?;
@@ -77,7 +77,7 @@ fn worst(counted: &Counted) -> u32 {
 
 /// A row of the first table.
 fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error>> {
-    let case = Case::bundled(name)?;
+    let case = Course::bundled(name)?;
     let free = case.count(counter, u32::MAX)?;
     let bound = case.count(counter, LEAST)?;
     let of = |counted: &Counted, is: fn(&Frame) -> bool| {
@@ -103,7 +103,7 @@ fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
     let mut none = None;
     for boxes in BOXES {
         let counted = [IN_REACH, OUT_OF_REACH].map(|height| {
-            let case = Case::bundled(AROUND)?.with_boxes(boxes, height);
+            let case = Course::bundled(AROUND)?.with_boxes(boxes, height);
             case.count(counter, u32::MAX).map(|counted| mean(&counted))
         });
         let [near, far] = counted;

@@ -8,9 +8,11 @@ use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use stiction_core::Evolution;
 use stiction_host_sim::check::{Remarks, judge, verdict};
+use stiction_host_sim::plot;
 use stiction_host_sim::trace::{Format, TraceWriter};
 use stiction_judge::{Survey, Trace};
 use stiction_live::number::Number;
+use stiction_live::record;
 use stiction_scene::{SceneFile, Source};
 
 use crate::refused;

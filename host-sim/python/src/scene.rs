@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use stiction_core::Hand;
-use stiction_host_sim::{input, scenes};
 use stiction_live::drawing::{HATCH, Point, Solids, Window, placed};
 use stiction_live::number::Number;
+use stiction_live::{input, scenes};
 use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::{positive, refused};

@@ -24,8 +24,6 @@ use super::stream::Stream;
 use crate::recording::Maker;
 use crate::stop;
 use stiction_live::number::Number;
-use stiction_live::number::Number;
-use stiction_live::record::Frame;
 use stiction_live::record::Frame;
 
 /// Interval of the health reports.

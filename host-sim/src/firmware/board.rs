@@ -1,5 +1,5 @@
 //! The boards of `firmware/boards`, emulated: the image is built, and the emulator runs, with the serial line on its own socket, until the
-//! value [`Emulator`] is dropped. The Pico runs in a program of the package `stiction-lab`, which is built for it, the others in QEMU. The
+//! value [`RunningBoard`] is dropped. The Pico runs in a program of the package `stiction-lab`, which is built for it, the others in QEMU. The
 //! Pico 2 has no emulator: another board in QEMU stands in for it.
 
 use std::fs;
@@ -211,13 +211,13 @@ impl Board {
 
 /// A running emulator.
 #[derive(Debug)]
-pub struct Emulator {
+pub struct RunningBoard {
     program: String,
     process: Child,
     folder: TempDir,
 }
 
-impl Emulator {
+impl RunningBoard {
     /// Starts the emulator of a board with an image, which runs as soon as its line is opened. `clock` sets the pace of QEMU's
     /// clock, in the syntax of -icount; without it, ticks are lost. The emulated Pico follows the real clock. `is_apart`:
     /// Ctrl-C reaches only this program.
@@ -300,7 +300,7 @@ fn pico(image: &Path, folder: &Path) -> Result<Command, EmulatorError> {
     Ok(pico)
 }
 
-impl Drop for Emulator {
+impl Drop for RunningBoard {
     fn drop(&mut self) {
         // It may have ended on its own.
         let _ = self.process.kill();

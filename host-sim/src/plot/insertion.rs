@@ -9,6 +9,8 @@ use plotters::prelude::*;
 use std::ops::Range;
 use stiction_judge::insertion::{Diagram, Insertion, Meter, Verdict};
 use stiction_live::drawing::Point;
+use stiction_live::meter::small_angles;
+use stiction_live::record::{Frame, Run};
 
 /// Height of a panel, and room between two [px].
 const HEIGHT: f64 = 430.0;

@@ -9,6 +9,7 @@ use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use plotters::prelude::*;
 use stiction_live::drawing::{Turn, Window, placed};
+use stiction_live::record::{Frame, Run};
 
 /// Room left and right of the snapshots [px].
 const MARGIN: f64 = 14.0;

@@ -8,6 +8,7 @@ use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use plotters::prelude::*;
 use stiction_live::drawing::{Window, corners_of, placed};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The least and the greatest height of the plane [px].
 const HEIGHTS: (f64, f64) = (240.0, 760.0);

@@ -10,7 +10,6 @@ use super::engine::Engine;
 use super::recording::LiveRecording;
 use crate::recording::Maker;
 use stiction_live::body::Setting;
-use stiction_live::body::Setting;
 use stiction_live::stage::reread;
 
 /// A requested change.

@@ -16,6 +16,7 @@ use super::osc::{self, Argument, Message};
 use stiction_live::guide::HandPose;
 use stiction_live::holder::Source;
 use stiction_live::inbound::FARTHEST;
+use stiction_live::record::Frame;
 
 /// The longest packet that is read: short enough for the depth of its nesting.
 const PACKET: usize = 2048;
@@ -91,9 +92,7 @@ pub(super) async fn send(
             continue;
         };
         let bytes = match format {
-            PoseFormat::Osc => {
-                encoder::encode(&bundle(&frame, &scene, &events)).unwrap_or_default()
-            }
+            PoseFormat::Osc => osc::bundle(&parts(&frame, &scene, &events)),
             PoseFormat::OpenTrack => doubles(&frame).to_vec(),
         };
         // A receiver is not required.
@@ -211,8 +210,9 @@ impl Default for Tracker {
 impl Tracker {
     /// Returns the hand, if the packet contains a part of it.
     fn osc(&mut self, packet: &[u8]) -> Option<HandPose> {
-        let (_, packet) = decoder::decode_udp(packet).ok()?;
-        let is_new = self.take(&packet);
+        let messages = osc::messages(packet)?;
+        let take = |is_new, message| self.take(message) | is_new;
+        let is_new = messages.iter().fold(false, take);
         let hand = self.hand.filter(|_| is_new)?;
         Some(HandPose {
             held: self.held,
@@ -220,16 +220,9 @@ impl Tracker {
         })
     }
 
-    fn take(&mut self, packet: &OscPacket) -> bool {
-        let message = match packet {
-            OscPacket::Message(message) => message,
-            OscPacket::Bundle(bundle) => {
-                let is_new = |is_new, packet| self.take(packet) | is_new;
-                return bundle.content.iter().fold(false, is_new);
-            }
-        };
-        match (message.addr.as_str(), message.args.as_slice()) {
-            ("/stiction/hand", [OscType::Float(x), OscType::Float(y), OscType::Float(phi)]) => {
+    fn take(&mut self, message: &Message) -> bool {
+        match (message.address.as_str(), message.arguments.as_slice()) {
+            ("/stiction/hand", [Argument::Float(x), Argument::Float(y), Argument::Float(phi)]) => {
                 let pose = [x, y, phi].map(|&value| f64::from(value) + 0.0);
                 self.lead(pose, 0.0)
             }

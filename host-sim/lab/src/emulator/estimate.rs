@@ -23,7 +23,7 @@ const STEP: &str = "_ZN17stiction_firmware5count4step17h";
 
 /// The instructions and cycles of the steps of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Taken {
+pub(super) struct Spent {
     pub(super) instructions: u64,
     pub(super) cycles: u64,
 }
@@ -32,7 +32,7 @@ pub(super) struct Taken {
 ///
 /// # Errors
 /// Fails if the log cannot be read, or contains no step.
-pub(super) fn read(log: impl Read, flash: (&[u8], u32)) -> Result<Taken, EmulatorError> {
+pub(super) fn read(log: impl Read, flash: (&[u8], u32)) -> Result<Spent, EmulatorError> {
     let not_understood = |line: &str| EmulatorError::Output(format!("the emulator's log: {line}"));
     let mut steps = Steps::default();
     for line in BufReader::new(log).lines() {
@@ -58,7 +58,7 @@ struct Steps {
     last: Option<Instruction>,
     /// The return address of a step in progress.
     end: Option<u32>,
-    taken: Taken,
+    taken: Spent,
 }
 
 impl Steps {
@@ -385,7 +385,7 @@ mod tests {
         let run = [(0, "main"), (2, "main"), (10, &step), (6, "main")];
         let log: String = run.map(line).concat();
         let taken = read(log.as_bytes(), (&flash, 0)).unwrap();
-        let expected = Taken {
+        let expected = Spent {
             instructions: 1,
             cycles: 1 + REFILL,
         };

@@ -6,7 +6,7 @@ use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stiction_host_sim::firmware::board::Emulator;
+use stiction_host_sim::firmware::board::RunningBoard;
 use stiction_host_sim::trade::chip::Chip as Processor;
 use stiction_tests::station::client::{Client, Known, Said};
 use stiction_wire::{Command, Health};
@@ -20,7 +20,7 @@ pub(crate) const AGAIN: Duration = Duration::from_secs(5);
 pub(crate) struct Board {
     pub(crate) chip: &'static Chip,
     pub(crate) image: Image,
-    emulator: Emulator,
+    emulator: RunningBoard,
     line: UnixStream,
     /// Came while something was sent.
     came: Vec<u8>,
@@ -36,7 +36,7 @@ impl Board {
     /// From power-up, an image of the board.
     pub(crate) fn start_image(chip: &'static Chip, image: Image) -> Option<Self> {
         let clock = format!("shift={}", chip.shift);
-        let emulator = Emulator::start(chip.board, &image.path, &clock, false).unwrap();
+        let emulator = RunningBoard::start(chip.board, &image.path, &clock, false).unwrap();
         let line = connected(&emulator.line());
         line.set_nonblocking(true).unwrap();
         let mut board = Self {
