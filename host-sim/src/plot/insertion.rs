@@ -154,8 +154,8 @@ fn turn(readings: &[(&Frame, Insertion)]) -> usize {
         .map_or(0, |last| last + 1)
 }
 
-/// The parallelograms where two points are touched first and where the load has a place at last, and the path of the load.
-fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+/// Where two points are touched first and where the load has a place at last: depth (m) and diagram.
+fn diagrams(meter: &Meter, readings: &[(&Frame, Insertion)]) -> Vec<(f64, Diagram)> {
     let in_diagram = |found: &&Insertion| found.margin.is_some();
     let found = || readings.iter().map(|(_, found)| found);
     let first = found().filter(in_diagram).find(|found| found.walls == 2);
@@ -172,11 +172,13 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
             },
         ))
     };
-    let diagrams: Vec<(f64, Diagram)> = [first, deepest]
-        .into_iter()
-        .flatten()
-        .filter_map(of)
-        .collect();
+    let moments = [first, deepest].into_iter().flatten();
+    moments.filter_map(of).collect()
+}
+
+/// The parallelograms where two points are touched first and where the load has a place at last, and the path of the load.
+fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+    let diagrams = diagrams(meter, readings);
     let lambda = diagrams
         .iter()
         .map(|(_, diagram)| diagram.lambda)

@@ -48,14 +48,14 @@ pub(super) enum Order {
 
 /// An order that may concern the body: it then waits while a change of the body is in progress.
 #[derive(Debug)]
-pub(super) enum Request {
+pub(super) enum DeferrableOrder {
     /// A client's message.
     Message(u32, Message),
     /// An edited scene.
     Scene(Box<Stage>),
 }
 
-impl Request {
+impl DeferrableOrder {
     const fn is_of_body(&self) -> bool {
         match self {
             Self::Message(_, message) => message.is_of_body(),
@@ -89,11 +89,11 @@ impl Engine {
                 message,
                 answers,
             } => self.receive(
-                Request::Message(client, message),
+                DeferrableOrder::Message(client, message),
                 Reply::Client { id, answers },
                 now,
             ),
-            Order::Scene(stage, reply) => self.receive(Request::Scene(stage), reply, now),
+            Order::Scene(stage, reply) => self.receive(DeferrableOrder::Scene(stage), reply, now),
             Order::SceneProblem(problem) => {
                 self.live.changed |= self.live.scene_problem != problem;
                 self.live.scene_problem = problem;
@@ -102,7 +102,7 @@ impl Engine {
     }
 
     /// Executes a request, or keeps it until the board has answered.
-    fn receive(&mut self, request: Request, reply: Reply, now: Instant) {
+    fn receive(&mut self, request: DeferrableOrder, reply: Reply, now: Instant) {
         match &mut self.board {
             Some(board) if board.is_busy() && request.is_of_body() => board.keep(request, reply),
             _ => self.take(request, reply, now),
@@ -110,10 +110,10 @@ impl Engine {
     }
 
     /// Executes a request, and answers it.
-    pub(super) fn take(&mut self, request: Request, reply: Reply, now: Instant) {
+    pub(super) fn take(&mut self, request: DeferrableOrder, reply: Reply, now: Instant) {
         let result = match request {
-            Request::Message(client, message) => self.carry_out(client, message, now),
-            Request::Scene(stage) => self.own_scene(*stage).map(Some),
+            DeferrableOrder::Message(client, message) => self.carry_out(client, message, now),
+            DeferrableOrder::Scene(stage) => self.own_scene(*stage).map(Some),
         };
         match result {
             Ok(Some(change)) => self.change(change, reply),

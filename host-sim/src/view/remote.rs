@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use stiction_scene::Sample;
 
 use super::change::{Reply, Wanted};
-use super::orders::Request;
+use super::orders::DeferrableOrder;
 use crate::board::{Identity, LiveBoard, Word};
 use stiction_live::outbound::Fares;
 
@@ -22,7 +22,7 @@ pub(super) struct Remote {
     /// A change that was requested from the board.
     asked: Option<(Wanted, Reply)>,
     /// Messages of clients meanwhile: they apply to the body after the change.
-    waiting: VecDeque<(Request, Reply)>,
+    waiting: VecDeque<(DeferrableOrder, Reply)>,
     pub(super) fares: Fares,
     /// Periods until the next sample: a board slower than the engine receives one with each of its ticks.
     left: u32,
@@ -74,7 +74,7 @@ impl Remote {
     }
 
     /// Keeps a request until the change is complete.
-    pub(super) fn keep(&mut self, request: Request, reply: Reply) {
+    pub(super) fn keep(&mut self, request: DeferrableOrder, reply: Reply) {
         if self.waiting.len() < MOST_WAITING {
             self.waiting.push_back((request, reply));
         } else {
@@ -83,7 +83,7 @@ impl Remote {
     }
 
     /// Returns a request that no longer has to wait.
-    pub(super) fn waited(&mut self) -> Option<(Request, Reply)> {
+    pub(super) fn waited(&mut self) -> Option<(DeferrableOrder, Reply)> {
         match self.asked {
             Some(_) => None,
             None => self.waiting.pop_front(),
