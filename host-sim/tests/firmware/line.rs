@@ -17,7 +17,7 @@ fn size(wrench: &Wrench<f32>) -> f32 {
     x.hypot(y)
 }
 
-/// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time is kept. From one
+/// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time counts. From one
 /// telling to the next the force changes no faster than allowed.
 fn pressed_to_the_full(board: &mut Board, reported_every_us: u32) -> Vec<Pose> {
     let wanted = 500.0 * (0.05 - deep().position[1]);
