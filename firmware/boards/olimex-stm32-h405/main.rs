@@ -36,9 +36,10 @@ use stiction_firmware::devices::pantograph::{LIMITS, PASSIVITY};
 use stiction_firmware::line::{self, Line};
 use stiction_firmware::speed::Processor;
 use stiction_firmware::station::Setup;
+use stm32f4xx_hal::gpio::{PA2, PA3};
 use stm32f4xx_hal::pac::{self, TIM1, TIM5, USART2};
 use stm32f4xx_hal::prelude::*;
-use stm32f4xx_hal::rcc::{Config, Enable};
+use stm32f4xx_hal::rcc::{Config, Enable, Rcc};
 use stm32f4xx_hal::serial::{self, Rx, RxISR, RxListen, Tx, TxISR, TxListen};
 use stm32f4xx_hal::watchdog::IndependentWatchdog;
 
@@ -108,13 +109,7 @@ impl Board for Olimex {
         let clock = Clock::start(chip.TIM5, systick, Self::SETUP.mode.tick_rate);
 
         let a = chip.GPIOA.split(&mut rcc);
-        let config = serial::Config::default().baudrate(BAUD.bps());
-        // 42 MHz is fast enough for it.
-        let Ok(line) = chip.USART2.serial((a.pa2, a.pa3), config, &mut rcc) else {
-            stop()
-        };
-        let (tx, mut rx) = line.split();
-        rx.listen();
+        let uart = Uart::start(chip.USART2, (a.pa2, a.pa3), &mut rcc);
 
         #[cfg(not(feature = "pantograph"))]
         let device = work::NO_DEVICE;
@@ -156,7 +151,7 @@ impl Board for Olimex {
         #[cfg(feature = "pantograph")]
         actuators_on();
         Parts {
-            uart: Uart { tx, rx },
+            uart,
             usb: (),
             clock,
             device,
@@ -270,6 +265,17 @@ impl Port for Uart {
 }
 
 impl Uart {
+    fn start(usart: USART2, pins: (PA2, PA3), rcc: &mut Rcc) -> Self {
+        let config = serial::Config::default().baudrate(BAUD.bps());
+        // 42 MHz is fast enough for it.
+        let Ok(line) = usart.serial(pins, config, rcc) else {
+            stop()
+        };
+        let (tx, mut rx) = line.split();
+        rx.listen();
+        Self { tx, rx }
+    }
+
     fn receive<const N: usize>(&mut self, line: &Line<N>) {
         match self.rx.read() {
             Ok(byte) => line.receive(byte),

@@ -183,29 +183,23 @@ fn start(
     if clocks.system_clock.freq().to_Hz() != chip::CLOCK {
         stop()
     }
-    let sio = Sio::new(chip.SIO);
-    let pins = Pins::new(
-        chip.IO_BANK0,
-        chip.PADS_BANK0,
-        sio.gpio_bank0,
-        &mut chip.RESETS,
-    );
+    let (sio, resets) = (Sio::new(chip.SIO), &mut chip.RESETS);
+    let pins = Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, resets);
     #[cfg(feature = "pico")]
     let (timer, registers, packets) = (
-        chip::Timer::new(chip.TIMER, &mut chip.RESETS, &clocks),
+        chip::Timer::new(chip.TIMER, resets, &clocks),
         chip.USBCTRL_REGS,
         chip.USBCTRL_DPRAM,
     );
     #[cfg(feature = "pico2")]
     let (timer, registers, packets) = (
-        chip::Timer::new_timer0(chip.TIMER0, &mut chip.RESETS, &clocks),
+        chip::Timer::new_timer0(chip.TIMER0, resets, &clocks),
         chip.USB,
         chip.USB_DPRAM,
     );
     let (line, pins) = pins::split(pins);
-    let uart = UartPeripheral::new(chip.UART0, line, &mut chip.RESETS);
+    let uart = UartPeripheral::new(chip.UART0, line, resets);
     let uart = Uart::new(uart, &clocks);
-    let resets = &mut chip.RESETS;
     let bus = UsbBus::new(registers, packets, clocks.usb_clock, true, resets);
     let wired = Wired {
         pio: chip.PIO0,

@@ -17,8 +17,8 @@ fn size(wrench: &Wrench<f32>) -> f32 {
     x.hypot(y)
 }
 
-/// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time is recorded. From one
-/// telling to the next the force changes no faster than allowed.
+/// The hand presses until its force, reported every few ticks, is almost that of the spring; every pose of this time counts. From one
+/// report to the next the force changes no faster than allowed.
 fn pressed_to_the_full(board: &mut Board, reported_every_us: u32) -> Vec<Pose> {
     let wanted = 500.0 * (0.05 - deep().position[1]);
     let rate = Limits::DEFAULT.force_rate;
