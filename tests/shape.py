@@ -63,8 +63,6 @@ EXCEPTIONS = [
     ("core/src/state/trammel/course/slip.rs", "function", 66, STATICS),
     ("core/src/state/trammel/course/way.rs", "function", 64, STATICS),
     ("core/src/state/trammel/slide.rs", "function", 64, STATICS),
-    ("firmware/boards/olimex-stm32-h405/main.rs", "function", 66, TODAY),
-    ("firmware/boards/src/raspberry.rs", "function", 61, TODAY),
     ("core/src/detect/obstacles/axes.rs", "parameters", 7, STATICS),
     ("core/src/detect/obstacles/reached.rs", "parameters", 8, STATICS),
     ("core/src/path_event.rs", "parameters", 7, STATICS),
