@@ -163,13 +163,13 @@ fi
 part 'tests: compiling'
 # The tests run with debug assertions and overflow checks; the nightly run repeats them in a release build. One build of all programs and tests
 # shares every dependency; a package built alone would need some of them with other features.
-packages=(--workspace)
+packages=(--workspace) examples=()
 if is_all; then
-  packages+=(--example walk --example bits)
+  examples=(--example walk --example bits)
 else
   for package in boards c fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
 fi
-cargo build --locked "${packages[@]}" --lib --bins --tests
+cargo build --locked "${packages[@]}" --lib --bins --tests "${examples[@]}"
 
 part 'tests'
 # Nothing runs beside them: the emulated boards must keep time.

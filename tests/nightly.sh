@@ -4,8 +4,7 @@
 # hour of fuzzing for each target.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
+cargo test --release --locked -p stiction-core -p stiction-wire -p stiction-firmware -p stiction-scene -p stiction-tests
 cargo run --release --locked -p stiction-tests --example walk -- 1000000000
-cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
-cargo test --locked -p stiction-host-sim --test firmware -- --ignored 100_000 million
+cargo test --locked -p stiction-lab --test emulated --test firmware -- --ignored 100_000 million
 for target in wire scene_file hand_path solver; do tests/fuzz/run.sh "$target" 3600; done

@@ -150,7 +150,7 @@ impl<R: Real> Placed<R> {
             for vertex in scene.vertex_indices() {
                 let gap = height + normal.dot(scene.vertex(vertex) - self.body_point);
                 if gap <= tolerance {
-                    // No more than two contacts of one surface; of more than four surfaces the first four are kept.
+                    // No more than two contacts of one surface; of more than four surfaces the first four count.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }
@@ -171,7 +171,7 @@ impl<R: Real> Placed<R> {
                 let is_lower = |other: &u8| (gap(*other), *other) < (gap(vertex), vertex);
                 let lower = scene.vertex_indices().filter(is_lower).count();
                 if gap(vertex) <= tolerance && lower < 2 {
-                    // Of more than four surfaces the first four are kept.
+                    // Of more than four surfaces the first four count.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }

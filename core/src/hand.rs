@@ -191,7 +191,7 @@ impl<F: Real> Projection<F> {
     ///
     /// The orientation is the twist followed by a swing about an axis in the plane. Beyond a swing of 170 degrees the hand is
     /// [`tilted`](Hand::tilted): there the error of the twist is more than 11 times that of the tracker. Where the twist is undefined (a
-    /// swing of half a turn) the last angle is kept.
+    /// swing of half a turn) the last angle stays.
     pub fn planar(&mut self, sample: &TrackerSample<F>) -> Option<Hand<F>> {
         let [x, y, z, w] = sample.orientation;
         let finite = |values: &[F]| values.iter().all(|v| v.is_finite());

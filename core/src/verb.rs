@@ -115,8 +115,8 @@ fn lay_flat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, other: Pair) -> Piv
     let [first, second] = [pivot.contact, other].map(|pair| scene.face(pair, rotation).normal);
     let tilt = first.cross(second);
     let off = tilt.abs() * placed.arm_to(scene, other).length_bound();
-    let is_told = off > placed.rounding().doubled() || tilt.abs() > R::snapped_flat();
-    if is_told || first.dot(second) < R::ZERO {
+    let is_certain = off > placed.rounding().doubled() || tilt.abs() > R::snapped_flat();
+    if is_certain || first.dot(second) < R::ZERO {
         return pivot;
     }
     // The normal of the corner turns with the body.

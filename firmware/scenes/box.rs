@@ -1,4 +1,4 @@
-// The scene in the images `footprint` and `count_scene`: a box on a floor. `stiction footprint` replaces it with others, each in several
+// The scene in the images `footprint` and `count_scene`: a box on a floor. `lab footprint` replaces it with others, each in several
 // models: files that define the same three names, given by the environment variable STICTION_SCENE_CODE.
 
 use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightless};

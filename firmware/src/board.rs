@@ -7,10 +7,11 @@ use semihosting::experimental::env;
 use semihosting::fs::File;
 use semihosting::io::{Read, Write};
 use semihosting::process;
-use stiction_core::{Description, Evolution, Model, Real, Scene, SceneError, SiFloat};
+use stiction_core::{Description, Evolution, Real, Scene, SceneError, SiFloat};
 
 use crate::bits;
-use crate::count::{self, Failure, FileError, Files, Instruments};
+use crate::count::{self, Failure, FileError, Files, Instruments, Totals};
+use crate::model::BoardModel;
 
 #[cfg(target_arch = "arm")]
 mod arm;
@@ -49,38 +50,35 @@ struct HostFiles {
 }
 
 impl Files for HostFiles {
-    fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError> {
-        self.job.read_exact(bytes).map_err(|_| FileError)
+    fn read(&mut self, bytes: &mut [u8]) -> Result<usize, FileError> {
+        self.job.read(bytes).map_err(|_| FileError)
     }
     fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
         self.results.write_all(bytes).map_err(|_| FileError)
     }
 }
 
-/// The program `count`: does the job in the first file on the command line, writes the results to the second one, and ends.
-pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
-    measured(|files, instruments| count::run::<R, V, S>(files, instruments))
-}
-
-/// The program `count_among`: the same in a solver among obstacles.
-pub fn count_among<R, const V: usize, const S: usize, const O: usize, const C: usize>() -> !
-where
-    R: Real<Si: SiFloat>,
-{
-    measured(|files, instruments| count::run_among::<R, V, S, O, C>(files, instruments))
+/// The programs `count` and `count_among`: do the job in the first file on the command line, in a model, with the budget of a step that
+/// follows the second file, write the results to that file, print the totals, and end.
+pub fn count<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>() -> ! {
+    measured(|budget, files, instruments| {
+        count::run::<R, V, S, M>(None, budget, files, instruments)
+    })
 }
 
 /// Builds a scene of a number type, capacities for vertices and surfaces, and a model from a description.
 pub type Make<R, const V: usize, const S: usize, M> =
     fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, M>, SceneError<<R as Real>::Si>>;
 
-/// The program `count_scene`: the same in the model of a compiled-in scene and with its evolution.
+/// The program `count_scene`: like [`count`], in the model of a compiled-in scene and with its evolution.
 #[inline(always)]
-pub fn count_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+pub fn count_in_model<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     _: Make<R, V, S, M>,
     evolution: Evolution,
 ) -> ! {
-    measured(|files, instruments| count::run_in_model::<R, V, S, M>(evolution, files, instruments))
+    measured(|budget, files, instruments| {
+        count::run::<R, V, S, M>(Some(evolution), budget, files, instruments)
+    })
 }
 
 /// The counter, and the watch on the stack.
@@ -103,9 +101,13 @@ impl Instruments for Board {
     }
 }
 
-fn measured(job: impl FnOnce(&mut HostFiles, &mut Board) -> Result<(), Failure>) -> ! {
+fn measured(job: impl FnOnce(u32, &mut HostFiles, &mut Board) -> Result<Totals, Failure>) -> ! {
     let Some(mut files) = open() else {
         process::exit(1)
+    };
+    let budget = argument(3, |text| text.to_str().ok()?.parse().ok()).flatten();
+    let Some(budget) = budget else {
+        process::exit(2)
     };
     let Some(counter) = Counter::take() else {
         process::exit(5)
@@ -114,10 +116,17 @@ fn measured(job: impl FnOnce(&mut HostFiles, &mut Board) -> Result<(), Failure>)
         counter,
         watch: None,
     };
-    process::exit(match job(&mut files, &mut instruments) {
-        Ok(()) => 0,
+    process::exit(match job(budget, &mut files, &mut instruments) {
+        Ok(Totals {
+            stack,
+            solver,
+            state,
+        }) => {
+            semihosting::println!("{stack} {solver} {state}");
+            0
+        }
         Err(Failure::File) => 1,
-        Err(Failure::Format(_)) => 3,
+        Err(Failure::Format) => 3,
         Err(Failure::Scene(_)) => 4,
     })
 }

@@ -1,24 +1,38 @@
-//! The instruction bench: runs a job through the solver, frame by frame. It measures the instructions of every step and
-//! the stack of the whole job, with the few functions that a board must provide for that.
+//! The instruction bench: runs a job through the solver, frame by frame. It measures the instructions of every step and the stack of the
+//! whole job, with the few functions that a board must provide for that.
+//!
+//! A job consists of messages to a board (FRAME 4): a scene, the mode, of which the evolution counts, and the samples of the hand, the first
+//! of which is where the solver starts. The results are messages from a board (FRAME 5): for every sample a pose and its events. The clock
+//! in their heads is not one of time: in that of a pose it is the number of instructions of the step, `u32::MAX` if there were more than can
+//! be counted, and in that of the events the units of work.
 
 use core::mem::size_of;
+use heapless::Vec;
 use stiction_core::{
-    Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, SiFloat, Solver, State,
-    narrow_hand,
+    Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State,
+    SurfaceDescription,
+};
+use stiction_wire::{
+    Command, CommandAmong, Decoder, EventSet, Events, Frame, List, Pose, Report, wire_bytes,
 };
 
-use crate::job::{self, FormatError, Frame, Head, Results, Totals};
+use crate::model::BoardModel;
 
-/// This many frames are read and written at a time.
-const BATCH: usize = 16;
+/// The longest message of a job (bytes): a scene of 4 vertices and 17 obstacles of 4 corners has 891.
+const LONGEST: usize = 1024;
+/// So much of a job is read at a time (bytes).
+const CHUNK: usize = 512;
+/// So much of the results is written at a time (bytes), and the most that a frame adds: a pose, and 16 events.
+const WRITTEN: usize = 1024;
+const ADDED: usize = wire_bytes(20) + wire_bytes(9 + 16);
 
 /// The files of a job.
 pub trait Files {
-    /// Fills `bytes` with the next bytes of the job.
+    /// Fills `bytes` with the next bytes of the job, as many as there are. Returns their number: 0 at the end.
     ///
     /// # Errors
-    /// There are not enough, or they cannot be read.
-    fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError>;
+    /// They cannot be read.
+    fn read(&mut self, bytes: &mut [u8]) -> Result<usize, FileError>;
     /// Appends to the results.
     ///
     /// # Errors
@@ -40,14 +54,25 @@ pub trait Instruments {
     fn deepest_stack(&mut self) -> u32;
 }
 
+/// The totals of a job.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Totals {
+    /// The largest stack of a step below its caller (bytes).
+    pub stack: u32,
+    /// Size of the solver with its scene (bytes).
+    pub solver: u32,
+    /// Size of the state (bytes).
+    pub state: u32,
+}
+
 /// Why a job was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Failure {
     /// The job cannot be read, or the results cannot be written.
     File,
-    /// The bytes are not a job of this version, or there are more vertices or surfaces than this program has room for.
-    Format(FormatError),
-    /// The numbers do not make a scene.
+    /// The bytes are not messages, or not those of a job.
+    Format,
+    /// The numbers do not make a scene, or this program has no room for it.
     Scene(Parameter),
 }
 
@@ -57,115 +82,183 @@ impl From<FileError> for Failure {
     }
 }
 
-impl From<FormatError> for Failure {
-    fn from(error: FormatError) -> Self {
-        Self::Format(error)
-    }
-}
-
-impl<F> From<SceneError<F>> for Failure {
-    fn from(error: SceneError<F>) -> Self {
+impl From<SceneError<f32>> for Failure {
+    fn from(error: SceneError<f32>) -> Self {
         Self::Scene(error.parameter)
     }
 }
 
-/// Does the job with the number type R in a solver of V vertices and S surfaces.
-///
-/// # Errors
-/// See [`Failure`].
-pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
-    files: &mut impl Files,
-    instruments: &mut impl Instruments,
-) -> Result<(), Failure> {
-    let head = head(files)?;
-    let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    let solver = Solver::new(scene, head.evolution).with_budget(head.budget);
-    ride(solver, head.samples, files, instruments)
-}
-
-/// The same in a solver among at most O obstacles with at most C corners together.
-///
-/// # Errors
-/// See [`Failure`].
-pub fn run_among<R, const V: usize, const S: usize, const O: usize, const C: usize>(
-    files: &mut impl Files,
-    instruments: &mut impl Instruments,
-) -> Result<(), Failure>
-where
-    R: Real<Si: SiFloat>,
-{
-    let head = head(files)?;
-    let scene =
-        head.among::<R, V, S, O, C, Failure>(|bytes| files.read(bytes).map_err(Failure::from))?;
-    let solver = Solver::new(scene, head.evolution).with_budget(head.budget);
-    ride(solver, head.samples, files, instruments)
-}
-
-/// Does the job in a model of the solver, with an evolution that the compiler knows: that of the job is ignored.
+/// Does the job with the number type R in a solver of V vertices and S surfaces, in a model, with a budget for each step. An evolution that
+/// is given here, where the compiler knows it, replaces that of the job.
 ///
 /// # Errors
 /// See [`Failure`]; the scene of the job may need something that the model lacks.
 #[inline(always)]
-pub fn run_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
-    evolution: Evolution,
+pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+    evolution: Option<Evolution>,
+    budget: u32,
     files: &mut impl Files,
     instruments: &mut impl Instruments,
-) -> Result<(), Failure> {
-    let head = head(files)?;
-    let scene: Scene<R, V, S, M> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    ride(
-        Solver::new(scene, evolution).with_budget(head.budget),
-        head.samples,
-        files,
-        instruments,
-    )
-}
-
-fn head(files: &mut impl Files) -> Result<Head, Failure> {
-    let mut bytes = [0; job::HEAD_BYTES];
-    files.read(&mut bytes)?;
-    Ok(Head::decode(&bytes)?)
-}
-
-/// All samples of a job.
-#[inline(always)]
-fn ride<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
-    solver: Solver<R, V, S, M>,
-    samples: u32,
-    files: &mut impl Files,
-    instruments: &mut impl Instruments,
-) -> Result<(), Failure> {
+) -> Result<Totals, Failure> {
+    let mut job = Job::new(files);
+    let scene = job.next::<M, _>(|command| scene::<R, V, S, M>(&command))?;
+    let scene = scene.unwrap_or(Err(Failure::Format))?;
+    let mode = job.next::<M, _>(|command| {
+        let CommandAmong::Common(Command::Mode(mode)) = command else {
+            return Err(Failure::Format);
+        };
+        Ok(mode)
+    })?;
+    let mode = mode.unwrap_or(Err(Failure::Format))?;
+    let evolution = evolution.unwrap_or(mode.evolution);
     let mut ride = Ride {
-        solver,
+        solver: Solver::new(scene, evolution).with_budget(budget),
         state: None,
     };
-    files.write(&Results::head())?;
     instruments.watch_stack();
-    let mut left = samples;
-    while left > 0 {
-        let mut batch = [[0; job::SAMPLE_BYTES]; BATCH];
-        let mut frames = [[0; job::FRAME_BYTES]; BATCH];
-        let count = BATCH.min(usize::try_from(left).unwrap_or(BATCH));
-        let (batch, _) = batch.split_at_mut(count);
-        files.read(batch.as_flattened_mut())?;
-        for (sample, frame) in batch.iter().zip(&mut frames) {
-            let hand = narrow_hand(&job::decode_sample(sample));
-            *frame = ride.frame(hand, instruments).encode();
-        }
-        let (frames, _) = frames.split_at(count);
-        files.write(frames.as_flattened())?;
-        left -= u32::try_from(count).unwrap_or(left);
+    while let Some(hand) = job.hand::<M>()? {
+        let (instructions, output) = ride.frame(hand, instruments);
+        job.report(instructions, &output)?;
     }
+    job.flush()?;
     let bytes = |size: usize| u32::try_from(size).unwrap_or(u32::MAX);
-    let totals = Totals {
-        frames: samples,
+    Ok(Totals {
         stack: instruments.deepest_stack(),
         solver: bytes(size_of::<Solver<R, V, S, M>>()),
         state: bytes(size_of::<State<R>>()),
-        output: bytes(size_of::<Output<R::Si>>()),
+    })
+}
+
+/// A place in a list that is to be filled.
+const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
+    normal: [0.0, 1.0],
+    offset: 0.0,
+    friction_static: 0.0,
+    friction_dynamic: 0.0,
+    memory: None,
+};
+
+/// The scene of a command.
+fn scene<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+    command: &CommandAmong<'_>,
+) -> Result<Scene<R, V, S, M>, Failure> {
+    let (scene, obstacles) = if let CommandAmong::Common(Command::Scene(scene)) = command {
+        (scene, None)
+    } else if let CommandAmong::SceneAmong(among) = command {
+        (&among.scene, Some(&among.obstacles))
+    } else {
+        return Err(Failure::Format);
     };
-    files.write(&totals.encode())?;
-    Ok(())
+    let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
+    let description = scene.description(&mut vertices, &mut surfaces)?;
+    let scene = match obstacles {
+        None => M::scene(&description, M::NO_OBSTACLES),
+        Some(obstacles) => {
+            M::with_received(obstacles, |obstacles| M::scene(&description, obstacles))?
+        }
+    };
+    Ok(scene?)
+}
+
+/// The messages of a job, and those of its results.
+struct Job<'f, F> {
+    files: &'f mut F,
+    decoder: Decoder<LONGEST>,
+    read: [u8; CHUNK],
+    /// The part of `read` that is still to be decoded.
+    begin: usize,
+    end: usize,
+    /// Samples so far; a sequence number of a report.
+    samples: u8,
+    results: Vec<u8, WRITTEN>,
+}
+
+impl<'f, F: Files> Job<'f, F> {
+    const fn new(files: &'f mut F) -> Self {
+        Self {
+            files,
+            decoder: Decoder::new(),
+            read: [0; CHUNK],
+            begin: 0,
+            end: 0,
+            samples: 0,
+            results: Vec::new(),
+        }
+    }
+
+    /// The next byte; `None` at the end.
+    fn byte(&mut self) -> Result<Option<u8>, Failure> {
+        if self.begin == self.end {
+            self.end = self.files.read(&mut self.read)?;
+            self.begin = 0;
+        }
+        let part = self.read.get(self.begin..self.end).unwrap_or_default();
+        let byte = part.first().copied();
+        self.begin += usize::from(byte.is_some());
+        Ok(byte)
+    }
+
+    /// What `take` makes of the next message; `None` at the end.
+    fn next<M: BoardModel, T>(
+        &mut self,
+        take: impl FnOnce(CommandAmong<'_>) -> T,
+    ) -> Result<Option<T>, Failure> {
+        while let Some(byte) = self.byte()? {
+            if let Some(received) = self.decoder.push::<M::Command<'_>>(byte) {
+                let frame = received.map_err(|_| Failure::Format)?;
+                return Ok(Some(take(frame.message.into())));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The next sample of the hand; `None` at the end.
+    fn hand<M: BoardModel>(&mut self) -> Result<Option<Hand<f32>>, Failure> {
+        let hand = self.next::<M, _>(|command| {
+            let CommandAmong::Common(Command::Hand(hand)) = command else {
+                return Err(Failure::Format);
+            };
+            Ok(hand)
+        })?;
+        hand.transpose()
+    }
+
+    /// Adds a frame to the results.
+    fn report(&mut self, instructions: u32, output: &Output<f32>) -> Result<(), Failure> {
+        let events = output.events();
+        let pose = Pose::new(output, EventSet::of(events), self.samples);
+        self.add(instructions, Report::Pose(pose))?;
+        let events = Events {
+            slips: output.slips,
+            longest_slip: output.longest_slip,
+            list: List::from(events),
+        };
+        self.add(output.work, Report::Events(events))?;
+        self.samples = self.samples.wrapping_add(1);
+        if self.results.len() + ADDED > WRITTEN {
+            self.flush()?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, time: u32, message: Report<'_>) -> Result<(), Failure> {
+        let frame = Frame {
+            sequence: self.samples,
+            time,
+            message,
+        };
+        let mut bytes = [0; ADDED];
+        let bytes = frame.encode(&mut bytes).ok_or(Failure::File)?;
+        let added = self.results.extend_from_slice(bytes);
+        added.map_err(|_| Failure::File)
+    }
+
+    /// Writes the results so far.
+    fn flush(&mut self) -> Result<(), Failure> {
+        self.files.write(&self.results)?;
+        self.results.clear();
+        Ok(())
+    }
 }
 
 /// A run of the solver; it has no state before the first sample.
@@ -174,38 +267,37 @@ struct Ride<R: Real, const V: usize, const S: usize, M: Model> {
     state: Option<State<R>>,
 }
 
-impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Ride<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Ride<R, V, S, M> {
     /// One frame. Inlined, so that the stack is measured from the caller.
     #[inline(always)]
-    fn frame(&mut self, hand: Hand<R::Si>, instruments: &mut impl Instruments) -> Frame {
+    fn frame(&mut self, hand: Hand<f32>, instruments: &mut impl Instruments) -> (u32, Output<f32>) {
         let solver = &self.solver;
-        let (instructions, output) = match &mut self.state {
+        match &mut self.state {
             Some(state) => instruments.count(|| step(solver, state, hand)),
             None => {
                 let (instructions, (state, output)) = instruments.count(|| start(solver, hand));
                 self.state = Some(state);
                 (instructions, output)
             }
-        };
-        Frame::new(instructions, &output)
+        }
     }
 }
 
 /// [`Solver::start`] as a call of its own, so that nothing else is counted with it.
 #[inline(never)]
-fn start<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+fn start<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
     solver: &Solver<R, V, S, M>,
-    hand: Hand<R::Si>,
-) -> (State<R>, Output<R::Si>) {
+    hand: Hand<f32>,
+) -> (State<R>, Output<f32>) {
     solver.start(hand)
 }
 
 /// [`Solver::step`], likewise.
 #[inline(never)]
-fn step<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+fn step<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
     solver: &Solver<R, V, S, M>,
     state: &mut State<R>,
-    hand: Hand<R::Si>,
-) -> Output<R::Si> {
+    hand: Hand<f32>,
+) -> Output<f32> {
     solver.step(state, hand)
 }

@@ -12,8 +12,7 @@
 //! same bits.
 //!
 //! ```text
-//! job.rs    a scene and a hand's motion as bytes, and the results
-//! count.rs  such a job through the solver, frame by frame: instructions and stack
+//! count.rs  a scene and a hand's motion, as messages, through the solver, frame by frame: instructions and stack
 //! bits.rs   a walk of the hand through the solver, to one number that depends on every bit of its answers
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
 //!
@@ -31,7 +30,7 @@
 //! usb.rs         how a computer recognises a board on its USB
 //! ```
 //!
-//! Everything except `board` is free of hardware and runs on any machine: the host uses it to write jobs and read their results. The
+//! Everything except `board` is free of hardware and runs on any machine: the host uses some of it. The
 //! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a compiled-in model, `footprint` for a
 //! compiled-in scene.
 
@@ -42,7 +41,6 @@ pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
 pub mod devices;
-pub mod job;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod knob;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]

@@ -1,27 +1,27 @@
 //! A job of the instruction bench returns the solver's own answers; bytes that are not a job are refused.
 
 use stiction_core::{
-    Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, SiFloat, Solver,
-    SurfaceDescription, Weightless, narrow_hand,
+    Angle, Description, Evolution, Fixed, Full, Hand, Parameter, Real, Scene, Solver,
+    SurfaceDescription, Weightless,
 };
-use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_in_model};
-use stiction_firmware::job::{self, FormatError, Frame, Results};
+use stiction_firmware::count::{Failure, FileError, Files, Instruments, Totals, run};
+use stiction_wire::{Command, Decoder, EventSet, Frame, Mode, Pose, Report, SceneCommand};
 
 const SAMPLES: u32 = 100;
-const SURFACE: SurfaceDescription<f64> = SurfaceDescription {
+const SURFACE: SurfaceDescription<f32> = SurfaceDescription {
     normal: [0.0, 1.0],
     offset: 0.0,
     friction_static: 0.5,
     friction_dynamic: 0.3,
     memory: Some(1e-3),
 };
-const WALL: SurfaceDescription<f64> = SurfaceDescription {
+const WALL: SurfaceDescription<f32> = SurfaceDescription {
     normal: [-1.0, 0.0],
     offset: -0.5,
     memory: None,
     ..SURFACE
 };
-const SCENE: Description<'static, f64> = Description {
+const SCENE: Description<'static, f32> = Description {
     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
     start: [0.01, 0.0727, 0.5],
     weight: 0.25,
@@ -53,11 +53,12 @@ impl Memory {
 struct Calls(u32);
 
 impl Files for Memory {
-    fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError> {
-        let end = self.taken + bytes.len();
-        bytes.copy_from_slice(self.job.get(self.taken..end).ok_or(FileError)?);
-        self.taken = end;
-        Ok(())
+    fn read(&mut self, bytes: &mut [u8]) -> Result<usize, FileError> {
+        let rest = &self.job[self.taken..];
+        let count = rest.len().min(bytes.len());
+        bytes[..count].copy_from_slice(&rest[..count]);
+        self.taken += count;
+        Ok(count)
     }
     fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
         self.results.extend_from_slice(bytes);
@@ -77,8 +78,8 @@ impl Instruments for Calls {
 }
 
 /// Down onto the floor and along it, with some whole turns.
-fn hand(i: u32) -> Hand<f64> {
-    let t = f64::from(i) / f64::from(SAMPLES);
+fn hand(i: u32) -> Hand<f32> {
+    let t = i as f32 / SAMPLES as f32;
     Hand {
         position: [0.05 * t, 0.09 - 0.05 * t],
         angle: Angle {
@@ -91,62 +92,72 @@ fn hand(i: u32) -> Hand<f64> {
     }
 }
 
-fn job_of(scene: &Description<'_, f64>, evolution: Evolution) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let done: Result<(), ()> =
-        job::write_scene((scene, &[]), evolution, (SAMPLES, u32::MAX), |part| {
-            bytes.extend_from_slice(part);
-            Ok(())
-        });
-    assert_eq!(done, Ok(()));
-    bytes.extend((0..SAMPLES).flat_map(|i| job::encode_sample(&hand(i))));
+fn bytes_of(command: Command<'_>) -> Vec<u8> {
+    let frame = Frame {
+        sequence: 0,
+        time: 0,
+        message: command,
+    };
+    frame.encode(&mut [0; 512]).expect("room").to_vec()
+}
+
+fn job_of(scene: &Description<'_, f32>, evolution: Evolution) -> Vec<u8> {
+    let mode = Mode {
+        evolution,
+        ..Mode::DEFAULT
+    };
+    let mut bytes = bytes_of(Command::Scene(SceneCommand::from(scene)));
+    bytes.extend(bytes_of(Command::Mode(mode)));
+    bytes.extend((0..SAMPLES).flat_map(|i| bytes_of(Command::Hand(hand(i)))));
     bytes
 }
 
-fn done(job: Vec<u8>) -> Result<Vec<u8>, Failure> {
-    let mut files = Memory::new(job);
-    run::<f32, 8, 4>(&mut files, &mut Calls(0))?;
-    Ok(files.results)
+/// The answers of a job: times and poses, times and slips.
+fn answers(results: &[u8]) -> Vec<(u32, Pose, u32, u32)> {
+    let mut decoder = Decoder::<256>::new();
+    let (mut answers, mut last) = (Vec::new(), None);
+    for &byte in results {
+        let Some(received) = decoder.push::<Report>(byte) else {
+            continue;
+        };
+        let Frame { time, message, .. } = received.expect("a report");
+        match (message, last.take()) {
+            (Report::Pose(pose), None) => last = Some((time, pose)),
+            (Report::Events(events), Some((count, pose))) => {
+                answers.push((count, pose, time, events.slips));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    answers
 }
 
-fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
-    let mut files = Memory::new(job_of(&SCENE, evolution));
-    run::<R, 8, 4>(&mut files, &mut Calls(0)).unwrap();
-    let results = Results::read(&files.results).unwrap();
-    assert_eq!(
-        (results.totals.frames, results.totals.stack),
-        (SAMPLES, 4321)
-    );
+fn done(job: Vec<u8>) -> Result<(Totals, Vec<u8>), Failure> {
+    let mut files = Memory::new(job);
+    let totals = run::<f32, 8, 4, Full>(None, u32::MAX, &mut files, &mut Calls(0))?;
+    Ok((totals, files.results))
+}
 
-    let narrow = R::Si::narrow;
-    let scene = Scene::<R, 8, 4>::new(&Description {
-        vertices: &SCENE
-            .vertices
-            .iter()
-            .map(|v| v.map(narrow))
-            .collect::<Vec<_>>(),
-        start: SCENE.start.map(narrow),
-        weight: narrow(SCENE.weight),
-        holding_point: SCENE.holding_point.map(|point| point.map(narrow)),
-        reach: narrow(SCENE.reach),
-        stiffness_translation: narrow(SCENE.stiffness_translation),
-        stiffness_rotation: narrow(SCENE.stiffness_rotation),
-        surfaces: &[SURFACE, WALL].map(|surface| SurfaceDescription {
-            normal: surface.normal.map(narrow),
-            offset: narrow(surface.offset),
-            friction_static: narrow(surface.friction_static),
-            friction_dynamic: narrow(surface.friction_dynamic),
-            memory: surface.memory.map(narrow),
-        }),
-    });
-    let solver = Solver::new(scene.unwrap(), evolution);
-    let (mut state, first) = solver.start(narrow_hand(&hand(0)));
-    for (i, frame) in (0..).zip(results.frames()) {
+fn comes_back<R: Real<Si = f32>>(evolution: Evolution) {
+    let mut files = Memory::new(job_of(&SCENE, evolution));
+    let totals = run::<R, 8, 4, Full>(None, u32::MAX, &mut files, &mut Calls(0)).unwrap();
+    assert_eq!(totals.stack, 4321);
+    let answers = answers(&files.results);
+    assert_eq!(answers.len(), SAMPLES as usize);
+
+    let solver = Solver::new(Scene::<R, 8, 4>::new(&SCENE).unwrap(), evolution);
+    let (mut state, first) = solver.start(hand(0));
+    for (i, answer) in (0..).zip(answers) {
         let output = match i {
             0 => first.clone(),
-            _ => solver.step(&mut state, narrow_hand(&hand(i))),
+            _ => solver.step(&mut state, hand(i)),
         };
-        assert_eq!(frame, Ok(Frame::new(i + 1, &output)), "frame {i}");
+        let pose = Pose::new(&output, EventSet::of(output.events()), i as u8);
+        assert_eq!(
+            answer,
+            (i + 1, pose, output.work, output.slips),
+            "frame {i}"
+        );
     }
 }
 
@@ -155,7 +166,6 @@ fn a_job_comes_back_with_the_answers_of_the_solver() {
     for evolution in [Evolution::Path, Evolution::Frame] {
         comes_back::<f32>(evolution);
         comes_back::<Fixed>(evolution);
-        comes_back::<f64>(evolution);
     }
 }
 
@@ -165,36 +175,39 @@ fn in_a_model_of_its_own_it_gives_the_same_answers() {
         weight: 0.0,
         ..SCENE
     };
-    let mut own = Memory::new(job_of(&weightless, Evolution::Frame));
-    run::<f64, 8, 4>(&mut own, &mut Calls(0)).unwrap();
+    let own = done(job_of(&weightless, Evolution::Frame)).unwrap();
     let in_model = |scene| {
         let mut files = Memory::new(job_of(scene, Evolution::Path));
-        run_in_model::<f64, 4, 2, Weightless>(Evolution::Frame, &mut files, &mut Calls(0))?;
-        Ok(files)
+        let totals = run::<f32, 4, 2, Weightless>(
+            Some(Evolution::Frame),
+            u32::MAX,
+            &mut files,
+            &mut Calls(0),
+        )?;
+        Ok((totals, files.results))
     };
     let small = in_model(&weightless).unwrap();
-    let [own, small] = [&own, &small].map(|files| Results::read(&files.results).unwrap());
-    assert!(own.frames().eq(small.frames()));
-    assert!(small.totals.solver < own.totals.solver);
+    assert_eq!(answers(&own.1), answers(&small.1));
+    assert!(small.0.solver < own.0.solver);
     assert!(matches!(in_model(&SCENE), Err(Failure::Scene(_))));
 }
 
 #[test]
 fn what_is_not_a_job_is_refused() {
     let good = job_of(&SCENE, Evolution::Path);
-    for (at, wrong, expected) in [
-        (0, b'x', Failure::Format(FormatError::Mark)),
-        (4, job::VERSION + 1, Failure::Format(FormatError::Mark)),
-        (5, 2, Failure::Format(FormatError::Value)),
-        (6, 9, Failure::Format(FormatError::Value)),
-        (7, 5, Failure::Format(FormatError::Value)),
+    let mut damaged = good.clone();
+    damaged[9] ^= 1;
+    let hand = bytes_of(Command::Hand(hand(0)));
+    let scene = bytes_of(Command::Scene(SceneCommand::from(&SCENE)));
+    for other in [
+        damaged,
+        Vec::new(),
+        hand,
+        scene.clone(),
+        [scene.clone(), scene].concat(),
     ] {
-        let mut job = good.clone();
-        job[at] = wrong;
-        assert_eq!(done(job), Err(expected), "byte {at}");
+        assert_eq!(done(other).err(), Some(Failure::Format));
     }
-    let short = good[..good.len() - 1].to_vec();
-    assert_eq!(done(short), Err(Failure::File));
     let sunk = Description {
         start: [0.0; 3],
         ..SCENE
@@ -203,16 +216,4 @@ fn what_is_not_a_job_is_refused() {
         done(job_of(&sunk, Evolution::Path)),
         Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
     ));
-}
-
-#[test]
-fn what_is_not_whole_is_no_result() {
-    let good = done(job_of(&SCENE, Evolution::Path)).unwrap();
-    assert!(Results::read(&good).is_ok());
-    for cut in [1, 24, 40, good.len() - 9] {
-        assert!(Results::read(&good[..good.len() - cut]).is_err(), "{cut}");
-    }
-    let mut other = good;
-    other[0] = b'x';
-    assert_eq!(Results::read(&other).err(), Some(FormatError::Mark));
 }

@@ -6,7 +6,7 @@ use libm::{hypot, sincos};
 use stiction_judge::{centroid, size};
 use stiction_scene::SurfaceInfo;
 
-use crate::record::{Frame, Run};
+use stiction_live::record::{Frame, Run};
 
 /// The imbalance of forces (N) and moments (N·m).
 #[derive(Clone, Copy, Debug, Default)]

@@ -51,14 +51,12 @@ pub(crate) use live::{Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::{self, Files};
-use crate::input::{self, open_path, open_scene};
-use crate::number::Number;
+use crate::input::{self, open_scene};
 use crate::options::{evolution_parser, parse_rate, trace_parser};
-use crate::record::Run;
 use crate::recording::{Head, Maker};
 use crate::shell::scene_completer;
 use crate::trace::Format;
-use crate::{report, scenes, stop};
+use crate::{report, stop};
 use audience::Console;
 use emulate::Image;
 use feed::Feed;
@@ -66,6 +64,10 @@ use message::About;
 use print::Screen;
 use session::{Inbox, Session};
 use setup::Setup;
+use stiction_live::input::open_path;
+use stiction_live::number::Number;
+use stiction_live::record::Run;
+use stiction_live::scenes;
 use stream::Stream;
 
 /// The arguments of `stiction board`.
@@ -216,8 +218,8 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
 
 /// The description of a board in a recording.
 fn recording_head(about: &About, scene: &SceneFile) -> Head {
-    let dials = (about.number.into(), about.mode.evolution);
-    Head::of(scene, dials, &maker(about))
+    let evolution = about.mode.evolution;
+    Head::of(scene, about.number.into(), evolution, &maker(about))
 }
 
 /// The board as the maker of a recording.

@@ -12,11 +12,11 @@ use clap::Args;
 use stiction_core::Evolution;
 use stiction_judge::{Bounds, InputError, Judge, Scene, Status, Survey, Trace};
 
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
-use crate::scenes;
 use crate::shell::scene_completer;
+use stiction_live::number::Number;
+use stiction_live::scenes;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
@@ -49,7 +49,7 @@ pub struct CheckArgs {
 
 /// The contents of a report in addition to the laws.
 #[derive(Clone, Debug, Default)]
-pub struct Notes {
+pub struct Remarks {
     /// Frames without all contacts.
     pub incomplete: u64,
     /// Number of frames for each status except `ok`.
@@ -58,7 +58,7 @@ pub struct Notes {
     pub hand: Option<String>,
 }
 
-impl Notes {
+impl Remarks {
     /// Adds a frame.
     pub fn add(&mut self, frame: &stiction_judge::Frame) {
         self.incomplete += u64::from(!frame.complete);
@@ -75,11 +75,11 @@ impl Notes {
 pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
     let scene = open_scene(&args.scene)?;
     let frames = Trace::open(&args.trace, &scene)?;
-    let path = hand::given(&args.scene, args.number, (args.hand.as_ref(), args.rate))?;
+    let path = hand::given(&args.scene, args.number, args.hand.as_ref(), args.rate)?;
     let mut samples = path.as_ref().ok().map(|(path, rate)| path.frames(*rate));
     let mut judged = judge(scene, args.number, args.evolution);
     let mut survey = Survey::new(args.worst);
-    let mut notes = Notes::default();
+    let mut notes = Remarks::default();
     for frame in frames {
         let (line, frame) = frame?;
         let t = frame.t;
@@ -133,7 +133,7 @@ fn open_scene(name: &Path) -> Result<Scene, InputError> {
 }
 
 /// The report: every law, the limits of frames, then the worst frames.
-pub fn verdict(survey: &Survey, notes: &Notes) -> String {
+pub fn verdict(survey: &Survey, notes: &Remarks) -> String {
     let mut text = format!(
         "{} frames, {} unlawful\n\n  {:<45}{:>10}{:>10}{:>14}{:>10}\n",
         survey.frames, survey.unlawful, "law", "frames", "broken", "worst/allowed", "line"

@@ -8,7 +8,6 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crate::board::{BoardArgs, InfoArgs};
 use crate::check::CheckArgs;
 use crate::code::CodeArgs;
-use crate::footprint::FootprintArgs;
 use crate::image::ImageArgs;
 use crate::list::ScenesArgs;
 use crate::new::NewArgs;
@@ -54,8 +53,6 @@ pub enum Command {
     Trade(TradeArgs),
     /// Run scenes with many values of their parameters, on all cores, to one table
     Sweep(SweepArgs),
-    /// Build the smallest solver for a scene: its size and the time of a frame on four chips
-    Footprint(FootprintArgs),
     /// Stream a hand's motion to a board in real time: rate, latency, losses, a trace
     Board(BoardArgs),
     /// Print what a board says about itself

@@ -70,13 +70,6 @@ const ALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "footprint",
-        &[
-            "stiction footprint ladder",
-            "stiction footprint box-flat --evolution frame",
-        ],
-    ),
-    (
         "board",
         &[
             "stiction board --emulate",

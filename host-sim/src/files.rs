@@ -1,14 +1,16 @@
 //! The output files of commands: they never replace an input, and no two have the same place. Those that a run writes frame by
 //! frame, a trace and a recording if requested, appear in their places when everything is written, or not at all.
 
+pub(crate) mod whole;
+
 use std::io;
 use std::path::{Path, PathBuf};
 
 use stiction_scene::Sample;
 
-use crate::record::{Frame, Run};
 use crate::recording::{Change, Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};
+use stiction_live::record::{Frame, Run};
 
 /// A file cannot be written.
 #[derive(Debug, thiserror::Error)]
@@ -31,7 +33,7 @@ pub enum WriteError {
     },
     /// It exists already, and may be somebody's work.
     #[error("{}: is there already and stays as it is, allowed: another name", .0.display())]
-    Kept(PathBuf),
+    Exists(PathBuf),
     /// It would replace another output.
     #[error(
         "{}: would be written by {} and by {}, allowed: a name for each",

@@ -8,22 +8,22 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::columns::thousands;
+use crate::files::whole::write;
+use crate::firmware::board::{Board, OBSTACLES};
+use crate::firmware::image::{Contents, parts};
+use crate::firmware::process::EmulatorError;
+use crate::firmware::uf2::{Family, blocks, uf2};
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use stiction_scene::{InputError, SceneFile};
-use stiction_tools::board::{Board, OBSTACLES};
-use stiction_tools::files::write;
-use stiction_tools::image::{Contents, parts};
-use stiction_tools::process::EmulatorError;
-use stiction_tools::table::thousands;
-use stiction_tools::uf2::{Family, blocks, uf2};
 
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};
-use crate::number::{Number, named};
 use crate::progress::Activity;
 use crate::report;
 use crate::shell::scene_completer;
+use stiction_live::number::{Number, named};
 
 /// The arguments of `stiction image`.
 #[derive(Args, Clone, Debug)]
@@ -42,7 +42,7 @@ pub struct ImageArgs {
     device: Option<Device>,
     /// File to write: FILE.uf2, for the drive of a board that has one, or FILE.elf; without it stiction-BOARD.uf2 or stiction-BOARD.elf
     #[arg(long, value_name = "FILE", value_parser = file_parser())]
-    out: Option<(PathBuf, Format)>,
+    out: Option<(PathBuf, ImageFormat)>,
 }
 
 /// The reason why there is no image.
@@ -98,7 +98,7 @@ impl Device {
 
 /// The format of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
+enum ImageFormat {
     Uf2,
     Elf,
 }
@@ -109,12 +109,12 @@ fn board_parser() -> impl TypedValueParser<Value = Board> {
 }
 
 /// An output file; its name need not be text.
-fn file_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
+fn file_parser() -> impl TypedValueParser<Value = (PathBuf, ImageFormat)> {
     OsStringValueParser::new().try_map(|name: OsString| {
         let file = PathBuf::from(name);
         let format = match file.extension().and_then(|end| end.to_str()) {
-            Some("uf2") => Format::Uf2,
-            Some("elf") => Format::Elf,
+            Some("uf2") => ImageFormat::Uf2,
+            Some("elf") => ImageFormat::Elf,
             _ => return Err("allowed: a file name that ends in .uf2 or .elf"),
         };
         Ok((file, format))
@@ -129,9 +129,9 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     let board = args.board;
     let (out, format) = out(args);
     let family = match (format, board.family) {
-        (Format::Elf, _) => None,
-        (Format::Uf2, None) => return Err(ImageError::NoDrive(board.name)),
-        (Format::Uf2, family) => family,
+        (ImageFormat::Elf, _) => None,
+        (ImageFormat::Uf2, None) => return Err(ImageError::NoDrive(board.name)),
+        (ImageFormat::Uf2, family) => family,
     };
     if args.obstacles && !board.takes_obstacles() {
         return Err(ImageError::NoObstacles(board.name));
@@ -151,7 +151,7 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
         None => fs::read(&image).map_err(WriteError::of(&image))?,
     };
     write(&out, &bytes).map_err(WriteError::of(&out))?;
-    report::print(&told(&out, &bytes, &Contents::of(&image)?, family));
+    report::print(&described(&out, &bytes, &Contents::of(&image)?, family));
     Ok(())
 }
 
@@ -175,12 +175,12 @@ fn features(args: &ImageArgs) -> Result<String, ImageError> {
 }
 
 /// The file and its format.
-fn out(args: &ImageArgs) -> (PathBuf, Format) {
+fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {
     let board = args.board;
     args.out.clone().unwrap_or_else(|| {
         let (end, format) = match board.family {
-            Some(_) => ("uf2", Format::Uf2),
-            None => ("elf", Format::Elf),
+            Some(_) => ("uf2", ImageFormat::Uf2),
+            None => ("elf", ImageFormat::Elf),
         };
         (format!("stiction-{}.{end}", board.name).into(), format)
     })
@@ -206,7 +206,7 @@ fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf
 }
 
 /// Describes the file, its resources on the board, and how to flash it.
-fn told(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
+fn described(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
     let size = thousands(bytes.len() as u64);
     let (flash, variables) = (thousands(contents.flash), thousands(contents.variables));
     let mut text = format!("{}: {size} bytes", out.display());

@@ -4,14 +4,13 @@ use std::path::Path;
 
 use stiction_scene::{Among, HostModel, InputError, SceneFile};
 
-pub use stiction_live::input::open_path;
 use stiction_live::input::path_file;
 
-use crate::number::Number;
-use crate::scenes;
+use stiction_live::number::Number;
+use stiction_live::scenes;
 
 /// A scene file, or the bundled scene of a name.
-pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+pub fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     if name.exists() {
         return SceneFile::read(name, number.limit());
     }

@@ -29,17 +29,17 @@
 //!
 //! [`image`] builds the image of a board, and writes it to a file for flashing.
 //!
-//! [`footprint`] builds the solver that a scene needs for two chips, and reports its size there and the cost of a frame.
+//! [`firmware`] has the images of boards and their emulators.
 
 mod balance;
 pub mod board;
 pub mod check;
 pub mod code;
+pub mod columns;
 pub mod command;
-pub mod emulator;
 mod examples;
 mod files;
-pub mod footprint;
+pub mod firmware;
 pub mod image;
 pub mod input;
 pub mod list;
@@ -60,7 +60,3 @@ pub mod sweep;
 pub mod trace;
 pub mod trade;
 pub mod view;
-
-pub use stiction_live::{number, record, scenes, session, simulate};
-
-use stiction_live::{body, meter};

@@ -4,19 +4,20 @@ use std::fs;
 use std::io::{self, ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::write;
 use clap::Args;
 use stiction_live::thumbnail::thumbnail;
 use stiction_scene::{InputError, Source, story};
-use stiction_tools::files::write;
 
 use crate::files::WriteError;
-use crate::{report, scenes};
+use crate::report;
+use stiction_live::scenes;
 
 /// The arguments of `stiction scenes`.
 #[derive(Args, Clone, Debug)]
 pub struct ScenesArgs {
-    /// Folder to write all scene files into, and a small picture (SVG) of each; a scene file there that is not the bundled one is
-    /// kept, and is an error
+    /// Folder to write all scene files into, and a small picture (SVG) of each; a scene file there that is not the bundled one stays
+    /// as it is, and is an error
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -73,7 +74,7 @@ fn written(folder: &Path) -> Result<(), ScenesError> {
     for (file, text) in &files {
         match fs::read(file) {
             Ok(bytes) if bytes != text.as_bytes() => {
-                return Err(WriteError::Kept(file.clone()).into());
+                return Err(WriteError::Exists(file.clone()).into());
             }
             Err(error) if error.kind() != ErrorKind::NotFound => {
                 return Err(WriteError::of(file)(error).into());

@@ -6,7 +6,6 @@ use stiction_host_sim::board::{board, info};
 use stiction_host_sim::check::check;
 use stiction_host_sim::code::code;
 use stiction_host_sim::command::{Command, parsed};
-use stiction_host_sim::footprint::footprint;
 use stiction_host_sim::image::image;
 use stiction_host_sim::list::scenes;
 use stiction_host_sim::new::new;
@@ -50,7 +49,6 @@ fn done(command: Command) -> ExitCode {
         Command::Check(args) => check(&args),
         Command::Trade(args) => trade(&args).map(|()| true).map_err(Into::into),
         Command::Sweep(args) => sweep(&args).map_err(Into::into),
-        Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
         Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),

@@ -7,7 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use stiction_scene::text::nearest;
 
 use crate::command::described;
-use crate::scenes;
+use stiction_live::scenes;
 
 /// Adds a suggestion to an error, if there is one.
 pub(crate) fn explained(mut error: Error) -> Error {

@@ -10,9 +10,9 @@ use stiction_scene::InputError;
 
 use crate::files::WriteError;
 use crate::input::open_scene;
-use crate::number::Number;
 use crate::report;
 use crate::shell::scene_completer;
+use stiction_live::number::Number;
 
 /// The arguments of `stiction new`.
 #[derive(Args, Clone, Debug)]
@@ -45,7 +45,7 @@ pub fn new(args: &NewArgs) -> Result<(), NewError> {
     let file = file(&args.name);
     let text = explained(like.source().text(), &file);
     let mut created = File::create_new(&file).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => WriteError::Kept(file.clone()),
+        ErrorKind::AlreadyExists => WriteError::Exists(file.clone()),
         _ => WriteError::of(&file)(error),
     })?;
     created
@@ -69,126 +69,37 @@ fn file(name: &Path) -> PathBuf {
 
 /// A key of a section, its meaning, and the value of the line that offers it to a scene without it; none for keys that a scene
 /// requires or for which it has another key.
-struct Key(
+struct KnownKey(
     &'static str,
     &'static str,
     &'static str,
     Option<&'static str>,
 );
 
-const KEYS: &[Key] = &[
-    Key(
-        "body",
-        "vertices",
-        "corners in the body's own frame [m], convex, counter-clockwise; two: a rod, one: a point",
-        None,
-    ),
-    Key(
-        "body",
-        "rectangle",
-        "width, height [m], centred on the body's origin",
-        None,
-    ),
-    Key(
-        "body",
-        "start",
-        "x, y [m] and angle theta [rad] of the body at the beginning",
-        None,
-    ),
-    Key(
-        "body",
-        "weight",
-        "[N], downwards at the centroid",
-        Some("2.0"),
-    ),
-    Key(
-        "grasp",
-        "point",
-        "where the hand holds, in the body's own frame [m]",
-        None,
-    ),
-    Key(
-        "grasp",
-        "reach",
-        "how far outside the body the hand may be and still take hold [m]",
-        Some("0.01"),
-    ),
-    Key(
-        "spring",
-        "translation",
-        "stiffness between hand and body [N/m]",
-        None,
-    ),
-    Key(
-        "spring",
-        "rotation",
-        "the same of the angle [N·m/rad]; 0: the hand does not turn the body",
-        None,
-    ),
-    Key(
-        "friction",
-        "static",
-        "mu_s: a contact sticks up to this ratio of friction to normal force",
-        None,
-    ),
-    Key(
-        "friction",
-        "dynamic",
-        "mu_d: a slip ends at this ratio; as large as mu_s: it slides without jerks",
-        None,
-    ),
-    Key("surface", "name", "in traces and plots", None),
-    Key("surface", "normal", "direction to the free side", None),
-    Key(
-        "surface",
-        "offset",
-        "distance from the world's origin along the normal [m]",
-        None,
-    ),
-    Key(
-        "surface",
-        "static",
-        "mu_s of this surface alone",
-        Some("0.8"),
-    ),
-    Key(
-        "surface",
-        "dynamic",
-        "mu_d of this surface alone",
-        Some("0.6"),
-    ),
-    Key("obstacle", "name", "in traces and plots", None),
-    Key(
-        "obstacle",
-        "vertices",
-        "corners in the world [m], convex, counter-clockwise; two: a thin wall, one: a pin",
-        None,
-    ),
-    Key(
-        "obstacle",
-        "static",
-        "mu_s of this obstacle alone",
-        Some("0.8"),
-    ),
-    Key(
-        "obstacle",
-        "dynamic",
-        "mu_d of this obstacle alone",
-        Some("0.6"),
-    ),
-    Key("hand", "rate", "frames per second", None),
-    Key(
-        "hand",
-        "keyframes",
-        "the hand's path: t [s], x, y [m], phi [rad]; straight lines between",
-        None,
-    ),
-    Key(
-        "hand",
-        "path",
-        "instead of keyframes: a recorded path with the columns t,x,y,phi",
-        Some("\"hand.csv\""),
-    ),
+#[rustfmt::skip]
+const KEYS: &[KnownKey] = &[
+    KnownKey("body", "vertices", "corners in the body's own frame [m], convex, counter-clockwise; two: a rod, one: a point", None),
+    KnownKey("body", "rectangle", "width, height [m], centred on the body's origin", None),
+    KnownKey("body", "start", "x, y [m] and angle theta [rad] of the body at the beginning", None),
+    KnownKey("body", "weight", "[N], downwards at the centroid", Some("2.0")),
+    KnownKey("grasp", "point", "where the hand holds, in the body's own frame [m]", None),
+    KnownKey("grasp", "reach", "how far outside the body the hand may be and still take hold [m]", Some("0.01")),
+    KnownKey("spring", "translation", "stiffness between hand and body [N/m]", None),
+    KnownKey("spring", "rotation", "the same of the angle [N·m/rad]; 0: the hand does not turn the body", None),
+    KnownKey("friction", "static", "mu_s: a contact sticks up to this ratio of friction to normal force", None),
+    KnownKey("friction", "dynamic", "mu_d: a slip ends at this ratio; as large as mu_s: it slides without jerks", None),
+    KnownKey("surface", "name", "in traces and plots", None),
+    KnownKey("surface", "normal", "direction to the free side", None),
+    KnownKey("surface", "offset", "distance from the world's origin along the normal [m]", None),
+    KnownKey("surface", "static", "mu_s of this surface alone", Some("0.8")),
+    KnownKey("surface", "dynamic", "mu_d of this surface alone", Some("0.6")),
+    KnownKey("obstacle", "name", "in traces and plots", None),
+    KnownKey("obstacle", "vertices", "corners in the world [m], convex, counter-clockwise; two: a thin wall, one: a pin", None),
+    KnownKey("obstacle", "static", "mu_s of this obstacle alone", Some("0.8")),
+    KnownKey("obstacle", "dynamic", "mu_d of this obstacle alone", Some("0.6")),
+    KnownKey("hand", "rate", "frames per second", None),
+    KnownKey("hand", "keyframes", "the hand's path: t [s], x, y [m], phi [rad]; straight lines between", None),
+    KnownKey("hand", "path", "instead of keyframes: a recorded path with the columns t,x,y,phi", Some("\"hand.csv\"")),
 ];
 
 /// The column at which comments begin (characters).
@@ -238,18 +149,18 @@ fn sections(text: &str) -> Vec<Vec<&str>> {
 
 /// A section with a comment on each key that has none, and the keys that it could have as comments.
 fn commented(name: &str, section: &[&str]) -> Vec<String> {
-    let keys = || KEYS.iter().filter(|Key(section, ..)| *section == name);
+    let keys = || KEYS.iter().filter(|KnownKey(section, ..)| *section == name);
     let key_of = |line: &str| line.split_once('=').map(|(key, _)| key.trim().to_owned());
     let line = |line: &&str| {
         let key = key_of(line).filter(|_| !line.contains('#') && !line.starts_with(' '));
-        let meaning = keys().find(|Key(_, known, ..)| key.as_deref() == Some(known));
+        let meaning = keys().find(|KnownKey(_, known, ..)| key.as_deref() == Some(known));
         match meaning {
-            Some(Key(_, _, meaning, _)) => with_comment(line, meaning),
+            Some(KnownKey(_, _, meaning, _)) => with_comment(line, meaning),
             None => (*line).to_owned(),
         }
     };
     let mut lines: Vec<String> = section.iter().map(line).collect();
-    for Key(_, key, meaning, offered) in keys() {
+    for KnownKey(_, key, meaning, offered) in keys() {
         let is_there = section
             .iter()
             .any(|line| key_of(line).as_deref() == Some(key));
@@ -269,7 +180,7 @@ fn with_comment(line: &str, meaning: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes;
+    use stiction_live::scenes;
     use stiction_scene::{SceneFile, Source};
 
     /// The comments change nothing: the scene has the same values, key by key, also with every key that is offered.

@@ -6,8 +6,7 @@ use std::path::PathBuf;
 
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use stiction_core::Evolution;
-
-pub use stiction_live::number::{parse_evolution, parse_number};
+use stiction_live::number::parse_evolution;
 
 use crate::trace::Format;
 

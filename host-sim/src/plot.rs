@@ -27,9 +27,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use stiction_tools::files;
+use crate::files::whole as files;
 
-use crate::record::Run;
+use stiction_live::record::Run;
 
 /// The reason why the pictures of a run could not be written.
 #[derive(Debug, thiserror::Error)]

@@ -30,12 +30,12 @@ use serde::{Deserialize, Serialize};
 use stiction_core::Evolution;
 use stiction_scene::{SceneFile, Source};
 
-use crate::body::Setting;
-use crate::number::Number;
-use crate::options::{parse_evolution, parse_number};
 use crate::settings::Settings;
+use stiction_live::body::Setting;
+use stiction_live::number::Number;
+use stiction_live::number::{parse_evolution, parse_number};
 
-pub(crate) use reader::{Line, Recording, RecordingError};
+pub(crate) use reader::{Recording, RecordingError, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
 /// The version of the format.
@@ -102,13 +102,14 @@ impl Head {
             budget: settings.budget,
             ..Maker::this_program()
         };
-        Self::of(scene, (settings.number, settings.evolution), &maker)
+        Self::of(scene, settings.number, settings.evolution, &maker)
     }
 
     /// The head for a scene that is run by `maker`.
     pub(crate) fn of(
         scene: &SceneFile,
-        (number, evolution): (Number, Evolution),
+        number: Number,
+        evolution: Evolution,
         maker: &Maker,
     ) -> Self {
         let (file, text) = (scene.source().file(), scene.source().text());

@@ -8,15 +8,16 @@ use serde_json::Value;
 use stiction_core::{Fixed, Parts, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
 
-use crate::body::{Body, Setting};
 use crate::files::{self, Files, WriteError};
-use crate::number::Number;
-use crate::options::{parse_evolution, parse_number, trace_parser};
-use crate::record::{Frame, Run, Scenery};
-use crate::recording::{Change, Head, Line, Recording, RecordingError, this_build};
+use crate::options::trace_parser;
+use crate::recording::{Change, Head, Recording, RecordingError, RecordingLine, this_build};
 use crate::report;
-use crate::simulate::{Running, Task, with_solver};
 use crate::trace::{Format, Record};
+use stiction_live::body::{Body, Setting};
+use stiction_live::number::Number;
+use stiction_live::number::{parse_evolution, parse_number};
+use stiction_live::record::{Frame, Run, Scenery};
+use stiction_live::simulate::{Kind, Running, Task, with_solver};
 
 /// The arguments of `stiction replay`.
 #[derive(Args, Clone, Debug)]
@@ -76,44 +77,23 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
         scenery: run.scenery(),
         number: run.number,
         files,
-        count: 0,
-        compared: 0,
-        first: None,
+        result: Comparison::default(),
     };
     while let Some(line) = recording.next()? {
         match line {
-            Line::Sample(sample, recorded) => again.step(&recording, &sample, recorded)?,
-            Line::Change(change) => again.change(&recording, &change)?,
+            RecordingLine::Sample(sample, recorded) => again.step(&recording, &sample, recorded)?,
+            RecordingLine::Change(change) => again.change(&recording, &change)?,
         }
     }
-    if again.count == 0 {
+    if again.result.count == 0 {
         let problem = "no sample follows the head, allowed: at least one".to_owned();
         return Err(recording.error(problem).into());
     }
     again.files.finish()?;
     let cut = recording.cut();
     cut.iter().for_each(report::tell);
-    let (build, now) = (&head.build, this_build());
-    match again.first {
-        Some((line, t, difference)) => {
-            report::print(&format!(
-                "frame {} differs (line {line}, t = {t} s): {difference}\n  recorded by {build}, now {now}\n",
-                line - 2,
-            ));
-            Ok(false)
-        }
-        None => {
-            if !args.quiet {
-                let Again {
-                    count, compared, ..
-                } = again;
-                report::print(&format!(
-                    "{compared} of {count} frames compared, the same bits; recorded by {build}\n"
-                ));
-            }
-            Ok(cut.is_none())
-        }
-    }
+    let is_same = again.result.report(&head.build, args.quiet);
+    Ok(is_same && cut.is_none())
 }
 
 /// A recording that is run again.
@@ -122,10 +102,25 @@ struct Again {
     scenery: Scenery,
     number: Number,
     files: Files,
+    result: Comparison,
+}
+
+/// The comparison with the recorded answers.
+#[derive(Default)]
+struct Comparison {
     count: u64,
     compared: u64,
-    /// Line and time (s) of the first answer that differs from the recorded one, and the difference.
-    first: Option<(usize, f64, String)>,
+    first: Option<FirstDifference>,
+}
+
+/// The first answer that differs from the recorded one.
+struct FirstDifference {
+    /// Of the recording.
+    line: usize,
+    /// Time (s).
+    t: f64,
+    /// The field, and both values.
+    what: String,
 }
 
 impl Again {
@@ -139,13 +134,17 @@ impl Again {
             .solver
             .step(sample)
             .map_err(|problem| recording.error(problem))?;
-        self.count += 1;
+        self.result.count += 1;
         if let Some(recorded) = recorded {
-            self.compared += 1;
-            if self.first.is_none() {
+            self.result.compared += 1;
+            if self.result.first.is_none() {
                 let record = Record::new(&frame, &self.scenery, self.number.is_single());
                 let differs = difference(&recorded, &record);
-                self.first = differs.map(|differs| (recording.line(), sample.t, differs));
+                self.result.first = differs.map(|what| FirstDifference {
+                    line: recording.line(),
+                    t: sample.t,
+                    what,
+                });
             }
         }
         Ok(self.files.write(sample, Some(&frame))?)
@@ -158,6 +157,26 @@ impl Again {
         let run = Run::of(&setting.scene, setting.number, setting.evolution);
         (self.scenery, self.number) = (run.scenery(), run.number);
         Ok(self.files.change(change, &run)?)
+    }
+}
+
+impl Comparison {
+    /// Prints the first difference from the answers of `build`, or unless `quiet` that there is none. Returns whether there is none.
+    fn report(&self, build: &str, quiet: bool) -> bool {
+        if let Some(FirstDifference { line, t, what }) = &self.first {
+            let (frame, now) = (line - 2, this_build());
+            report::print(&format!(
+                "frame {frame} differs (line {line}, t = {t} s): {what}\n  recorded by {build}, now {now}\n"
+            ));
+            return false;
+        }
+        if !quiet {
+            report::print(&format!(
+                "{} of {} frames compared, the same bits; recorded by {build}\n",
+                self.compared, self.count
+            ));
+        }
+        true
     }
 }
 
@@ -196,12 +215,12 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Stepper for Running<R, M> {
 }
 
 /// A solver with all parts and an unlimited budget, whose setting may change.
-struct Whole {
+struct AllParts {
     setting: Setting,
     body: Option<Box<dyn Body>>,
 }
 
-impl Stepper for Whole {
+impl Stepper for AllParts {
     fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
         match &mut self.body {
             Some(body) => body.step(&sample.hand),
@@ -240,9 +259,14 @@ fn stepper(head: &Head, run: &Run, scene: SceneFile) -> Result<Box<dyn Stepper>,
         Number::F32 if lacks_parts(head) => with_parts::<f32>(head, run, &scene),
         Number::Fixed if lacks_parts(head) => with_parts::<Fixed>(head, run, &scene),
         // No board computes in f64, and this computer has all parts.
-        _ => {
-            let running = with_solver(&scene, (run.number, run.evolution, budget(head)), Boxed)?;
-            let whole = Whole {
+        Number::F32 | Number::F64 | Number::Fixed => {
+            let kind = Kind {
+                number: run.number,
+                evolution: run.evolution,
+                budget: budget(head),
+            };
+            let running = with_solver(&scene, kind, Boxed)?;
+            let whole = AllParts {
                 setting: Setting {
                     scene: Arc::new(scene),
                     number: run.number,

@@ -8,17 +8,18 @@ use indicatif::ProgressBar;
 use stiction_scene::InputError;
 
 use crate::files::{self, Files, WriteError};
-use crate::input::{self, open_path, open_scene};
+use crate::input::{self, open_scene};
 use crate::options::trace_parser;
 use crate::plot::{self, PlotError};
 use crate::progress;
-use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
 use crate::settings::Settings;
 use crate::shell::scene_completer;
 use crate::summary::Summary;
 use crate::trace::Format;
+use stiction_live::input::open_path;
+use stiction_live::record::Run;
 
 /// The arguments of `stiction run`.
 #[derive(Args, Clone, Debug)]
@@ -82,7 +83,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         &record,
     )?;
     let (frames, mut samples) = (path.frames(rate), path.frames(rate));
-    let mut progress = Progress::new(frames.len(), args.quiet);
+    let mut progress = RunProgress::new(frames.len(), args.quiet);
     let time = settings.simulate(&scene, frames, |frame| {
         progress.advance();
         summary.add(&frame);
@@ -119,7 +120,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
 }
 
 /// A progress bar that appears after a second, on a terminal.
-struct Progress {
+struct RunProgress {
     begun: Instant,
     done: u64,
     total: u64,
@@ -127,7 +128,7 @@ struct Progress {
     quiet: bool,
 }
 
-impl Progress {
+impl RunProgress {
     /// The bar is updated once in this number of frames.
     const INTERVAL: u64 = 1024;
 
@@ -156,7 +157,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for RunProgress {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

@@ -8,10 +8,10 @@ use clap::Args;
 use stiction_core::{Evolution, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile};
 
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_budget, parse_rate};
-use crate::record::Frame;
-use crate::simulate::{Running, Task, with_solver};
+use stiction_live::number::Number;
+use stiction_live::record::Frame;
+use stiction_live::simulate::{Kind, Running, Task, with_solver};
 
 /// What may be chosen besides the scene.
 #[derive(Args, Clone, Debug)]
@@ -59,15 +59,19 @@ impl Settings {
         samples: impl Iterator<Item = Sample>,
         sink: impl FnMut(Frame) -> Result<(), E>,
     ) -> Result<Duration, E> {
-        let dials = (self.number, self.evolution, self.budget.unwrap_or(u32::MAX));
-        with_solver(scene, dials, Whole(samples, sink))?
+        let kind = Kind {
+            number: self.number,
+            evolution: self.evolution,
+            budget: self.budget.unwrap_or(u32::MAX),
+        };
+        with_solver(scene, kind, WholeRun(samples, sink))?
     }
 }
 
 /// A run from the first sample to the last, and the sink of its frames.
-struct Whole<I, F>(I, F);
+struct WholeRun<I, F>(I, F);
 
-impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for Whole<I, F> {
+impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for WholeRun<I, F> {
     type Done = Result<Duration, E>;
 
     fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done

@@ -15,7 +15,8 @@ use stiction_scene::story;
 
 use crate::command::described;
 use crate::files::WriteError;
-use crate::{report, scenes};
+use crate::report;
+use stiction_live::scenes;
 
 /// The variable in which the shell passes a line that it completes.
 const VARIABLE: &str = "STICTION_COMPLETE";

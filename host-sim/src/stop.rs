@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use stiction_tools::files;
+use crate::files::whole as files;
 
 static LISTENED: AtomicBool = AtomicBool::new(false);
 static ASKED: AtomicBool = AtomicBool::new(false);
@@ -41,9 +41,9 @@ fn handle() -> std::io::Result<()> {
 
     // `nohup` and the background of a shell ignore some signals; these remain ignored.
     let ignored = ignored();
-    let heard = [SIGHUP, SIGINT, SIGTERM].into_iter();
-    let heard = heard.filter(|signal| ignored & (1 << (signal - 1)) == 0);
-    let mut signals = signal_hook::iterator::Signals::new(heard)?;
+    let signals = [SIGHUP, SIGINT, SIGTERM].into_iter();
+    let signals = signals.filter(|signal| ignored & (1 << (signal - 1)) == 0);
+    let mut signals = signal_hook::iterator::Signals::new(signals)?;
     std::thread::Builder::new().spawn(move || {
         for signal in signals.forever() {
             // The parent process learns which signal ended it.

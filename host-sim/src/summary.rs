@@ -10,8 +10,8 @@ use std::time::Duration;
 use stiction_core::{StateKind, Status};
 
 use crate::balance::{Imbalance, Residual};
-use crate::record::{Frame, Run};
 use insertion::Insertions;
+use stiction_live::record::{Frame, Run};
 
 /// Sums and extremes over the frames of a run.
 #[derive(Clone, Debug)]

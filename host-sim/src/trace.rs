@@ -6,12 +6,12 @@ mod table;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::part;
 pub(crate) use stiction_live::trace::Record;
 use stiction_live::trace::{ContactEntry, InsertionEntry, Value};
-use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
-use crate::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run, Scenery};
 
 /// The format of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,9 +33,9 @@ impl Format {
 }
 
 #[derive(Debug)]
-enum Writer {
+enum Target {
     JsonLines(BufWriter<NamedTempFile>),
-    Csv(Box<table::Writer>),
+    Csv(Box<table::CsvTable>),
 }
 
 /// A trace that is being written; it appears in its place with [`TraceWriter::finish`], or not at all.
@@ -44,7 +44,7 @@ pub struct TraceWriter {
     place: PathBuf,
     scenery: Scenery,
     single: bool,
-    writer: Writer,
+    writer: Target,
 }
 
 impl TraceWriter {
@@ -55,8 +55,8 @@ impl TraceWriter {
     pub fn create(place: &Path, format: Format, run: &Run) -> io::Result<Self> {
         let file = part(place)?;
         let writer = match format {
-            Format::JsonLines => Writer::JsonLines(BufWriter::new(file)),
-            Format::Csv => Writer::Csv(Box::new(table::Writer::new(
+            Format::JsonLines => Target::JsonLines(BufWriter::new(file)),
+            Format::Csv => Target::Csv(Box::new(table::CsvTable::new(
                 file,
                 table::Has {
                     obstacles: !run.obstacles.is_empty(),
@@ -79,11 +79,11 @@ impl TraceWriter {
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let record = Record::new(frame, &self.scenery, self.single);
         match &mut self.writer {
-            Writer::JsonLines(writer) => {
+            Target::JsonLines(writer) => {
                 serde_json::to_writer(&mut *writer, &record)?;
                 writer.write_all(b"\n")
             }
-            Writer::Csv(writer) => writer.write(&record),
+            Target::Csv(writer) => writer.write(&record),
         }
     }
 
@@ -98,10 +98,10 @@ impl TraceWriter {
     /// Fails if the file cannot be written or moved.
     pub fn finish(self) -> io::Result<()> {
         let file = match self.writer {
-            Writer::JsonLines(writer) => {
+            Target::JsonLines(writer) => {
                 writer.into_inner().map_err(io::IntoInnerError::into_error)
             }
-            Writer::Csv(writer) => writer.finish(),
+            Target::Csv(writer) => writer.finish(),
         }?;
         file.persist(&self.place)?;
         Ok(())

@@ -2,49 +2,51 @@
 //! JSON, pictures and a recommendation:
 //!
 //! ```text
-//! suite ─ reference ─ measure (accuracy, cost) ─┬ rows ─┬─ table, report
-//!       └ emulated (instructions, memory) ──────┘       ├─ front (pictures)
+//! suite ─ reference ─ measure (accuracy, time) ─┬ rows ─┬─ table, report
+//! counts on emulated chips (trade/chips.csv) ───┘       ├─ front (pictures)
 //!                                                       └─ advice
 //! ```
+//!
+//! The lab counts on the chips, and writes what this measures into documents.
 
 mod accuracy;
 mod advice;
+pub mod chip;
 mod cost;
-mod emulated;
+pub mod counts;
 mod files;
 mod front;
 mod hand;
+pub mod machine;
 mod measure;
 mod place;
 mod random;
-mod readme;
 mod reference;
 mod report;
 mod setting;
 mod suite;
-mod table;
+pub mod table;
 
+pub use cost::Emulated;
+pub use report::Report;
 pub use setting::{FINEST, Memory, RATES, Setting};
 pub use suite::{Case, Group, Suite};
 
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use stiction_scene::InputError;
-use stiction_tools::machine::processor;
-use stiction_tools::process::EmulatorError;
 
-use crate::emulator::{Board, Chip};
 use crate::files::{WriteError, check};
 use crate::plot::{self, PlotError};
 use crate::progress::measuring;
-use emulated::Count;
+use counts::{Count, counted};
 use files::Folder;
+use machine::processor;
 use measure::measure;
 use place::Place;
-use readme::Readme;
-use report::Report;
 
 /// The arguments of `stiction trade`.
 #[derive(Args, Clone, Debug)]
@@ -58,16 +60,12 @@ pub struct TradeArgs {
     /// Measure a few scenes only
     #[arg(long)]
     quick: bool,
-    /// Also count instructions or cycles, flash and memory on four emulated chips (needs QEMU)
+    /// Also instructions or cycles, flash and memory on four chips, as they were counted in emulation for the bundled scenes
     #[arg(long)]
     emulated: bool,
     /// Prints the whole table, too, after the recommendation; it is in trade.csv in any case
     #[arg(long)]
     table: bool,
-    /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well, and in short
-    /// between <!-- settings: begin --> and <!-- settings: end -->, where it has them; can be given again for other files
-    #[arg(long, value_name = "FILE")]
-    readme: Vec<PathBuf>,
 }
 
 /// The reason why there are no results.
@@ -76,9 +74,9 @@ pub enum TradeError {
     /// The hand's path cannot be used, or a scene is refused.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// An emulated chip is not available, or fails.
-    #[error(transparent)]
-    Emulator(#[from] EmulatorError),
+    /// The table of the chips is no such table.
+    #[error("the costs on chips: {0}")]
+    Counts(#[from] Box<dyn Error>),
     /// A result would replace the hand's path, or another result.
     #[error(transparent)]
     Name(#[from] WriteError),
@@ -89,17 +87,6 @@ pub enum TradeError {
         place: PathBuf,
         /// The system's message.
         error: io::Error,
-    },
-    /// The pictures' folder is not below that of the README.
-    #[error(
-        "{}: is not in the folder of {}, allowed: a folder there, so that its pictures can be shown",
-        out.display(), readme.display()
-    )]
-    Elsewhere {
-        /// The folder.
-        out: PathBuf,
-        /// The README.
-        readme: PathBuf,
     },
     /// A picture cannot be drawn.
     #[error(transparent)]
@@ -131,36 +118,16 @@ fn results(out: &Path) -> Vec<PathBuf> {
 /// [`TradeError`]; before any measurement if possible.
 pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     let results = results(&args.out).into_iter().map(|file| ("--out", file));
-    let readmes = args.readme.iter().map(|file| ("--readme", file.clone()));
-    check(args.hand.as_deref(), results.chain(readmes))?;
+    check(args.hand.as_deref(), results)?;
     let suite = Suite::new(args.hand.as_deref(), args.quick)?;
-    let readmes = args.readme.iter().map(|file| Readme::find(file));
-    let readmes: Vec<_> = readmes.collect::<Result<_, _>>()?;
     let folder = Folder::open(&args.out).map_err(TradeError::write(&args.out))?;
-    let pictures = readmes.iter().map(|readme| readme.pictures(&args.out));
-    let pictures: Vec<_> = pictures.collect::<Result<_, _>>()?;
     let counts = match args.emulated {
-        true => counts(&suite)?,
+        true => counted()?,
         false => Vec::new(),
     };
-    let report = report(&suite, &counts)?;
-    let mut files = vec![
-        (
-            TABLE.to_owned(),
-            report.csv().map_err(TradeError::write(&args.out))?,
-        ),
-        (DATA.to_owned(), report.json()),
-    ];
-    let rows = report.overall();
-    for place in Place::of(&rows) {
-        let (svg, png) = plot::fronts(&front::picture(place, &rows, &report.machine))?;
-        let [as_svg, as_png] = place.pictures();
-        files.extend([(as_svg, svg.into_bytes()), (as_png, png)]);
-    }
-    let files = folder.write(&files).map_err(TradeError::write(&args.out))?;
-    for (readme, pictures) in readmes.iter().zip(&pictures) {
-        readme.write(&report, pictures)?;
-    }
+    let report = Report::of(&suite, &counts)?;
+    let files = folder.write(&report.files()?);
+    let files = files.map_err(TradeError::write(&args.out))?;
     let list: String = files
         .iter()
         .map(|file| format!("  {}\n", file.display()))
@@ -174,33 +141,42 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     Ok(())
 }
 
-/// Counts on emulated chips, with a progress bar.
-fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
-    Board::require_all(&Chip::ALL.map(Chip::board))?;
-    let bar = measuring("emulated chips", emulated::extent() as u64);
-    let counts = emulated::count(suite, |chip| {
-        bar.advance(1, chip);
-    });
-    let counts = counts?;
-    bar.end();
-    Ok(counts)
-}
+impl Report {
+    /// Measures the suite, with a progress bar, and adds what was counted on chips.
+    ///
+    /// # Errors
+    /// A number type refuses a scene.
+    pub fn of(suite: &Suite, counts: &[Count]) -> Result<Self, InputError> {
+        let bar = measuring("scenes on this computer", suite.frame_count() as u64);
+        let rows = measure(suite, |case| {
+            bar.advance(case.frame_count() as u64, &case.scene.title);
+        });
+        let mut rows = rows?;
+        bar.end();
+        counts.iter().for_each(|count| count.enter(&mut rows));
+        let mut report = Self {
+            machine: processor(),
+            scenes: suite.to_string(),
+            rows,
+            advice: Vec::new(),
+        };
+        report.advice = advice::advice(&report.overall(), &report.machine);
+        Ok(report)
+    }
 
-/// Measures the suite, with a progress bar.
-fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
-    let bar = measuring("scenes on this computer", suite.frame_count() as u64);
-    let rows = measure(suite, |case| {
-        bar.advance(case.frame_count() as u64, &case.scene.title);
-    });
-    let mut rows = rows?;
-    bar.end();
-    counts.iter().for_each(|count| count.enter(&mut rows));
-    let mut report = Report {
-        machine: processor(),
-        scenes: suite.to_string(),
-        rows,
-        advice: Vec::new(),
-    };
-    report.advice = advice::advice(&report.overall(), &report.machine);
-    Ok(report)
+    /// The files of a folder of results: names and contents.
+    ///
+    /// # Errors
+    /// A picture cannot be drawn.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, TradeError> {
+        let table = self.csv().map_err(TradeError::write(Path::new(TABLE)))?;
+        let mut files = vec![(TABLE.to_owned(), table), (DATA.to_owned(), self.json())];
+        let rows = self.overall();
+        for place in Place::of(&rows) {
+            let (svg, png) = plot::fronts(&front::picture(place, &rows, &self.machine))?;
+            let [as_svg, as_png] = place.pictures();
+            files.extend([(as_svg, svg.into_bytes()), (as_png, png)]);
+        }
+        Ok(files)
+    }
 }

@@ -1,38 +1,39 @@
 //! `stiction view`: the solver in real time with a page, a socket and UDP, as described in `host-sim/VIEW.md`.
 //!
 //! ```text
-//! page, programs ═ doors ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
-//! trackers ═ outward ───────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
-//!                                                ├─ stiction-live: the solver, the parallel reference, the hand
-//!                                                ├─ remote, answers, mirror: a board instead of the solver
-//!                                                └─ recording, recorder, shelf, resume
+//! page, programs ═ connections ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
+//! trackers ═ outward ─────────────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
+//!                                                      ├─ stiction-live: the solver, the parallel reference, the hand
+//!                                                      ├─ remote, answers, mirror: a board instead of the solver
+//!                                                      └─ recording, recorder, archive, resume
 //! ```
 //!
 //! The engine has a thread of its own and waits for nobody. During a recording, every tick is in the file before anybody sees it.
 
 mod answers;
+mod archive;
 mod change;
 mod client;
-mod doors;
-mod ends;
+mod connections;
+mod endpoints;
 mod engine;
 mod feed;
-mod kept;
 mod mirror;
 mod orders;
+mod osc;
 mod outward;
 mod page;
 mod pictures;
 mod publish;
+mod realtime;
 mod recorder;
 mod recording;
 mod reload;
 mod remote;
 mod resume;
+mod retained;
 mod server;
-mod shelf;
 mod upload;
-mod urgent;
 mod written;
 
 use std::io;
@@ -40,33 +41,35 @@ use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::mpsc::{Receiver, SyncSender};
+use std::sync::mpsc::Receiver;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use clap::Args;
 use stiction_core::Evolution;
+use stiction_live::body::{Setting, check, without_obstacles};
+use stiction_live::number::Number;
 use stiction_live::replay::Way;
+use stiction_live::scenes;
 use stiction_live::stage::Stage;
 use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
-use crate::body::{Setting, check, without_obstacles};
 use crate::input::open_scene;
-use crate::number::Number;
 use crate::options::{evolution_parser, parse_end, parse_listen, parse_rate};
 use crate::report;
-use crate::scenes;
 use crate::shell::scene_completer;
 use crate::stop;
-use ends::{Ends, listen};
-use engine::Engine;
-use feed::Feed;
-use kept::Kept;
+use archive::Archive;
+use endpoints::{Endpoints, listen};
+use engine::{Engine, Surroundings};
+use feed::SharedFeed;
+use orders::Order;
+use reload::Watch;
 use remote::Remote;
+use retained::Retained;
 use server::Hub;
-use shelf::Shelf;
 
 /// The default scene.
 const SCENE: &str = "box-flat";
@@ -170,32 +173,34 @@ pub enum ViewError {
     Solver(String),
 }
 
+/// The solver's thread, and why it ended.
+type Solver = JoinHandle<Result<(), String>>;
+
 /// Serves until Ctrl-C.
 ///
 /// # Errors
 /// Fails if the input cannot be used, or an address cannot be listened to.
 pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
-    let (notes, told) = std::sync::mpsc::sync_channel(NOTES);
-    let shelf = Shelf::new(args.recordings.clone());
-    let (engine, feed) = prepared(args, (shelf.clone(), notes.clone()))?;
+    let (notes, lines) = std::sync::mpsc::sync_channel(NOTES);
+    let archive = Archive::new(args.recordings.clone());
+    let feed = Arc::new(SharedFeed::default());
+    let surroundings = Surroundings {
+        feed: Arc::clone(&feed),
+        archive: archive.clone(),
+        notes: notes.clone(),
+    };
+    let engine = prepared(args, surroundings)?;
     let number = engine.live.pair.setting.number;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
     let scenes = engine.live.offers(board.is_none());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
-    let ends = Ends::open(args, place)?;
-    let offers = orders.clone();
+    let ends = Endpoints::open(args, place)?;
+    let requests = orders.clone();
     let ending = Arc::new(AtomicBool::new(false));
-    let solver = {
-        let ending = Arc::clone(&ending);
-        let thread = thread::Builder::new().name("solver".to_owned());
-        thread.spawn(move || {
-            urgent::hurry();
-            engine.run(inbox, &ending)
-        })?
-    };
+    let solver = started(engine, inbox, Arc::clone(&ending))?;
     let (stopper, stop) = watch::channel(false);
     let hub = Arc::new(Hub {
         feed,
@@ -206,35 +211,51 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         clients: AtomicU32::new(0),
         uploads: upload::places(),
         scene_places: upload::places(),
-        kept: Kept::default(),
+        retained: Retained::default(),
     });
     greet(args, place, hub.board.as_ref());
     if let Some(file) = own_file(&args.scene) {
-        reload::begin(file, (number, hub.board.is_some()), &offers, notes);
+        reload::begin(Watch {
+            file: file.to_owned(),
+            number,
+            has_board: hub.board.is_some(),
+            orders: requests.clone(),
+            notes,
+        });
     }
-    thread::spawn(move || recorder::look_back(&shelf, &offers));
+    thread::spawn(move || recorder::look_back(&archive, &requests));
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
     let watched = Watched {
         stopper,
         solver: &solver,
-        told: &told,
+        lines: &lines,
     };
     let result = runtime.block_on(serve(args, listener, ends, hub, watched));
     ending.store(true, Ordering::Relaxed);
     let ended = solver.join();
-    told.try_iter().for_each(|note| report::print(&note));
+    lines.try_iter().for_each(|note| report::print(&note));
     runtime.shutdown_timeout(FAREWELL);
     let ended = ended.unwrap_or_else(|_| Err("the solver broke".to_owned()));
     result.and(ended.map_err(ViewError::Solver))
 }
 
+/// The thread of the solver, which runs until `ending`.
+fn started(
+    engine: Engine,
+    inbox: mpsc::Receiver<Order>,
+    ending: Arc<AtomicBool>,
+) -> io::Result<Solver> {
+    let thread = thread::Builder::new().name("solver".to_owned());
+    thread.spawn(move || {
+        realtime::hurry();
+        engine.run(inbox, &ending)
+    })
+}
+
 /// The solver with its scene, before its first tick.
-fn prepared(
-    args: &ViewArgs,
-    records: (Shelf, SyncSender<String>),
-) -> Result<(Engine, Arc<Feed>), ViewError> {
+fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewError> {
     let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
     // This error names the key and the line.
     match args.connect.is_wanted() {
@@ -254,11 +275,9 @@ fn prepared(
         number: number.unwrap_or(args.number),
         evolution: args.evolution,
     };
-    let feed = Arc::new(Feed::default());
     let own = own_file(&args.scene).map(|_| stage.clone());
     let placement = stage.scene.hand.placement;
-    let mut engine =
-        Engine::new(stage, &setting, Arc::clone(&feed), records).map_err(ViewError::Scene)?;
+    let mut engine = Engine::new(stage, &setting, surroundings).map_err(ViewError::Scene)?;
     engine.live.own.extend(own);
     engine.board = board;
     engine.is_led =
@@ -275,7 +294,7 @@ fn prepared(
             .and_then(|change| engine.apply(change.into()));
         follow.map_err(ViewError::Scene)?;
     }
-    Ok((engine, feed))
+    Ok(engine)
 }
 
 /// The file of a scene that is not a bundled one.
@@ -300,16 +319,16 @@ fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
 struct Watched<'a> {
     /// Signals the end to all tasks.
     stopper: watch::Sender<bool>,
-    solver: &'a JoinHandle<Result<(), String>>,
+    solver: &'a Solver,
     /// The solver's messages for the terminal.
-    told: &'a Receiver<String>,
+    lines: &'a Receiver<String>,
 }
 
 /// Runs until Ctrl-C, or until the solver ends.
 async fn serve(
     args: &ViewArgs,
     listener: TcpListener,
-    ends: Ends,
+    ends: Endpoints,
     hub: Arc<Hub>,
     watched: Watched<'_>,
 ) -> Result<(), ViewError> {
@@ -318,15 +337,15 @@ async fn serve(
         tokio::spawn(outward::send(socket, format, feed, args.osc_rate));
     }
     for (socket, format) in ends.inward {
-        tokio::spawn(outward::hear(socket, format, hub.orders.clone()));
+        tokio::spawn(outward::receive(socket, format, hub.orders.clone()));
     }
     let (stop, tidied) = (hub.stop.clone(), Arc::clone(&hub));
     let listener = tokio::net::TcpListener::from_std(listener)?;
-    let server = doors::serve(listener, server::router(hub, !args.headless), stop);
+    let server = connections::serve(listener, server::router(hub, !args.headless), stop);
     let end = async {
         while !stop::asked() && !watched.solver.is_finished() {
             watched
-                .told
+                .lines
                 .try_iter()
                 .for_each(|note| report::print(&note));
             tidied.tidy();

@@ -10,11 +10,11 @@ import { Strip } from "./strip.js";
 const CLOCK = 1e-4;
 /** Width of the window in real time (s); in slow motion it shows less of the solver's time. */
 const WINDOW = 8;
-/** Number of ticks kept: those in the window and a few more. */
+/** Number of ticks in memory: those in the window and a few more. */
 const TICKS = 9000;
-/** Number of slips kept. */
+/** Number of slips in memory. */
 const SLIPS = 2000;
-/** Number of step times kept, and the time between two of them (s). */
+/** Number of step times in memory, and the time between two of them (s). */
 const STEPS = 400;
 const STEP_SPACING = 0.05;
 /** Pause between two drawings (ms). */
@@ -184,8 +184,8 @@ export class Charts {
     const near = NEAR * this.window / Math.max(1, this.plots[1].over.clientWidth);
     const length = at === null ? this.slips.last(1) : this.slips.nearest(at, near);
     const which = at === null ? "last" : "here";
-    const told = `${which} ${Number.isNaN(length) ? "none" : `${digits(length * per)} ${name}`}`;
-    setText(byId("now-slip"), all === 0 ? "none yet" : `${told}, ${whole(all)} in all`);
+    const longest = `${which} ${Number.isNaN(length) ? "none" : `${digits(length * per)} ${name}`}`;
+    setText(byId("now-slip"), all === 0 ? "none yet" : `${longest}, ${whole(all)} in all`);
   }
 
   /** @param {number | null} at s */

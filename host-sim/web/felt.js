@@ -46,8 +46,8 @@ export class Felt {
   /** @param {BaseAudioContext} context */
   constructor(context = new AudioContext()) {
     this.context = context;
-    /** Number of the last slip that was heard; null: earlier slips are skipped. @type {number | null} */
-    this.heard = null;
+    /** Number of the last slip that was played; null: earlier slips are skipped. @type {number | null} */
+    this.played = null;
     /** @type {FrameMessage | null} */
     this.before = null;
     this.cameAt = 0;
@@ -81,7 +81,7 @@ export class Felt {
     const before = this.before;
     const isAnew = before !== null && message.frame.t < before.frame.t;
     this.slide(before && !isAnew ? slidingSpeed(before.frame, message.frame, size) / size : 0);
-    const last = isAnew ? 0 : this.heard ?? Infinity;
+    const last = isAnew ? 0 : this.played ?? Infinity;
     const from = before && !isAnew ? before.frame.t : message.frame.t;
     const span = Math.max(message.frame.t - from, 1e-9);
     const wait = Math.min(SPREAD, now - this.cameAt);
@@ -93,7 +93,7 @@ export class Felt {
       loudest = Math.max(loudest, loudness);
     }
     if (loudest > 0) this.shake(loudest);
-    this.heard = message.slips.at(-1)?.n ?? 0;
+    this.played = message.slips.at(-1)?.n ?? 0;
     this.before = message;
     this.cameAt = now;
   }

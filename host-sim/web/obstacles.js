@@ -163,10 +163,10 @@ function seen(view, corners) {
       const next = points[(k + 1) % points.length];
       const [low, high] = [height(p), height(next)];
       /** @type {Vec[]} */
-      const kept = low >= 0 ? [p] : [];
+      const seen = low >= 0 ? [p] : [];
       const part = low / (low - high);
-      if (low * high < 0) kept.push([p[0] + part * (next[0] - p[0]), p[1] + part * (next[1] - p[1])]);
-      return kept;
+      if (low * high < 0) seen.push([p[0] + part * (next[0] - p[0]), p[1] + part * (next[1] - p[1])]);
+      return seen;
     });
   }
   return points;

@@ -12,7 +12,7 @@ export class Samples {
     this.values[this.count++ % this.values.length] = value;
   }
 
-  /** Returns a copy of the kept values, oldest first. @returns {number[]} */
+  /** Returns a copy of the stored values, oldest first. @returns {number[]} */
   list() {
     const { values, count } = this;
     if (count <= values.length) return Array.from(values.subarray(0, count));

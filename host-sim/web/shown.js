@@ -7,7 +7,7 @@ const RATE = 8e6;
 /** Interval of drawings of a scene at rest (ms), so that the film has its real duration. */
 const REST = 100;
 /** Lifetime of a file offered to the browser (ms). */
-const KEPT = 60_000;
+const LIFETIME = 60_000;
 
 /** Offers a file to the reader. @param {Blob} file @param {string} name */
 function give(file, name) {
@@ -15,7 +15,7 @@ function give(file, name) {
   link.href = URL.createObjectURL(file);
   link.download = name;
   link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), KEPT);
+  setTimeout(() => URL.revokeObjectURL(link.href), LIFETIME);
 }
 
 /**

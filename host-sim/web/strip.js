@@ -1,7 +1,7 @@
 // A table that grows at one end and drops rows at the other; its columns are passed to the charts without copying.
 
 export class Strip {
-  /** @param {number} columns the first one is the time @param {number} capacity least number of rows kept */
+  /** @param {number} columns the first one is the time @param {number} capacity least number of rows in memory */
   constructor(columns, capacity) {
     this.columns = Array.from({ length: columns }, () => new Float64Array(2 * capacity));
     this.capacity = capacity;

@@ -2,9 +2,10 @@
 #![no_std]
 #![no_main]
 
+use stiction_core::Full;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::count::<f32, 8, 4>()
+    board::count::<f32, 8, 4, Full>()
 }

@@ -53,7 +53,7 @@ impl Setting {
     /// # Errors
     /// The scene cannot be used in this number type.
     pub fn start(&self, hand: &Hand<f64>) -> Result<Box<dyn Body>, String> {
-        self.solved(&Way::Start(hand))
+        self.solved(&Start::Scene(hand))
     }
 
     /// Returns a body that continues from its present pose.
@@ -61,11 +61,11 @@ impl Setting {
     /// # Errors
     /// The body cannot be there under this setting.
     pub fn carry(&self, present: &Present<f64>) -> Result<Box<dyn Body>, String> {
-        self.solved(&Way::Carry(present))
+        self.solved(&Start::Present(present))
     }
 
     /// Chooses the solver that the scene needs: with obstacles only if the scene has some.
-    fn solved(&self, way: &Way<'_>) -> Result<Box<dyn Body>, String> {
+    fn solved(&self, way: &Start<'_>) -> Result<Box<dyn Body>, String> {
         has_solver(&self.scene).map_err(|error| error.to_string())?;
         let has_obstacles = OBSTACLES && !self.scene.obstacles.is_empty();
         Ok(match (self.number, has_obstacles) {
@@ -80,11 +80,11 @@ impl Setting {
 }
 
 /// How a body begins.
-enum Way<'a> {
+enum Start<'a> {
     /// At the start of the scene, with this hand.
-    Start(&'a Hand<f64>),
+    Scene(&'a Hand<f64>),
     /// From its present pose.
-    Carry(&'a Present<f64>),
+    Present(&'a Present<f64>),
 }
 
 /// Checks that a scene is accepted by the solver that it needs, in f64.
@@ -121,11 +121,11 @@ struct Solved<R: Real, M: HostModel> {
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
-    fn new(setting: &Setting, way: &Way<'_>) -> Result<Self, String> {
+    fn new(setting: &Setting, way: &Start<'_>) -> Result<Self, String> {
         let scene = &setting.scene;
         let (begun, turns) = match way {
-            Way::Start(hand) => (Self::start(setting, hand)?, 0),
-            Way::Carry(present) => {
+            Start::Scene(hand) => (Self::start(setting, hand)?, 0),
+            Start::Present(present) => {
                 let begun = carried(scene, setting.evolution, present)?;
                 (begun, present.angle.turns)
             }

@@ -13,12 +13,12 @@ pub enum Change {
     /// Another setting of the same scene: the body stays where it is and settles.
     Setting(Setting),
     /// Another run.
-    Run(Box<Run>),
+    Run(Box<NewRun>),
 }
 
 /// A run from the start of a scene.
 #[derive(Debug)]
-pub struct Run {
+pub struct NewRun {
     /// The scene.
     pub stage: Stage,
     /// The setting of the body.
@@ -41,7 +41,7 @@ pub struct Ready {
 impl Change {
     /// Returns a run with a live hand.
     pub fn run(stage: Stage, setting: Setting) -> Self {
-        Self::Run(Box::new(Run {
+        Self::Run(Box::new(NewRun {
             stage,
             setting,
             path: None,
@@ -63,7 +63,7 @@ impl Change {
     }
 }
 
-impl Run {
+impl NewRun {
     /// Prepares the run, with the body at its start.
     ///
     /// # Errors

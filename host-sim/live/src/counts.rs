@@ -1,6 +1,6 @@
 //! Counters of a run since its reset: ticks, slips, transitions between states, events.
 
-use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 use stiction_core::{Event, StateKind};
 
 use crate::record::Frame;
@@ -55,15 +55,12 @@ struct Transitions<'a>(&'a [[u64; STATES]; STATES]);
 
 impl Serialize for Transitions<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (from, row) in StateKind::ALL.iter().zip(self.0) {
-            for (to, count) in StateKind::ALL.iter().zip(row) {
-                if *count > 0 {
-                    map.serialize_entry(&format!("{}>{}", from.name(), to.name()), count)?;
-                }
-            }
-        }
-        map.end()
+        let rows = StateKind::ALL.iter().zip(self.0);
+        let cells = rows.flat_map(|(from, row)| {
+            let cells = StateKind::ALL.iter().zip(row);
+            cells.map(move |(to, count)| (format!("{}>{}", from.name(), to.name()), count))
+        });
+        serializer.collect_map(cells.filter(|(_, count)| **count > 0))
     }
 }
 
@@ -71,12 +68,7 @@ struct Events<'a>(&'a [u64; EVENTS]);
 
 impl Serialize for Events<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (event, count) in Event::ALL.iter().zip(self.0) {
-            if *count > 0 {
-                map.serialize_entry(event.name(), count)?;
-            }
-        }
-        map.end()
+        let counts = Event::ALL.iter().map(|event| event.name()).zip(self.0);
+        serializer.collect_map(counts.filter(|(_, count)| **count > 0))
     }
 }

@@ -9,13 +9,13 @@ use stiction_scene::SceneFile;
 use crate::counts::Counts;
 use crate::echo::Echo;
 use crate::number::Number;
+use crate::outbound::{Fares, News};
 use crate::pair::{Comparison, SlipMark};
 use crate::record::Frame;
-use crate::say::{Fares, News};
 use crate::stage::Stage;
 
-/// Number of past records that are kept.
-const KEPT: usize = 1024;
+/// Number of past records that a viewer can still get.
+const HISTORY: usize = 1024;
 
 /// The newest data.
 #[derive(Clone, Debug)]
@@ -80,7 +80,7 @@ impl Shown {
             self.records.clear();
         }
         for frame in pending.records.drain(..) {
-            if self.records.len() == KEPT {
+            if self.records.len() == HISTORY {
                 self.records.pop_front();
             }
             self.records.push_back(frame);
@@ -109,7 +109,7 @@ pub struct Pending {
 impl Pending {
     /// Adds a record.
     pub fn record(&mut self, frame: &Arc<Frame>) {
-        if self.records.len() == KEPT {
+        if self.records.len() == HISTORY {
             // A viewer that holds the lock for a second does not get them all.
             self.records.clear();
         }
@@ -143,14 +143,14 @@ impl Pending {
 
 /// What a client has received.
 #[derive(Clone, Copy, Debug)]
-pub struct Told {
+pub struct Cursor {
     state: u64,
     serial: u64,
     /// The next record.
     record: u64,
 }
 
-impl Told {
+impl Cursor {
     /// Starts a client without earlier records.
     pub fn new(shown: &Shown) -> Self {
         let (_, record) = shown.since(u64::MAX);

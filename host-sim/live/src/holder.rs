@@ -30,7 +30,7 @@ impl Source {
     pub const fn client(self) -> Option<u32> {
         match self {
             Self::Client(number) => Some(number),
-            _ => None,
+            Self::Osc | Self::OpenTrack => None,
         }
     }
 }

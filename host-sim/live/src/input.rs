@@ -8,7 +8,7 @@ use stiction_scene::{HandPath, InputError, Motion, SceneFile};
 pub fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
     hand.or(match &scene.hand.motion {
         Some(Motion::Recorded(file)) => Some(file),
-        _ => None,
+        Some(Motion::Keyframes(_)) | None => None,
     })
 }
 
@@ -30,7 +30,7 @@ pub fn open_path(
             let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
             return Err(scene.source().error(problem));
         }
-        (None, _) => {
+        (None, Some(Motion::Recorded(_)) | None) => {
             let problem =
                 "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
             return Err(scene.source().error(problem));

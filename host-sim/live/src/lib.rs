@@ -4,10 +4,10 @@
 //! ```text
 //! samples ─ session ─ frames                                   (a whole path)
 //!
-//! messages ─ hear ─ orders ─ live ─ pair ─ feed ─ say ─ messages (tick by tick)
-//!                     │        │      └ body: the solver; the f64 path reference
-//!                     │        └ guide, holder: the hand; replay: a path of it
-//!                     └ change: another setting, another run
+//! messages ─ inbound ─ orders ─ live ─ pair ─ feed ─ outbound ─ messages (tick by tick)
+//!                       │        │      └ body: the solver; the f64 path reference
+//!                       │        └ guide, holder: the hand; replay: a path of it
+//!                       └ change: another setting, another run
 //! ```
 //!
 //! The messages are specified in `host-sim/VIEW.md`. `stiction view` adds boards, recordings and clients; the static page uses
@@ -16,23 +16,25 @@
 pub mod body;
 pub mod change;
 pub mod counts;
+pub mod drawing;
 pub mod echo;
 pub mod feed;
 pub mod free;
 pub mod guide;
-pub mod hear;
 pub mod holder;
+pub mod inbound;
 pub mod input;
 pub mod live;
 pub mod meter;
 pub mod number;
 pub mod orders;
+pub mod outbound;
 pub mod own;
 pub mod pair;
 pub mod record;
 pub mod replay;
-pub mod say;
 pub mod scenes;
+pub mod script;
 pub mod session;
 pub mod simulate;
 pub mod stage;

@@ -11,9 +11,9 @@ use crate::echo::Echoes;
 use crate::feed::{Latest, Pending};
 use crate::guide::{Guide, HandPose};
 use crate::holder::{Holder, Source};
+use crate::outbound::{self, By, Fares, Replayed, Status};
 use crate::pair::Pair;
 use crate::replay::Replay;
-use crate::say::{self, By, Fares, Replayed, Status};
 use crate::scenes::Offer;
 use crate::stage::Stage;
 use crate::step_times::StepTimes;
@@ -22,7 +22,7 @@ use crate::step_times::StepTimes;
 pub const PERIOD: Duration = Duration::from_millis(1);
 /// Largest delay that is caught up.
 const PATIENCE: Duration = Duration::from_millis(100);
-/// Number of clients' scenes that are kept, each at most 1 MiB.
+/// Number of clients' scenes that stay available, each at most 1 MiB.
 const MOST_OWN: usize = 32;
 /// Time in a tick that a seek may use.
 const SEEKING: Duration = Duration::from_micros(500);
@@ -265,7 +265,7 @@ impl Live {
 
     /// Queues the state, with this status, to be shown.
     pub fn tell(&mut self, status: &Status) {
-        let message = say::state(&self.stage, &self.pair, status);
+        let message = outbound::state(&self.stage, &self.pair, status);
         self.pending.state(message);
         self.changed = false;
     }

@@ -29,7 +29,8 @@ pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
 
 /// Returns F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
 pub fn small_angles(
-    (meter, depth): (&Meter, f64),
+    meter: &Meter,
+    depth: f64,
     frame: &Frame,
     [translation, rotation]: [f64; 2],
 ) -> SmallAngles {

@@ -10,10 +10,10 @@ use stiction_scene::{HandPath, SceneFile};
 use web_time::Instant;
 
 use crate::body::Setting;
-use crate::change::{Change, Run};
+use crate::change::{Change, NewRun};
 use crate::guide::{Guide, HandPose};
-use crate::hear::{Message, Parameters, Path};
 use crate::holder::Source;
+use crate::inbound::{Message, Parameters, Path};
 use crate::live::Live;
 use crate::number::Number;
 use crate::replay::Way;
@@ -140,7 +140,7 @@ impl Live {
 
     /// Starts a client's own scene from its beginning; it can be shown again later.
     pub fn own_scene(&self, stage: Stage) -> Change {
-        Change::Run(Box::new(Run {
+        Change::Run(Box::new(NewRun {
             setting: self.setting_of(&stage),
             stage,
             path: None,
@@ -165,7 +165,7 @@ impl Live {
                 .written
                 .begin_as(&self.stage.scene),
         }
-        Change::Run(Box::new(Run {
+        Change::Run(Box::new(NewRun {
             stage: self.stage.clone(),
             setting,
             path: self
@@ -259,7 +259,7 @@ impl Live {
     /// The path is too long.
     pub fn path(&self, name: String, way: Way) -> Result<Change, String> {
         way.check()?;
-        Ok(Change::Run(Box::new(Run {
+        Ok(Change::Run(Box::new(NewRun {
             stage: self.stage.clone(),
             setting: self.pair.setting.clone(),
             path: Some((name, way)),

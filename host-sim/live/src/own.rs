@@ -13,7 +13,7 @@ use crate::stage::{Stage, at_start, written};
 
 /// Longest name of a file, in characters.
 const NAME: usize = 100;
-/// Decimal places kept in an origin (m, rad): moving a path back and forth leaves no rounding error.
+/// Decimal places of an origin (m, rad): moving a path back and forth leaves no rounding error.
 const DIGITS: i32 = 12;
 /// Frames a second (Hz) and length (s) of the path of a resting hand.
 const RATE: f64 = 1000.0;
@@ -50,16 +50,16 @@ pub fn parse(name: &str, text: Vec<u8>, limit: f64) -> Result<Stage, InputError>
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Edit {
-    body: Body,
+    body: EditedBody,
     grasp: Grasp,
     spring: Spring,
-    surface: Vec<Surface>,
-    obstacle: Vec<Obstacle>,
+    surface: Vec<SurfaceInfo>,
+    obstacle: Vec<ObstacleInfo>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Body {
+struct EditedBody {
     vertices: Vec<[f64; 2]>,
     start: [f64; 3],
     weight: f64,
@@ -77,27 +77,6 @@ struct Grasp {
 struct Spring {
     translation: f64,
     rotation: f64,
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Surface {
-    name: String,
-    normal: [f64; 2],
-    offset: f64,
-    r#static: f64,
-    dynamic: f64,
-    memory: Option<f64>,
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Obstacle {
-    name: String,
-    vertices: Vec<[f64; 2]>,
-    r#static: f64,
-    dynamic: f64,
-    memory: Option<f64>,
 }
 
 /// Returns the scene of `base` with edits (JSON), under the client's name. The hand's path stays, and moves with the holding
@@ -131,23 +110,7 @@ impl Edit {
         (written.holding_point, written.reach) = (self.grasp.point, self.grasp.reach);
         written.stiffness_translation = self.spring.translation;
         written.stiffness_rotation = self.spring.rotation;
-        let surface = |surface: Surface| SurfaceInfo {
-            name: surface.name,
-            normal: surface.normal,
-            offset: surface.offset,
-            friction_static: surface.r#static,
-            friction_dynamic: surface.dynamic,
-            memory: surface.memory,
-        };
-        let obstacle = |obstacle: Obstacle| ObstacleInfo {
-            name: obstacle.name,
-            vertices: obstacle.vertices,
-            friction_static: obstacle.r#static,
-            friction_dynamic: obstacle.dynamic,
-            memory: obstacle.memory,
-        };
-        written.surfaces = self.surface.into_iter().map(surface).collect();
-        written.obstacles = self.obstacle.into_iter().map(obstacle).collect();
+        (written.surfaces, written.obstacles) = (self.surface, self.obstacle);
     }
 }
 

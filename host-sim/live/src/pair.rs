@@ -14,7 +14,7 @@ use crate::meter;
 use crate::record::Frame;
 use crate::step_times::StepTimes;
 
-/// Number of newest slips that are kept.
+/// Number of newest slips that are shown.
 const SLIPS: usize = 32;
 
 /// The place where a slip ended.
@@ -186,8 +186,8 @@ impl Pair {
                 length: frame.longest_slip,
             };
             let beyond = (self.slips.len() + 1).saturating_sub(SLIPS);
-            let kept = self.slips.iter().skip(beyond).copied();
-            self.slips = kept.chain([mark]).collect();
+            let shown = self.slips.iter().skip(beyond).copied();
+            self.slips = shown.chain([mark]).collect();
         }
         self.frame = Arc::new(frame);
     }

@@ -35,7 +35,7 @@ pub trait Recorded: Debug + Send + Sync {
 pub enum Way {
     /// A path, resampled at the ticks.
     Path(Arc<HandPath>),
-    /// The same, repeated until somebody takes the hand.
+    /// A path that is repeated until somebody takes the hand.
     Demonstration(Arc<HandPath>),
     /// A recording, tick by tick.
     Recorded(Arc<dyn Recorded>),

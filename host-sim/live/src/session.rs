@@ -6,7 +6,7 @@ use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
 use crate::number::Number;
 use crate::record::Frame;
 pub use crate::simulate::Contacts;
-use crate::simulate::{Running, Shared, Task, with_solver};
+use crate::simulate::{Kind, Running, Shared, Task, with_solver};
 
 /// A solver with its run. A copy is an independent run.
 pub struct Session(Box<dyn Steps>);
@@ -22,7 +22,12 @@ impl Session {
         evolution: Evolution,
         budget: u32,
     ) -> Result<Self, InputError> {
-        with_solver(scene, (number, evolution, budget), Boxed).map(Self)
+        let kind = Kind {
+            number,
+            evolution,
+            budget,
+        };
+        with_solver(scene, kind, Boxed).map(Self)
     }
 
     /// Returns the frame of the next sample; the first sample starts the scene.

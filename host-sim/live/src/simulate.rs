@@ -128,20 +128,26 @@ pub trait Shared: Real<Si: SiFloat + Send + Sync> + Send + Sync {}
 
 impl<R: Real<Si: SiFloat + Send + Sync> + Send + Sync> Shared for R {}
 
-/// Runs a task with the solver that a scene needs, in this number type: with obstacles only if the scene has some.
+/// What may be chosen of a solver.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The number type.
+    pub number: Number,
+    /// The evolution within a frame.
+    pub evolution: Evolution,
+    /// The budget of a frame (units of work); `u32::MAX`: none.
+    pub budget: u32,
+}
+
+/// Runs a task with the solver that a scene needs: with obstacles only if the scene has some.
 ///
 /// # Errors
 /// The scene is refused.
-pub fn with_solver<T: Task>(
-    scene: &SceneFile,
-    (number, evolution, budget): (Number, Evolution, u32),
-    task: T,
-) -> Result<T::Done, InputError> {
-    let how = (evolution, budget);
-    match number {
-        Number::F32 => with_model::<f32, T>(scene, how, task),
-        Number::F64 => with_model::<f64, T>(scene, how, task),
-        Number::Fixed => with_model::<Fixed, T>(scene, how, task),
+pub fn with_solver<T: Task>(scene: &SceneFile, kind: Kind, task: T) -> Result<T::Done, InputError> {
+    match kind.number {
+        Number::F32 => with_model::<f32, T>(scene, kind, task),
+        Number::F64 => with_model::<f64, T>(scene, kind, task),
+        Number::Fixed => with_model::<Fixed, T>(scene, kind, task),
     }
 }
 
@@ -162,7 +168,7 @@ pub fn has_solver(scene: &SceneFile) -> Result<(), InputError> {
 
 fn with_model<R: Shared, T: Task>(
     scene: &SceneFile,
-    (evolution, budget): (Evolution, u32),
+    kind: Kind,
     task: T,
 ) -> Result<T::Done, InputError>
 where
@@ -170,6 +176,9 @@ where
     Running<R, Among>: Send + Sync,
 {
     has_solver(scene)?;
+    let Kind {
+        evolution, budget, ..
+    } = kind;
     Ok(if !OBSTACLES || scene.obstacles.is_empty() {
         task.with(Running::<R, Full>::of(scene, evolution, budget)?)
     } else {

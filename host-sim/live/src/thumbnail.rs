@@ -9,6 +9,7 @@ use stiction_core::Evolution;
 use stiction_scene::{InputError, SceneFile, Source};
 
 use crate::body::Setting;
+use crate::drawing::{Point, Role, Shape, Solids, Window, placed};
 use crate::free::Springs;
 use crate::number::Number;
 use crate::record::Frame;
@@ -18,8 +19,8 @@ use crate::stage::Stage;
 const SIZE: [f64; 2] = [120.0, 72.0];
 /// Margin between the visible objects and the border.
 const MARGIN: f64 = 10.0;
-/// Half the length of a line that spans the picture wherever it is: more than the diagonal of the picture.
-const REACH: f64 = 150.0;
+/// Distance between two hatches.
+const SPACING: f64 = 6.0;
 /// Coordinates are clamped to this distance from the middle: anything beyond is out of sight, and the numbers stay short.
 const FARTHEST: f64 = 9999.0;
 /// Number of steps to the middle of the path. Events are found between frames, so the number does not matter, except for
@@ -60,9 +61,9 @@ fn moments(stage: &Stage) -> Result<[Frame; 2], String> {
 struct Drawing<'a> {
     scene: &'a SceneFile,
     /// The holding point, if the hand holds.
-    holding: Option<[f64; 2]>,
-    /// The point in the middle of the picture (m).
-    centre: [f64; 2],
+    holding: Option<Point>,
+    /// What is seen.
+    window: Window,
     /// Picture units per metre.
     scale: f64,
 }
@@ -70,44 +71,34 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     /// Fits the whole body and the hand into the picture.
     fn around(scene: &'a SceneFile, start: &Frame, middle: &Frame) -> Self {
-        let holding = Springs::of(scene, middle).holding;
-        let [x, y, _] = middle.hand;
-        let seen = corners(scene, start)
-            .chain(corners(scene, middle))
-            .chain([[x, y]])
-            .chain(holding);
-        let mut least = [f64::INFINITY; 2];
-        let mut most = [f64::NEG_INFINITY; 2];
-        for point in seen {
-            for axis in 0..2 {
-                least[axis] = least[axis].min(point[axis]);
-                most[axis] = most[axis].max(point[axis]);
-            }
-        }
-        let fits = [0, 1].map(|axis| (SIZE[axis] - 2.0 * MARGIN) / (most[axis] - least[axis]));
-        let scale = fits[0].min(fits[1]);
+        let holding = Springs::of(scene, middle).holding.map(Point::from);
+        let bodies = [start, middle].map(|frame| placed(&scene.vertices, frame.pose));
+        let points = bodies.into_iter().flatten();
+        let points = points.chain([hand(middle)]).chain(holding);
+        let seen = Window::around(points).unwrap_or(Window::centred((0.0, 0.0), 0.0, 0.0));
+        let [width, height] = SIZE;
+        let fits = (width - 2.0 * MARGIN) / seen.width();
+        let scale = fits.min((height - 2.0 * MARGIN) / seen.height());
+        // A point that nobody holds has no extent to fit.
+        let scale = if scale.is_finite() { scale } else { 1.0 };
         Self {
             scene,
             holding,
-            centre: [0, 1].map(|axis| f64::midpoint(least[axis], most[axis])),
-            // A point that nobody holds has no extent to fit.
-            scale: if scale.is_finite() { scale } else { 1.0 },
+            window: Window::centred(seen.centre(), width / scale, height / scale),
+            scale,
         }
     }
 
     /// Returns the position of a world point in the picture.
-    fn place(&self, point: [f64; 2]) -> [f64; 2] {
-        let [dx, dy] = [0, 1].map(|axis| {
-            let distance = self.scale * (point[axis] - self.centre[axis]);
-            distance.clamp(-FARTHEST, FARTHEST)
-        });
-        [SIZE[0] / 2.0 + dx, SIZE[1] / 2.0 - dy]
+    fn place(&self, (x, y): Point) -> [f64; 2] {
+        let at = |distance: f64| number((self.scale * distance).clamp(-FARTHEST, FARTHEST));
+        [at(x - self.window.x.start), at(self.window.y.end - y)]
     }
 
     /// Returns the points of a line in the syntax of an SVG path.
-    fn line(&self, points: impl Iterator<Item = [f64; 2]>) -> String {
-        let places = points.map(|point| {
-            let [x, y] = self.place(point).map(number);
+    fn line(&self, points: impl IntoIterator<Item = Point>) -> String {
+        let places = points.into_iter().map(|point| {
+            let [x, y] = self.place(point);
             format!("{x} {y}")
         });
         places.collect::<Vec<_>>().join("L")
@@ -119,16 +110,16 @@ impl<'a> Drawing<'a> {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" fill=\"none\" \
              stroke=\"currentColor\" stroke-width=\"1.5\" stroke-linejoin=\"round\" stroke-linecap=\"round\">"
         );
-        self.obstacles(&mut svg);
-        self.surfaces(&mut svg);
+        self.solids(&mut svg);
+        let body = |frame: &Frame| self.line(placed(&self.scene.vertices, frame.pose));
         if start.pose != middle.pose {
-            let outline = self.line(corners(self.scene, start));
+            let outline = body(start);
             let _ = write!(
                 svg,
                 "<path d=\"M{outline}Z\" opacity=\".45\" stroke-dasharray=\"2 3\"/>"
             );
         }
-        let outline = self.line(corners(self.scene, middle));
+        let outline = body(middle);
         // A point is drawn only by the round caps of its line.
         let thick = match self.scene.vertices.len() {
             1 => 7,
@@ -144,44 +135,51 @@ impl<'a> Drawing<'a> {
         svg + "</svg>"
     }
 
-    fn obstacles(&self, svg: &mut String) {
-        for obstacle in &self.scene.obstacles {
-            let outline = self.line(obstacle.vertices.iter().copied());
-            let _ = write!(
-                svg,
-                "<path d=\"M{outline}Z\" fill=\"var(--solid,#e9e7e2)\"/>"
-            );
-        }
-    }
-
-    /// Draws the border of each surface with hatching on its solid side: one dashed line, as wide as the strokes are long, and
-    /// slanted.
-    fn surfaces(&self, svg: &mut String) {
-        for surface in &self.scene.surfaces {
-            let [nx, ny] = surface.normal;
-            let [cx, cy] = self.centre;
-            let away = nx * cx + ny * cy - surface.offset;
-            let [x, y] = self.place([cx - away * nx, cy - away * ny]).map(number);
-            let turn = number(nx.atan2(ny).to_degrees());
-            let _ = write!(
-                svg,
-                "<g transform=\"translate({x} {y})rotate({turn})\"><path d=\"M-{REACH} 0H{REACH}\"/>\
-                 <path d=\"M-{REACH} 4H{REACH}\" transform=\"skewX(-45)\" stroke=\"var(--hatch,#8d8f8c)\" \
-                 stroke-width=\"7\" stroke-dasharray=\"1 5\" stroke-linecap=\"butt\"/></g>"
-            );
-        }
+    /// Draws the insides of obstacles, the hatches of surfaces, and all borders.
+    fn solids(&self, svg: &mut String) {
+        let solids = Solids {
+            surfaces: &self.scene.surfaces,
+            obstacles: &self.scene.obstacles,
+            window: &self.window,
+            pixel: 1.0 / self.scale,
+            spacing: SPACING,
+        };
+        let path = |shapes: &[Shape], roles: &[Role]| -> String {
+            let shown = shapes.iter().filter(|shape| roles.contains(&shape.role));
+            let lines = shown.map(|shape| format!("M{}", self.line(shape.points.iter().copied())));
+            lines.collect()
+        };
+        let mut draw = |path: String, style: &str| {
+            if !path.is_empty() {
+                let _ = write!(svg, "<path d=\"{path}\"{style}/>");
+            }
+        };
+        draw(
+            path(&solids.insides(), &[Role::Obstacle]),
+            " fill=\"var(--solid,#e9e7e2)\" stroke=\"none\"",
+        );
+        let (surfaces, obstacles) = (solids.surface_borders(), solids.obstacle_borders());
+        draw(
+            path(&surfaces, &[Role::Hatch]),
+            " stroke=\"var(--hatch,#8d8f8c)\" stroke-width=\".7\"",
+        );
+        let borders = path(&surfaces, &[Role::Border]);
+        draw(
+            borders + &path(&obstacles, &[Role::Border, Role::Wall, Role::Pin]),
+            "",
+        );
     }
 
     /// Draws the hand and its spring.
     fn hand(&self, svg: &mut String, frame: &Frame) {
-        let [x, y, _] = frame.hand;
         if let Some(holding) = self.holding {
             // A point is held by a stick, without which the hand would be unconnected to it.
-            let stick = corners(self.scene, frame).filter(|_| self.scene.vertices.len() == 1);
-            let spring = self.line(stick.chain([holding, [x, y]]));
+            let body = placed(&self.scene.vertices, frame.pose).into_iter();
+            let stick = body.filter(|_| self.scene.vertices.len() == 1);
+            let spring = self.line(stick.chain([holding, hand(frame)]));
             let _ = write!(svg, "<path d=\"M{spring}\"/>");
         }
-        let [x, y] = self.place([x, y]).map(number);
+        let [x, y] = self.place(hand(frame));
         let _ = write!(
             svg,
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"3\" fill=\"currentColor\"/>"
@@ -189,12 +187,9 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// Returns the corners of the body in the world.
-fn corners(scene: &SceneFile, frame: &Frame) -> impl Iterator<Item = [f64; 2]> {
-    let [x, y, theta] = frame.pose;
-    let (sin, cos) = theta.sin_cos();
-    let corners = scene.vertices.iter();
-    corners.map(move |[bx, by]| [x + cos * bx - sin * by, y + sin * bx + cos * by])
+/// Returns the point of the hand.
+fn hand(frame: &Frame) -> Point {
+    (frame.hand[0], frame.hand[1])
 }
 
 /// Returns a number with one decimal, or none if that is 0.
@@ -236,8 +231,8 @@ mod tests {
                 assert!((0.0..=SIZE[0]).contains(&place[0]), "{name}: {svg}");
                 assert!((0.0..=SIZE[1]).contains(&place[1]), "{name}: {svg}");
             }
-            let surfaces = text.matches("\n[[surface]]").count();
-            assert_eq!(svg.matches("stroke-dasharray=\"1 5\"").count(), surfaces);
+            let has_surface = text.contains("\n[[surface]]");
+            assert_eq!(svg.contains("--hatch"), has_surface, "{name}: {svg}");
         }
     }
 
@@ -253,7 +248,7 @@ mod tests {
         let corners = outline(&svg);
         // For 2 m: 120 units of width minus two margins of 10.
         assert_eq!(corners, [10.0, 61.0, 110.0, 61.0, 110.0, 11.0, 10.0, 11.0]);
-        assert!(svg.contains("translate(60 61)rotate(0)"), "{svg}");
+        assert!(svg.contains("<path d=\"M0 61L120 61\"/>"), "{svg}");
     }
 
     #[test]

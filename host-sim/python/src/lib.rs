@@ -9,8 +9,8 @@ mod tables;
 
 use pyo3::prelude::*;
 use stiction_core::Evolution;
-use stiction_host_sim::number::Number;
-use stiction_host_sim::options::{parse_evolution, parse_number};
+use stiction_live::number::Number;
+use stiction_live::number::{parse_evolution, parse_number};
 
 /// See `stiction`.
 #[pymodule]

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};
-use stiction_host_sim::record::{ContactRecord, Frame};
+use stiction_live::record::{ContactRecord, Frame};
 
 /// A frame.
 #[repr(C)]
@@ -70,7 +70,7 @@ impl Rows<'_> {
         in_order("contacts", of_contacts, self.frames.len())?;
         let of_events = self.events.iter().map(|row| row.frame);
         in_order("events", of_events, self.frames.len())?;
-        match (0..self.frames.len()).find(|&i| self.frame_with((i, &[], &[])).is_none()) {
+        match (0..self.frames.len()).find(|&i| self.frame_with(i, &[], &[]).is_none()) {
             Some(row) => Err(format!(
                 "`frames`, row {row}: the state or status is undefined"
             )),
@@ -95,16 +95,13 @@ impl Rows<'_> {
                 .iter()
                 .take_while(|row| row.frame as usize <= i)
                 .count();
-            let (told, rest) = events.split_at(count);
+            let (happened, rest) = events.split_at(count);
             events = rest;
-            self.frame_with((i, of_frame, told))
+            self.frame_with(i, of_frame, happened)
         })
     }
 
-    fn frame_with(
-        &self,
-        (i, contacts, events): (usize, &[ContactRow], &[EventRow]),
-    ) -> Option<Frame> {
+    fn frame_with(&self, i: usize, contacts: &[ContactRow], events: &[EventRow]) -> Option<Frame> {
         let row = &self.frames[i];
         Some(Frame {
             t: row.t,

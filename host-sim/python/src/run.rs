@@ -7,11 +7,12 @@ use std::sync::Arc;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use stiction_core::Evolution;
-use stiction_host_sim::check::{Notes, judge, verdict};
-use stiction_host_sim::number::Number;
+use stiction_host_sim::check::{Remarks, judge, verdict};
+use stiction_host_sim::plot;
 use stiction_host_sim::trace::{Format, TraceWriter};
-use stiction_host_sim::{plot, record};
 use stiction_judge::{Survey, Trace};
+use stiction_live::number::Number;
+use stiction_live::record;
 use stiction_scene::{SceneFile, Source};
 
 use crate::refused;
@@ -151,14 +152,14 @@ fn judged(head: &Head, rows: Rows<'_>) -> Result<(u64, String), Box<dyn Error + 
     let frames = Trace::open(&file, &scene)?;
     let mut judge = judge(scene, head.run.number, head.run.evolution);
     let mut survey = Survey::new(WORST);
-    let mut notes = Notes::default();
+    let mut remarks = Remarks::default();
     for frame in frames {
         let (line, frame) = frame?;
         let t = frame.t;
-        notes.add(&frame);
+        remarks.add(&frame);
         survey.add(line, t, &judge.next(frame));
     }
-    Ok((survey.unlawful, verdict(&survey, &notes)))
+    Ok((survey.unlawful, verdict(&survey, &remarks)))
 }
 
 /// The number of worst frames that are listed, as by `stiction check`.

@@ -5,11 +5,15 @@ use std::path::PathBuf;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use stiction_core::Hand;
-use stiction_host_sim::number::Number;
-use stiction_host_sim::{input, scenes};
+use stiction_live::drawing::{HATCH, Point, Solids, Window, placed};
+use stiction_live::number::Number;
+use stiction_live::{input, scenes};
 use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::{positive, refused};
+
+/// The size of a picture, of which hatches and gaps are parts.
+const PIXELS: f64 = 400.0;
 
 /// A scene: a body, the springs that hold it and what it may touch. It is immutable.
 #[pyclass(frozen, module = "stiction._stiction")]
@@ -85,6 +89,30 @@ impl Scene {
         let corners = |corners: &[[f64; 2]]| corners.iter().copied().map(pair).collect();
         let all = self.file.obstacles.iter();
         all.map(|obstacle| (obstacle.name.clone(), corners(&obstacle.vertices)))
+            .collect()
+    }
+
+    /// The corners of the body (m) at a pose x, y (m), theta (rad), in the world.
+    fn placed(&self, pose: [f64; 3]) -> Vec<Point> {
+        placed(&self.file.vertices, pose)
+    }
+
+    /// What is solid between these limits of x and y (m): a role and points (m) for each polygon, line or point.
+    fn shapes(&self, x: Point, y: Point) -> Vec<(&'static str, Vec<Point>)> {
+        let window = Window {
+            x: x.0..x.1,
+            y: y.0..y.1,
+        };
+        let solids = Solids {
+            surfaces: &self.file.surfaces,
+            obstacles: &self.file.obstacles,
+            window: &window,
+            pixel: window.width().max(window.height()) / PIXELS,
+            spacing: HATCH,
+        };
+        let shapes = solids.shapes().into_iter();
+        shapes
+            .map(|shape| (shape.role.name(), shape.points))
             .collect()
     }
 

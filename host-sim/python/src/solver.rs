@@ -5,8 +5,8 @@ use std::sync::Arc;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use stiction_core::{Angle, Evolution, Hand, TrackerSample};
-use stiction_host_sim::number::Number;
-use stiction_host_sim::session::Session;
+use stiction_live::number::Number;
+use stiction_live::session::Session;
 use stiction_scene::{LivePlacement, Sample, SceneFile};
 
 use crate::run::{Head, Run};

@@ -6,8 +6,8 @@ use bytemuck::{Pod, cast_slice, cast_slice_mut, cast_vec};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use stiction_host_sim::record::{ContactRecord, Frame};
-use stiction_host_sim::session;
+use stiction_live::record::{ContactRecord, Frame};
+use stiction_live::session;
 
 use crate::rows::{ContactRow, EventRow, FrameRow, Rows};
 

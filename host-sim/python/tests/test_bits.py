@@ -163,13 +163,13 @@ def test_a_snapshot_goes_on_by_itself_and_can_be_gone_back_to():
     solver = stiction.Solver(scene)
     for row in hand[:300]:
         solver.step(*row)
-    kept = solver.snapshot()
+    stored = solver.snapshot()
     first = [solver.step(*row).pose for row in hand[300:]]
-    copied = copy.copy(kept)
+    copied = copy.copy(stored)
     second = [copied.step(*row).pose for row in hand[300:]]
-    solver.restore(kept)
-    assert len(solver) == len(kept) == 300
+    solver.restore(stored)
+    assert len(solver) == len(stored) == 300
     third = [solver.step(*row).pose for row in hand[300:]]
     assert np.array_equal(first, second) and np.array_equal(first, third)
     with pytest.raises(ValueError, match="snapshot"):
-        stiction.Solver(scene, number="f64").restore(kept)
+        stiction.Solver(scene, number="f64").restore(stored)

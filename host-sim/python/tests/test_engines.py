@@ -95,7 +95,7 @@ class Message(types.SimpleNamespace):
 
 def test_ros_publishes_pose_and_wrench(monkeypatch):
     pytest.importorskip("stiction")
-    published, heard = {}, {}
+    published, subscribed = {}, {}
 
     class Node:
         def __init__(self, name):
@@ -106,7 +106,7 @@ def test_ros_publishes_pose_and_wrench(monkeypatch):
             return types.SimpleNamespace(publish=published[topic].append)
 
         def create_subscription(self, kind, topic, callback, depth):
-            heard[topic] = callback
+            subscribed[topic] = callback
 
     module(monkeypatch, "rclpy", init=lambda: None, spin=lambda node: None)
     module(monkeypatch, "rclpy.node", Node=Node)
@@ -119,7 +119,7 @@ def test_ros_publishes_pose_and_wrench(monkeypatch):
         sample = Message(header="now")
         sample.pose.position = Message(x=x, y=y, z=0.03)
         sample.pose.orientation = Message(x=0.0, y=0.0, z=math.sin(turn / 2), w=math.cos(turn / 2))
-        heard["/stiction/hand"](sample)
+        subscribed["/stiction/hand"](sample)
 
     _, x, y, phi = SCENE["hand"]["keyframes"][0][:4]
     hand(x, y, phi)

@@ -2,8 +2,6 @@
 
 import pathlib
 import re
-import subprocess
-import sys
 
 import nbformat
 from nbclient import NotebookClient
@@ -29,10 +27,3 @@ def test_the_first_plot(tmp_path, monkeypatch, capsys):
 def test_the_notebook():
     notebook = nbformat.read(HERE / "examples" / "friction.ipynb", as_version=4)
     NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
-
-
-def test_the_moving_picture_is_that_of_the_run(program, tmp_path):
-    """As an example writes it; the bits of a run, and so the picture, are the same everywhere."""
-    host, new = HERE.parent, tmp_path / "animation.svg"
-    subprocess.run([sys.executable, host / "examples/animation.py", "--program", program, "--out", new], check=True)
-    assert new.read_text(encoding="utf-8") == (host / "animation.svg").read_text(encoding="utf-8")

@@ -198,5 +198,5 @@ def test_the_columns_are_those_of_a_trace_in_csv(program, tmp_path):
     with out.open(encoding="utf-8", newline="") as file:
         header = next(csv.reader(file))
     with (SCHEMAS / "trace-columns.csv").open(encoding="utf-8", newline="") as file:
-        told = [row["column"] for row in csv.DictReader(file)]
-    assert told == [name for name in header if not name.startswith(("c1_", "c2_", "c3_"))]
+        columns = [row["column"] for row in csv.DictReader(file)]
+    assert columns == [name for name in header if not name.startswith(("c1_", "c2_", "c3_"))]

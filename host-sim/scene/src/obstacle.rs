@@ -1,6 +1,7 @@
 //! `[[obstacle]]`, checked: convex polygons, thin walls and pins with a name, both coefficients and the memory length. The solver
 //! checks whether the corners make a convex polygon.
 
+use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::check::Check;
@@ -10,15 +11,20 @@ use crate::name::Names;
 use crate::source::InputError;
 
 /// A fixed obstacle with corners.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serialised with the keys of a scene file.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
 pub struct ObstacleInfo {
     /// Its name in traces.
     pub name: String,
     /// Its corners (m), world frame, counter-clockwise; two: a thin wall, one: a pin.
     pub vertices: Vec<[f64; 2]>,
     /// mu_s
+    #[serde(rename = "static")]
     pub friction_static: f64,
     /// mu_d
+    #[serde(rename = "dynamic")]
     pub friction_dynamic: f64,
     /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,

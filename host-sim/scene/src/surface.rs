@@ -1,5 +1,6 @@
 //! `[[surface]]`, checked: half-planes with a name, a unit normal, both coefficients and the memory length.
 
+use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::check::Check;
@@ -9,7 +10,10 @@ use crate::name::Names;
 use crate::source::InputError;
 
 /// A fixed half-plane: the free side is `normal`·p >= `offset`.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serialised with the keys of a scene file.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
 pub struct SurfaceInfo {
     /// Its name in traces.
     pub name: String,
@@ -18,8 +22,10 @@ pub struct SurfaceInfo {
     /// Distance of the surface from the world's origin along the normal (m).
     pub offset: f64,
     /// mu_s
+    #[serde(rename = "static")]
     pub friction_static: f64,
     /// mu_d
+    #[serde(rename = "dynamic")]
     pub friction_dynamic: f64,
     /// Memory length (m); `None` if the file gives none.
     pub memory: Option<f64>,

@@ -8,7 +8,7 @@ use super::counts::Counts;
 use super::error::BoardError;
 use super::print::Screen;
 use crate::files::Files;
-use crate::record::Frame;
+use stiction_live::record::Frame;
 
 /// Receives the progress of a stream.
 pub(super) trait Audience {

@@ -4,9 +4,9 @@ use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::firmware::board::{Board, OBSTACLES, RunningBoard};
+use crate::firmware::process::EmulatorError;
 use clap::ValueEnum;
-use stiction_tools::board::{Board, Emulator as Started, OBSTACLES};
-use stiction_tools::process::EmulatorError;
 
 use super::link::Link;
 use crate::progress::Activity;
@@ -65,7 +65,7 @@ pub(super) enum Image<'a> {
 #[derive(Debug)]
 pub(super) struct Emulator {
     board: EmulatedBoard,
-    started: Started,
+    started: RunningBoard,
 }
 
 impl Emulator {
@@ -88,7 +88,7 @@ impl Emulator {
         building.end();
         // Its clock follows the real one.
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.
-        let started = Started::start(board.board(), &image, "shift=auto", true)?;
+        let started = RunningBoard::start(board.board(), &image, "shift=auto", true)?;
         Ok(Self { board, started })
     }
 

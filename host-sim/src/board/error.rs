@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::firmware::process::EmulatorError;
 use stiction_scene::InputError;
-use stiction_tools::process::EmulatorError;
 use stiction_wire::{VERSION, VERSION_AMONG};
 
 use crate::files::WriteError;

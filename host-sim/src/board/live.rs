@@ -7,7 +7,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use stiction_core::Evolution;
-use stiction_live::say::{Fares, Source};
+use stiction_live::outbound::{Fares, Runner};
 use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
@@ -21,10 +21,10 @@ use super::message::About;
 use super::request::Request;
 use super::setup::Setup;
 use super::stream::Stream;
-use crate::number::Number;
-use crate::record::Frame;
 use crate::recording::Maker;
 use crate::stop;
+use stiction_live::number::Number;
+use stiction_live::record::Frame;
 
 /// Interval of the health reports.
 const EVERY: Duration = Duration::from_millis(250);
@@ -60,8 +60,8 @@ pub(crate) struct Identity {
 
 impl Identity {
     /// The description for clients.
-    pub(crate) fn source(&self) -> Source<'_> {
-        Source::Board {
+    pub(crate) fn source(&self) -> Runner<'_> {
+        Runner::Board {
             name: &self.name,
             number: self.number.name(),
             r#where: &self.place,

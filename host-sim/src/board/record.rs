@@ -6,7 +6,7 @@ use stiction_scene::Indices;
 
 use super::pending::Sent;
 use super::steps::Step;
-use crate::record::{ContactRecord, Frame};
+use stiction_live::record::{ContactRecord, Frame};
 
 /// Creates frames from answers; stores the last valid hand.
 #[derive(Clone, Debug, Default)]

@@ -4,7 +4,7 @@ use stiction_core::Parameter;
 use stiction_wire::{Reason, Subject};
 
 use super::message::Answer;
-use crate::record::Names;
+use stiction_live::record::Names;
 
 /// What was refused, its value, the allowed values, and the nearest allowed value, or the bound that the value must stay below.
 pub(super) fn explain(command: &str, answer: &Answer, names: &Names) -> String {

@@ -12,8 +12,8 @@ use super::line::Line;
 use super::link::{News, Open};
 use super::message::{About, Answer, Received, Said};
 use super::refusal::explain;
-use crate::record::Names;
 use crate::stop;
+use stiction_live::record::Names;
 
 /// A command without an answer is repeated after this time.
 const AGAIN: Duration = Duration::from_millis(100);

@@ -15,7 +15,7 @@ use super::error::BoardError;
 use super::message::{About, Answer};
 use super::refusal::explain;
 use super::session::{Inbox, Session};
-use crate::record::Names;
+use stiction_live::record::Names;
 
 /// Interval of the board's health reports (ms): it leaves a line of 115200 baud room for 100 whole steps per second, the fewest
 /// that a board makes.

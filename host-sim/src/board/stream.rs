@@ -21,8 +21,8 @@ use super::session::{Inbox, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::verify::{Twin, Verdict};
-use crate::record::Names;
 use crate::stop;
+use stiction_live::record::Names;
 
 /// Maximum number of samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;

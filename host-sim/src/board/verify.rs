@@ -8,7 +8,7 @@ use stiction_wire::{ContactAmong, EventSet, NumberType};
 
 use super::message::{About, Touched};
 use super::steps::Step;
-use crate::simulate::Running;
+use stiction_live::simulate::Running;
 
 /// The result of the host's solver for a sample.
 #[derive(Clone, Debug)]

@@ -8,7 +8,8 @@ use stiction_judge::{Bounds, Finding, Frame, Status, law};
 use stiction_scene::{HandPath, InputError, Sample};
 
 use crate::input;
-use crate::number::Number;
+use stiction_live::input::open_path;
+use stiction_live::number::Number;
 
 /// The allowed deviation of a number of the hand, in roundings: that of the solver's type, and that of the trace.
 const ROUNDINGS: f64 = 2.0;
@@ -23,7 +24,8 @@ pub(super) type Given = Result<(HandPath, Option<f64>), String>;
 pub(super) fn given(
     name: &Path,
     number: Number,
-    (hand, rate): (Option<&PathBuf>, Option<f64>),
+    hand: Option<&PathBuf>,
+    rate: Option<f64>,
 ) -> Result<Given, InputError> {
     if hand.is_some_and(|hand| hand.as_os_str() == "none") {
         return Ok(Err("--hand none".to_owned()));
@@ -40,7 +42,7 @@ pub(super) fn given(
         ));
     }
     let rate = rate.map(|rate| ("--rate", rate));
-    input::open_path(&scene, hand.map(PathBuf::as_path), rate).map(Ok)
+    open_path(&scene, hand.map(PathBuf::as_path), rate).map(Ok)
 }
 
 /// The law for a frame and the sample that it answers; `None`: the path had ended.

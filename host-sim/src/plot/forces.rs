@@ -4,8 +4,8 @@
 use super::legend::{Entry, Mark};
 use super::sheet::Drawn;
 use super::style::*;
-use super::timeline::{Line, Panel, Timeline};
-use crate::record::{ContactRecord, Frame, Run};
+use super::timeline::{Curve, TimePanel, Timeline};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;
@@ -38,7 +38,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
             format!("hand {}", symbol("F", 'y')),
         ),
     ]);
-    let mut panels: Vec<Panel> = touched.iter().map(|solid| reactions(run, solid)).collect();
+    let mut panels: Vec<TimePanel> = touched.iter().map(|solid| reactions(run, solid)).collect();
     panels.push(hand(run));
     Timeline {
         run,
@@ -76,7 +76,7 @@ fn touched(run: &Run) -> Vec<Solid<'_>> {
 }
 
 /// The panel of a surface or an obstacle.
-fn reactions(run: &Run, solid: &Solid<'_>) -> Panel {
+fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
     let sum = |force: fn(&ContactRecord) -> f64| -> Vec<f64> {
         let of_solid = |frame: &Frame| {
             let contacts = frame.contacts.iter();
@@ -94,13 +94,13 @@ fn reactions(run: &Run, solid: &Solid<'_>) -> Panel {
     let limit = |color, width, coefficient: f64| {
         let values: Vec<f64> = normal.iter().map(|n| coefficient * n).collect();
         let makes_room = values.iter().all(|v| v.abs() <= ROOM_FOR_LIMITS * largest);
-        Line {
+        Curve {
             limit: true,
             makes_room,
-            ..Line::new(color, width, values)
+            ..Curve::new(color, width, values)
         }
     };
-    Panel {
+    TimePanel {
         label: format!("{} [N]", solid.name),
         height: 210.0,
         lines: vec![
@@ -108,21 +108,21 @@ fn reactions(run: &Run, solid: &Solid<'_>) -> Panel {
             limit(STATIC_LIMIT, 1.3, -mu_s),
             limit(DYNAMIC_LIMIT, 1.6, mu_d),
             limit(DYNAMIC_LIMIT, 1.6, -mu_d),
-            Line::new(NORMAL, 1.8, normal.clone()),
-            Line::new(FRICTION, 1.8, friction),
+            Curve::new(NORMAL, 1.8, normal.clone()),
+            Curve::new(FRICTION, 1.8, friction),
         ],
     }
 }
 
 /// The panel of the hand's spring.
-fn hand(run: &Run) -> Panel {
+fn hand(run: &Run) -> TimePanel {
     let force = |axis: usize| run.frames.iter().map(|frame| frame.wrench[axis]).collect();
-    Panel {
+    TimePanel {
         label: "hand force [N]".to_owned(),
         height: 120.0,
         lines: vec![
-            Line::new(HAND_FORCE, 1.8, force(0)),
-            Line::new(HAND_FORCE_Y, 1.8, force(1)),
+            Curve::new(HAND_FORCE, 1.8, force(0)),
+            Curve::new(HAND_FORCE_Y, 1.8, force(1)),
         ],
     }
 }

@@ -5,11 +5,12 @@ use super::legend::{Entry, Heading, Mark};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::style::*;
-use crate::meter::small_angles;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
 use stiction_judge::insertion::{Diagram, Insertion, Meter, Verdict};
+use stiction_live::drawing::Point;
+use stiction_live::meter::small_angles;
+use stiction_live::record::{Frame, Run};
 
 /// Height of a panel, and room between two [px].
 const HEIGHT: f64 = 430.0;
@@ -22,8 +23,6 @@ const ONE_WALL: RGBColor = SLIDE;
 /// The formulas.
 const ONE_POINT_FORMULA: RGBColor = HAND_FORCE;
 const TWO_POINT_FORMULA: RGBColor = NORMAL;
-
-type Point = (f64, f64);
 
 /// The picture as SVG; without a reading its panels are empty.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
@@ -80,12 +79,12 @@ fn entries(readings: &[(&Frame, Insertion)]) -> Vec<Entry> {
 const MARKED: [(Verdict, RGBColor); 2] = [(Verdict::Jammed, SLIP), (Verdict::Wedged, INK)];
 
 /// A panel with its axes.
-struct Axes<'a> {
+struct DiagramAxes<'a> {
     x: (Range<f64>, &'a str),
     y: (Range<f64>, &'a str),
 }
 
-impl Axes<'_> {
+impl DiagramAxes<'_> {
     fn draw<'b>(&self, area: &Area<'b>) -> Drawn<Plane<'b>> {
         let ((x, x_label), (y, y_label)) = (&self.x, &self.y);
         let extents = [x, y].map(|range| range.end - range.start);
@@ -119,9 +118,12 @@ impl Axes<'_> {
         let [per_x, per_y] = [&self.x.0, &self.y.0].map(|range| HEIGHT / (range.end - range.start));
         for run in points.split(|point| !is_inside(point)) {
             let pixels: Vec<Point> = run.iter().map(|(x, y)| (x * per_x, y * per_y)).collect();
-            let kept = sparse(&pixels, 0.3, MOST_POINTS);
-            let kept: Vec<Point> = kept.iter().map(|(x, y)| (x / per_x, y / per_y)).collect();
-            plane.draw(&PathElement::new(kept, stroke(color, width)))?;
+            let thinned = sparse(&pixels, 0.3, MOST_POINTS);
+            let thinned: Vec<Point> = thinned
+                .iter()
+                .map(|(x, y)| (x / per_x, y / per_y))
+                .collect();
+            plane.draw(&PathElement::new(thinned, stroke(color, width)))?;
         }
         Ok(())
     }
@@ -152,8 +154,8 @@ fn turn(readings: &[(&Frame, Insertion)]) -> usize {
         .map_or(0, |last| last + 1)
 }
 
-/// The parallelograms where two points are touched first and where the load has a place at last, and the path of the load.
-fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+/// Where two points are touched first and where the load has a place at last: depth (m) and diagram.
+fn diagrams(meter: &Meter, readings: &[(&Frame, Insertion)]) -> Vec<(f64, Diagram)> {
     let in_diagram = |found: &&Insertion| found.margin.is_some();
     let found = || readings.iter().map(|(_, found)| found);
     let first = found().filter(in_diagram).find(|found| found.walls == 2);
@@ -170,17 +172,19 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
             },
         ))
     };
-    let diagrams: Vec<(f64, Diagram)> = [first, deepest]
-        .into_iter()
-        .flatten()
-        .filter_map(of)
-        .collect();
+    let moments = [first, deepest].into_iter().flatten();
+    moments.filter_map(of).collect()
+}
+
+/// The parallelograms where two points are touched first and where the load has a place at last, and the path of the load.
+fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+    let diagrams = diagrams(meter, readings);
     let lambda = diagrams
         .iter()
         .map(|(_, diagram)| diagram.lambda)
         .fold(1.0, f64::max);
     let (across, up) = (1.3 / meter.friction.max(1e-3), 1.15 * (2.0 * lambda + 1.0));
-    let axes = Axes {
+    let axes = DiagramAxes {
         x: (-across..across, "Fx / Fz"),
         y: (-up..up, "M / (r Fz)"),
     };
@@ -228,7 +232,7 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     let (low, high) = (forces().fold(0.0, f64::min), forces().fold(0.0, f64::max));
     let room = if high > low { 0.12 * (high - low) } else { 1.0 };
     let end = if deepest > 0.0 { 1.03e3 * deepest } else { 1.0 };
-    let axes = Axes {
+    let axes = DiagramAxes {
         x: (0.0..end, "depth l [mm]"),
         y: (low - room..high + room, "Fz [N]"),
     };
@@ -237,7 +241,7 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     let springs = [run.stiffness_translation, run.stiffness_rotation];
     let mut formulas = [Vec::new(), Vec::new()];
     for (frame, found) in inwards {
-        let small = small_angles((meter, found.depth), frame, springs);
+        let small = small_angles(meter, found.depth, frame, springs);
         let values = [small.one_point, small.two_points];
         for (line, value) in formulas.iter_mut().zip(values) {
             line.push((1e3 * found.depth, value.unwrap_or(f64::NAN)));

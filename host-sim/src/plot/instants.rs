@@ -1,8 +1,8 @@
 //! The moments worth a snapshot: the ends of the run, the first frame of each state, frames with events, the longest slip,
 //! and otherwise an even spread over time.
 
-use crate::record::{Frame, Run};
 use stiction_core::{Event, StateKind};
+use stiction_live::record::{Frame, Run};
 
 /// The minimum interval between two snapshots, as a fraction of the run's duration.
 const APART: f64 = 0.005;
@@ -37,9 +37,9 @@ pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
         _ => APART,
     };
     for (k, tier) in tiers.into_iter().enumerate() {
-        add(frames, &mut chosen, tier.into_iter(), (count, apart(k)));
+        add(frames, &mut chosen, tier.into_iter(), count, apart(k));
     }
-    add(frames, &mut chosen, indices(), (count, APART));
+    add(frames, &mut chosen, indices(), count, APART);
     chosen.sort_unstable();
     chosen
 }
@@ -54,7 +54,8 @@ fn add(
     frames: &[Frame],
     chosen: &mut Vec<usize>,
     candidates: impl Iterator<Item = usize> + Clone,
-    (count, least): (usize, f64),
+    count: usize,
+    least: f64,
 ) {
     let duration = match frames {
         [first, .., last] => last.t - first.t,

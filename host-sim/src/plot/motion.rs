@@ -5,8 +5,8 @@ use super::legend::{Entry, Mark};
 use super::plane::hand_angle;
 use super::sheet::Drawn;
 use super::style::*;
-use super::timeline::{Line, Panel, Timeline};
-use crate::record::{ContactRecord, Frame, Run};
+use super::timeline::{Curve, TimePanel, Timeline};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;
@@ -54,38 +54,38 @@ fn values(run: &Run, shown: impl Fn(&Frame) -> bool, value: impl Fn(&Frame) -> f
 }
 
 /// The lines of the hand: holding, and open.
-fn hand(run: &Run, value: impl Fn(&Frame) -> f64) -> [Line; 2] {
+fn hand(run: &Run, value: impl Fn(&Frame) -> f64) -> [Curve; 2] {
     [
-        Line::new(OPEN_HAND, 1.4, values(run, |frame| !frame.held, &value)),
-        Line::new(HAND, 1.4, values(run, |frame| frame.held, &value)),
+        Curve::new(OPEN_HAND, 1.4, values(run, |frame| !frame.held, &value)),
+        Curve::new(HAND, 1.4, values(run, |frame| frame.held, &value)),
     ]
 }
 
-fn angles(run: &Run) -> Panel {
+fn angles(run: &Run) -> TimePanel {
     let body = values(run, |_| true, |frame| frame.pose[2].to_degrees());
-    let mut lines = vec![Line::new(BODY, 3.2, body)];
+    let mut lines = vec![Curve::new(BODY, 3.2, body)];
     lines.extend(hand(run, |frame| hand_angle(run, frame).to_degrees()));
-    Panel {
+    TimePanel {
         label: "angle [°]".to_owned(),
         height: 150.0,
         lines,
     }
 }
 
-fn positions(run: &Run, axis: usize, label: &str) -> Panel {
+fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
     let held = values(
         run,
         |frame| frame.held,
         |frame| 1e3 * frame.holding_point(run.stiffness_translation)[axis],
     );
-    let mut lines = vec![Line::new(BODY, 3.2, held)];
+    let mut lines = vec![Curve::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
     let mut follow = |is_it: &dyn Fn(&ContactRecord) -> bool| {
         let touching = |frame: &Frame| {
             let contact = frame.contacts.iter().find(|contact| is_it(contact));
             contact.map_or(f64::NAN, |contact| 1e3 * contact.point[axis])
         };
-        lines.push(Line::new(FRICTION, 2.4, values(run, |_| true, touching)));
+        lines.push(Curve::new(FRICTION, 2.4, values(run, |_| true, touching)));
     };
     for vertex in 0..run.body.len() {
         follow(&|contact| contact.vertex() == Some(vertex));
@@ -93,7 +93,7 @@ fn positions(run: &Run, axis: usize, label: &str) -> Panel {
     for corner in run.touched_corners() {
         follow(&|contact| contact.corner() == Some(corner));
     }
-    Panel {
+    TimePanel {
         label: label.to_owned(),
         height: 190.0,
         lines,

@@ -3,9 +3,9 @@
 
 use super::sheet::{Area, Drawn, px, stroke};
 use super::style::{FAINT, SMALL, font, text_width};
-use crate::record::Frame;
 use plotters::prelude::*;
 use stiction_core::{Event, Status};
+use stiction_live::record::Frame;
 
 const ROW: f64 = 13.0;
 const MOST_ROWS: usize = 3;

@@ -1,4 +1,4 @@
-//! Thinning: from the samples of a run to the few that a picture can show, with every spike kept.
+//! Thinning: from the samples of a run to the few that a picture can show, which include every spike.
 
 /// A sample: t and a value.
 type Sample = (f64, f64);
@@ -57,29 +57,29 @@ fn extremes(samples: &[Sample]) -> Vec<Sample> {
     let indices = 0..samples.len();
     let lowest = indices.clone().min_by(by_value).unwrap_or(0);
     let highest = indices.max_by(by_value).unwrap_or(0);
-    let mut kept = vec![0, lowest, highest, samples.len() - 1];
-    kept.sort_unstable();
-    kept.dedup();
-    kept.into_iter().map(|i| samples[i]).collect()
+    let mut chosen = vec![0, lowest, highest, samples.len() - 1];
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen.into_iter().map(|i| samples[i]).collect()
 }
 
-/// A path in the plane without the points closer than `step` to the last one kept; the step doubles until at most `most` points
+/// A path in the plane without the points closer than `step` to the last one chosen; the step doubles until at most `most` points
 /// are left. The ends remain.
 pub(super) fn sparse(path: &[(f64, f64)], step: f64, most: usize) -> Vec<(f64, f64)> {
-    let mut kept = Vec::new();
+    let mut chosen = Vec::new();
     for &point in path {
         let near = |&(x, y): &(f64, f64)| (point.0 - x).hypot(point.1 - y) < step;
-        if !kept.last().is_some_and(near) {
-            kept.push(point);
+        if !chosen.last().is_some_and(near) {
+            chosen.push(point);
         }
     }
-    if kept.len() > most && step > 0.0 {
+    if chosen.len() > most && step > 0.0 {
         return sparse(path, 2.0 * step, most);
     }
     if let Some(&end) = path.last()
-        && kept.last() != Some(&end)
+        && chosen.last() != Some(&end)
     {
-        kept.push(end);
+        chosen.push(end);
     }
-    kept
+    chosen
 }

@@ -3,9 +3,9 @@
 use super::legend::{Entry, Mark};
 use super::sheet::{Area, Drawn, px};
 use super::style::{SLIDE, TEXT, font, number, round};
-use crate::record::Frame;
 use plotters::prelude::*;
 use std::ops::Range;
+use stiction_live::record::Frame;
 
 /// Height of the bars [px].
 const BAR: f64 = 9.0;

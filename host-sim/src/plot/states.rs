@@ -2,9 +2,9 @@
 
 use super::legend::{Entry, Mark};
 use super::style::state_color;
-use crate::record::Frame;
 use std::ops::Range;
 use stiction_core::StateKind;
+use stiction_live::record::Frame;
 
 /// Maximum number of distinguished spans.
 const COLUMNS: usize = 900;

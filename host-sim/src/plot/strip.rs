@@ -4,12 +4,12 @@
 use super::instants::choose;
 use super::legend::{Entry, Heading, Mark};
 use super::notes::tally;
-use super::obstacles::Solids;
-use super::plane::{Bounds, View, corners, hand_angle, length_unit};
+use super::plane::{View, hand_angle, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
+use stiction_live::drawing::{Turn, Window, placed};
+use stiction_live::record::{Frame, Run};
 
 /// Room left and right of the snapshots [px].
 const MARGIN: f64 = 14.0;
@@ -21,7 +21,7 @@ const CAPTION: f64 = 56.0;
 const GAP: f64 = (WIDTH - 2.0 * MARGIN - COLUMNS as f64 * SIDE) / (COLUMNS - 1) as f64;
 
 /// The scales that all snapshots share.
-struct Scale {
+struct Scales {
     /// Side of a snapshot [m].
     window: f64,
     /// Length of a force bar [m/N].
@@ -58,13 +58,13 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
 }
 
 /// The contents of a snapshot.
-fn extent(run: &Run, frame: &Frame) -> Bounds {
+fn extent(run: &Run, frame: &Frame) -> Window {
     let hand = frame.held.then_some((frame.hand[0], frame.hand[1]));
-    Bounds::around(corners(&run.body, frame.pose).into_iter().chain(hand))
-        .unwrap_or_else(|| Bounds::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
+    Window::around(placed(&run.body, frame.pose).into_iter().chain(hand))
+        .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
 }
 
-fn scale(run: &Run, frames: &[&Frame]) -> Scale {
+fn scale(run: &Run, frames: &[&Frame]) -> Scales {
     let largest =
         |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, b| a.max(b.abs()));
     let side = |frame: &&Frame| {
@@ -81,7 +81,7 @@ fn scale(run: &Run, frames: &[&Frame]) -> Scale {
             .map(|frame| frame.wrench[0].hypot(frame.wrench[1])),
     );
     let force = reactions.max(springs);
-    Scale {
+    Scales {
         window,
         per_newton: if force > 0.0 {
             0.32 * window / force
@@ -93,7 +93,7 @@ fn scale(run: &Run, frames: &[&Frame]) -> Scale {
 }
 
 /// The meaning of the marks, and a bar for each scale.
-fn entries(scale: &Scale) -> Vec<Entry> {
+fn entries(scale: &Scales) -> Vec<Entry> {
     let (unit, per_metre) = length_unit(scale.window);
     let pixel = scale.window / SIDE;
     let mut entries = vec![
@@ -122,15 +122,12 @@ fn scale_bar(one: f64, unit: &str) -> Entry {
     )
 }
 
-fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
+fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     let centre = extent(run, frame).centre();
-    let view = View::new(area, Bounds::centred(centre, scale.window, scale.window))?;
-    view.solids(&Solids {
-        surfaces: &run.surfaces,
-        obstacles: &run.obstacles,
-    })?;
+    let view = View::new(area, Window::centred(centre, scale.window, scale.window))?;
+    view.solids(run)?;
     view.names(&run.obstacles, false)?;
-    let body = corners(&run.body, frame.pose);
+    let body = placed(&run.body, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
     forces(&view, run, frame, scale)?;
@@ -140,7 +137,7 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
 }
 
 /// The reactions at the contacts.
-fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
+fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
         let [nx, ny] = contact.normal_among(&run.surfaces);
         let point = contact.point.into();
@@ -154,7 +151,7 @@ fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
 }
 
 /// The hand with its spring, force and moment; the strokes at its ring and at the holding point show phi and theta.
-fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
+fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     let [x, y, _] = frame.hand;
     let phi = hand_angle(run, frame);
     let pointer = |(x, y): (f64, f64), angle: f64, color| {
@@ -188,26 +185,16 @@ fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
 }
 
 /// A moment as an arc around a point: the share 1 is three quarters of a turn.
-fn arc(view: &View, (x, y): (f64, f64), share: f64) -> Drawn {
-    const STEPS: usize = 32;
-    let sweep = 1.5 * std::f64::consts::PI * share;
-    let radius = 17.0 * view.pixel;
-    if (sweep * radius).abs() < 6.0 * view.pixel {
+fn arc(view: &View, place: (f64, f64), share: f64) -> Drawn {
+    let Some(turn) = Turn::new(place, share, view.pixel) else {
         return Ok(());
-    }
-    let point = |angle: f64| (x + radius * angle.cos(), y + radius * angle.sin());
-    let begin = std::f64::consts::FRAC_PI_2;
-    let arc: Vec<_> = (0..=STEPS)
-        .map(|step| point(begin + sweep * step as f64 / STEPS as f64))
-        .collect();
-    view.line(&arc, HAND_FORCE, 2.2)?;
-    let end = begin + sweep;
-    let (tip, head) = (point(end), 8.0 * view.pixel * sweep.signum());
-    view.arrow(tip, (-head * end.sin(), head * end.cos()), HAND_FORCE, 2.4)
+    };
+    view.line(&turn.arc, HAND_FORCE, 2.2)?;
+    view.arrow(turn.tip, turn.along, HAND_FORCE, 2.4)
 }
 
 /// Time, state, pose and events below a snapshot.
-fn caption(area: &Area, frame: &Frame, scale: &Scale) -> Drawn {
+fn caption(area: &Area, frame: &Frame, scale: &Scales) -> Drawn {
     let (unit, per_metre) = length_unit(scale.window);
     let [x, y, theta] = frame.pose;
     let decimals = |value: f64| format!("{value:.1}").replace('-', "−");

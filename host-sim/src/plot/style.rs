@@ -1,10 +1,10 @@
 //! The style of all pictures: colors that color-blind readers can distinguish (Okabe and Ito), one per role, and the type.
 
 use super::sheet::px;
-use crate::number::Number;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stiction_core::StateKind;
+use stiction_live::number::Number;
 
 pub(super) const PAPER: RGBColor = WHITE;
 pub(super) const INK: RGBColor = RGBColor(34, 34, 34);
@@ -79,7 +79,7 @@ pub(super) fn font(size: f64) -> TextStyle<'static> {
         .pos(Pos::new(HPos::Left, VPos::Center))
 }
 
-/// The same type, centred.
+/// A type, centred.
 pub(super) fn centred(style: &TextStyle<'static>) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Center, VPos::Center))
 }

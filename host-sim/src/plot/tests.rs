@@ -4,11 +4,11 @@ use super::legend::{Entry, Mark};
 use super::series::{envelope, outline, sparse};
 use super::sheet::PNG_SCALE;
 use super::*;
-use crate::number::Number;
-use crate::record::{ContactRecord, Frame};
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status, Touch};
+use stiction_live::number::Number;
+use stiction_live::record::{ContactRecord, Frame};
 use stiction_scene::SurfaceInfo;
 
 mod slides;
@@ -274,9 +274,9 @@ fn thinning_keeps_spikes_ends_and_gaps() {
 fn a_thinned_path_keeps_its_ends() {
     let circle = |index: u32| f64::from(index).to_radians().sin_cos();
     let path: Vec<_> = (0..100_000).map(circle).collect();
-    let kept = sparse(&path, 0.001, 500);
-    assert!(kept.len() <= 501);
-    assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
+    let chosen = sparse(&path, 0.001, 500);
+    assert!(chosen.len() <= 501);
+    assert_eq!((chosen.first(), chosen.last()), (path.first(), path.last()));
 }
 
 #[test]

@@ -8,9 +8,9 @@ use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::slides::Slides;
 use super::states;
 use super::style::*;
-use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
+use stiction_live::record::{Frame, Run};
 
 /// Heights [px].
 const GAP: f64 = 10.0;
@@ -22,7 +22,7 @@ const COLUMNS: usize = 900;
 const MOST_GUIDES: usize = 24;
 
 /// A line of a panel.
-pub(super) struct Line {
+pub(super) struct Curve {
     pub(super) color: RGBColor,
     /// Width [px].
     pub(super) width: f64,
@@ -34,7 +34,7 @@ pub(super) struct Line {
     pub(super) makes_room: bool,
 }
 
-impl Line {
+impl Curve {
     pub(super) fn new(color: RGBColor, width: f64, values: Vec<f64>) -> Self {
         Self {
             color,
@@ -47,12 +47,12 @@ impl Line {
 }
 
 /// A panel: lines over time with a common axis.
-pub(super) struct Panel {
+pub(super) struct TimePanel {
     /// The quantity on the vertical axis, with its unit.
     pub(super) label: String,
     /// Height [px].
     pub(super) height: f64,
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<Curve>,
 }
 
 /// A picture over time.
@@ -60,7 +60,7 @@ pub(super) struct Timeline<'a> {
     pub(super) run: &'a Run,
     pub(super) title: String,
     pub(super) legend: Vec<Entry>,
-    pub(super) panels: Vec<Panel>,
+    pub(super) panels: Vec<TimePanel>,
 }
 
 impl Timeline<'_> {
@@ -217,7 +217,7 @@ impl<'b> Column<'_, 'b> {
         Ok(chart.plotting_area().clone())
     }
 
-    fn panel(&mut self, panel: &Panel, notes: &Notes) -> Drawn {
+    fn panel(&mut self, panel: &TimePanel, notes: &Notes) -> Drawn {
         let range = range(&panel.lines);
         let plane = self.axes(panel.height, range.clone(), &panel.label)?;
         if range.contains(&0.0) {
@@ -293,7 +293,7 @@ impl<'b> Column<'_, 'b> {
 }
 
 /// The range of a panel, from its lines that make room, with some margin.
-fn range(lines: &[Line]) -> Range<f64> {
+fn range(lines: &[Curve]) -> Range<f64> {
     let values = || {
         let lines = lines.iter().filter(|line| line.makes_room);
         lines.flat_map(|line| line.values.iter().copied().filter(|v| v.is_finite()))

@@ -2,13 +2,13 @@
 //! the end, and the surfaces.
 
 use super::legend::{Entry, Heading, Mark};
-use super::obstacles::{self, Solids};
-use super::plane::{Bounds, View, corners, length_unit};
+use super::plane::{View, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
-use crate::record::{ContactRecord, Frame, Run};
 use plotters::prelude::*;
+use stiction_live::drawing::{Window, corners_of, placed};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The least and the greatest height of the plane [px].
 const HEIGHTS: (f64, f64) = (240.0, 760.0);
@@ -23,7 +23,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         .clamp(HEIGHTS.0, HEIGHTS.1)
         .round();
     let pixel = (bounds.width() / INNER).max(bounds.height() / height);
-    let bounds = Bounds::centred(bounds.centre(), INNER * pixel, height * pixel);
+    let bounds = Window::centred(bounds.centre(), INNER * pixel, height * pixel);
     let heading = Heading {
         title: format!("{}: paths in the plane", run.title),
         entries: entries(run),
@@ -34,10 +34,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         heading.draw(area)?;
         let inner = part(area, (LEFT, top), (INNER, height));
         let view = View::new(&inner, bounds.clone())?;
-        view.solids(&Solids {
-            surfaces: &run.surfaces,
-            obstacles: &run.obstacles,
-        })?;
+        view.solids(run)?;
         axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
         view.names(&run.obstacles, true)?;
         bodies(&view, run)?;
@@ -71,12 +68,12 @@ fn contacts(run: &Run) -> impl Iterator<Item = &ContactRecord> {
 }
 
 /// Everything that is drawn, with a margin for the surfaces.
-fn bounds(run: &Run) -> Bounds {
+fn bounds(run: &Run) -> Window {
     let ends = [run.frames.first(), run.frames.last()];
     let bodies = ends
         .into_iter()
         .flatten()
-        .flat_map(|frame| corners(&run.body, frame.pose));
+        .flat_map(|frame| placed(&run.body, frame.pose));
     let hands = run
         .frames
         .iter()
@@ -84,12 +81,12 @@ fn bounds(run: &Run) -> Bounds {
     let held = run.frames.iter().filter(|frame| frame.held);
     let holding_points = held.map(|frame| frame.holding_point(run.stiffness_translation).into());
     let contacts = contacts(run).map(|contact| contact.point.into());
-    let bounds = Bounds::around(bodies.chain(hands).chain(holding_points).chain(contacts))
-        .unwrap_or_else(|| Bounds::centred((0.0, 0.0), 0.0, 0.0));
+    let bounds = Window::around(bodies.chain(hands).chain(holding_points).chain(contacts))
+        .unwrap_or_else(|| Window::centred((0.0, 0.0), 0.0, 0.0));
     let bounds = with_corners_near(run, bounds);
     let extent = bounds.width().max(bounds.height());
     let margin = if extent > 0.0 { 0.06 * extent } else { 0.5 };
-    Bounds::centred(
+    Window::centred(
         bounds.centre(),
         bounds.width() + 2.0 * margin,
         bounds.height() + 2.0 * margin,
@@ -97,19 +94,19 @@ fn bounds(run: &Run) -> Bounds {
 }
 
 /// Nearby corners of obstacles are shown.
-fn with_corners_near(run: &Run, bounds: Bounds) -> Bounds {
+fn with_corners_near(run: &Run, bounds: Window) -> Window {
     let extent = bounds.width().max(bounds.height());
     let (width, height) = (
         bounds.width() + 0.5 * extent,
         bounds.height() + 0.5 * extent,
     );
-    let near = Bounds::centred(bounds.centre(), width, height);
-    let corners = run.obstacles.iter().flat_map(obstacles::corners);
+    let near = Window::centred(bounds.centre(), width, height);
+    let corners = run.obstacles.iter().flat_map(corners_of);
     let corners = corners.filter(|&corner| near.contains(corner));
-    Bounds::around(bounds.corners().into_iter().chain(corners)).unwrap_or(bounds)
+    Window::around(bounds.corners().into_iter().chain(corners)).unwrap_or(bounds)
 }
 
-fn axes(area: &Area, bounds: &Bounds) -> Drawn {
+fn axes(area: &Area, bounds: &Window) -> Drawn {
     let (unit, per_metre) = length_unit(bounds.width().max(bounds.height()));
     let label = |metres: &f64| tick(metres * per_metre, bounds.width() * per_metre);
     let (_, height) = sheet::size(area);
@@ -139,8 +136,8 @@ fn bodies(view: &View, run: &Run) -> Drawn {
     let [Some(first), Some(last)] = [run.frames.first(), run.frames.last()] else {
         return Ok(());
     };
-    let end = corners(&run.body, last.pose);
-    view.outline(&corners(&run.body, first.pose), BODY_THEN, 1.6)?;
+    let end = placed(&run.body, last.pose);
+    view.outline(&placed(&run.body, first.pose), BODY_THEN, 1.6)?;
     view.fill(&end, BODY_END.mix(0.4))?;
     view.outline(&end, BODY, 1.6)
 }

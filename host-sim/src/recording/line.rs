@@ -10,7 +10,7 @@ use crate::trace::Record;
 /// A sample in written form.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Written {
+pub(super) struct WrittenSample {
     t: f64,
     position: [Option<f64>; 2],
     turns: i32,
@@ -22,7 +22,7 @@ pub(super) struct Written {
     tilted: bool,
 }
 
-impl Written {
+impl WrittenSample {
     pub(super) fn new(sample: &Sample) -> Self {
         let finite = |value: f64| value.is_finite().then_some(value);
         let hand = &sample.hand;
@@ -58,7 +58,7 @@ impl Written {
 /// A line with a sample, for writing.
 #[derive(Serialize)]
 pub(super) struct LineOut<'a> {
-    pub(super) sample: Written,
+    pub(super) sample: WrittenSample,
     pub(super) answer: Option<Record<'a>>,
 }
 
@@ -66,7 +66,7 @@ pub(super) struct LineOut<'a> {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct LineIn {
-    pub(super) sample: Written,
+    pub(super) sample: WrittenSample,
     pub(super) answer: Option<Box<RawValue>>,
 }
 

@@ -66,7 +66,7 @@ impl Made {
 
 /// A line below the head of a recording.
 #[derive(Clone, Debug)]
-pub(crate) enum Line {
+pub(crate) enum RecordingLine {
     /// A sample with the text of its answer.
     Sample(Sample, Option<String>),
     /// From here on, the body is under another setting.
@@ -135,7 +135,7 @@ impl Recording {
     ///
     /// # Errors
     /// Fails if the file cannot be read, the line is neither a sample nor a change, or the count in the last line is wrong.
-    pub(crate) fn next(&mut self) -> Result<Option<Line>, RecordingError> {
+    pub(crate) fn next(&mut self) -> Result<Option<RecordingLine>, RecordingError> {
         if !self.advance()? {
             return Ok(None);
         }
@@ -145,7 +145,7 @@ impl Recording {
             return Ok(None);
         }
         if let Ok(ChangeLine { change }) = serde_json::from_slice(text) {
-            return Ok(Some(Line::Change(change)));
+            return Ok(Some(RecordingLine::Change(change)));
         }
         let line: LineIn = match serde_json::from_slice(text) {
             Ok(line) => line,
@@ -160,7 +160,7 @@ impl Recording {
         };
         self.samples += 1;
         let answer = line.answer.map(|answer| answer.get().to_owned());
-        Ok(Some(Line::Sample(line.sample.sample(), answer)))
+        Ok(Some(RecordingLine::Sample(line.sample.sample(), answer)))
     }
 
     /// Advances to the next line; false at the end of the file.

@@ -5,15 +5,15 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, LineWriter, Write};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole::part;
 use fs4::{FileExt, TryLockError};
 use stiction_scene::Sample;
-use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
-use super::line::{ChangeLine, End, LineOut, Written};
+use super::line::{ChangeLine, End, LineOut, WrittenSample};
 use super::{Change, Head, PIECE};
-use crate::record::{Frame, Run, Scenery};
 use crate::trace::Record;
+use stiction_live::record::{Frame, Run, Scenery};
 
 /// A recording that is being written. One in a temporary file appears at its destination with [`RecordingWriter::finish`], or not
 /// at all.
@@ -49,7 +49,7 @@ impl<W: Write> RecordingWriter<W> {
     /// Fails if the file cannot be written.
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
-            sample: Written::new(sample),
+            sample: WrittenSample::new(sample),
             answer: answer.map(|frame| Record::new(frame, &self.scenery, self.single)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;

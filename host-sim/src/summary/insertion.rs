@@ -5,8 +5,8 @@ use std::fmt;
 
 use stiction_judge::insertion::{Insertion, Meter, Verdict};
 
-use crate::meter;
-use crate::record::Frame;
+use stiction_live::meter;
+use stiction_live::record::Frame;
 
 /// For a run whose scene has a meter.
 #[derive(Clone, Debug)]

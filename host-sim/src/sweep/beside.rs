@@ -5,8 +5,8 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use crate::files::whole as files;
 use sha2::{Digest, Sha256};
-use stiction_tools::files;
 
 use super::output::{OutputError, length_of, write_error};
 

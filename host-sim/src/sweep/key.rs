@@ -5,8 +5,9 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use crate::options::{parse_budget, parse_evolution, parse_number, parse_rate};
+use crate::options::{parse_budget, parse_rate};
 use crate::settings::Settings;
+use stiction_live::number::{parse_evolution, parse_number};
 
 /// The type of a key's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,11 +73,11 @@ enum Dial {
 #[derive(Clone, Debug)]
 pub(super) struct Key {
     name: String,
-    place: Place,
+    place: KeyPlace,
 }
 
 #[derive(Clone, Debug)]
-enum Place {
+enum KeyPlace {
     Run(Dial),
     /// Names of tables, names or indices of surfaces and obstacles, indices into arrays.
     Scene(Vec<String>, Kind),
@@ -97,7 +98,7 @@ impl Key {
     /// The key of a name; `None` if there is none.
     pub(super) fn parse(name: &str) -> Option<Self> {
         let place = match RUN.iter().find(|(known, _)| *known == name) {
-            Some((_, dial)) => Place::Run(*dial),
+            Some((_, dial)) => KeyPlace::Run(*dial),
             None => scene_place(name)?,
         };
         let name = name.to_owned();
@@ -114,14 +115,16 @@ impl Key {
     /// # Errors
     /// Reports what is allowed if the key cannot have such a value.
     pub(super) fn value(&self, value: Value) -> Result<Value, String> {
-        let whole = matches!(self.place, Place::Run(Dial::Budget));
+        let whole = matches!(self.place, KeyPlace::Run(Dial::Budget));
         let value = match value {
             Value::Integer(number) if !whole => Value::Float(number as f64),
             value => value,
         };
         match &self.place {
-            Place::Run(dial) => set_dial(*dial, &value, Path::new(""), &mut Settings::default())?,
-            Place::Scene(_, kind) => {
+            KeyPlace::Run(dial) => {
+                set_dial(*dial, &value, Path::new(""), &mut Settings::default())?
+            }
+            KeyPlace::Scene(_, kind) => {
                 let (fits, allowed) = match kind {
                     Kind::Number => (
                         value.as_float().is_some_and(f64::is_finite),
@@ -141,14 +144,14 @@ impl Key {
     /// Returns whether the values are numbers from a continuous range.
     pub(super) fn is_continuous(&self) -> bool {
         match self.place {
-            Place::Run(dial) => matches!(dial, Dial::Rate),
-            Place::Scene(_, kind) => kind == Kind::Number,
+            KeyPlace::Run(dial) => matches!(dial, Dial::Rate),
+            KeyPlace::Scene(_, kind) => kind == Kind::Number,
         }
     }
 
     /// Whether the values are files of recorded paths of the hand.
     pub(super) fn is_hand(&self) -> bool {
-        matches!(self.place, Place::Run(Dial::Hand))
+        matches!(self.place, KeyPlace::Run(Dial::Hand))
     }
 
     /// Writes a value to its place; files of the run are relative to `folder`.
@@ -163,8 +166,8 @@ impl Key {
         settings: &mut Settings,
     ) -> Result<(), String> {
         match &self.place {
-            Place::Run(dial) => set_dial(*dial, value, folder, settings),
-            Place::Scene(path, _) => match path.split_first() {
+            KeyPlace::Run(dial) => set_dial(*dial, value, folder, settings),
+            KeyPlace::Scene(path, _) => match path.split_first() {
                 Some((section, rest)) => {
                     let new = || Value::Table(Table::new());
                     set_in(
@@ -181,7 +184,7 @@ impl Key {
 }
 
 /// The place of a key of the scene file, with or without trailing indices into arrays.
-fn scene_place(name: &str) -> Option<Place> {
+fn scene_place(name: &str) -> Option<KeyPlace> {
     let mut base = name;
     let mut indices = Vec::new();
     loop {
@@ -192,7 +195,7 @@ fn scene_place(name: &str) -> Option<Place> {
                 _ => return None,
             };
             let path = path.into_iter().chain(indices.into_iter().rev());
-            return Some(Place::Scene(path.map(str::to_owned).collect(), kind));
+            return Some(KeyPlace::Scene(path.map(str::to_owned).collect(), kind));
         }
         let (rest, index) = base.rsplit_once('.')?;
         index.parse::<usize>().ok()?;

@@ -13,8 +13,8 @@ use toml::{Spanned, Table, Value};
 
 use super::axis::{Axis, one_of};
 use super::key::{self, Key};
-use crate::scenes;
 use crate::settings::Settings;
+use stiction_live::scenes;
 
 /// Maximum number of points of a sweep.
 pub(super) const MOST: u64 = 1_000_000_000;
@@ -60,7 +60,7 @@ pub(super) struct Plan {
 
 /// A point of a sweep.
 #[derive(Clone, Debug)]
-pub(super) struct Point<'a> {
+pub(super) struct GridPoint<'a> {
     pub(super) index: u64,
     pub(super) scene: &'a BaseScene,
     /// The value of every axis.
@@ -111,7 +111,7 @@ impl Plan {
     }
 
     /// A point; in a grid the scene changes slowest and the last key fastest.
-    pub(super) fn point(&self, index: u64) -> Point<'_> {
+    pub(super) fn point(&self, index: u64) -> GridPoint<'_> {
         let (scene, values) = match self.seed {
             Some(seed) => {
                 // Every point has its own stream of random bits.
@@ -133,7 +133,7 @@ impl Plan {
                 (rest as usize, values)
             }
         };
-        Point {
+        GridPoint {
             index,
             scene: &self.scenes[scene],
             values,
@@ -184,7 +184,7 @@ impl Plan {
     }
 }
 
-impl Point<'_> {
+impl GridPoint<'_> {
     /// The scene with this point's values, and the settings of its run.
     ///
     /// # Errors

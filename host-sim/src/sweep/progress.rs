@@ -12,7 +12,7 @@ use crate::report;
 pub(super) struct Progress {
     bar: ProgressBar,
     /// When the last line was written, if there is no terminal.
-    told: Option<Instant>,
+    reported: Option<Instant>,
     begun: Instant,
     before: u64,
 }
@@ -30,7 +30,7 @@ impl Progress {
         bar.reset_eta();
         let now = Instant::now();
         Self {
-            told: (!quiet && !io::stderr().is_terminal()).then_some(now),
+            reported: (!quiet && !io::stderr().is_terminal()).then_some(now),
             bar,
             begun: now,
             before: done,
@@ -40,13 +40,13 @@ impl Progress {
     /// Reports that `done` rows are complete.
     pub(super) fn set(&mut self, done: u64, total: u64) {
         self.bar.set_position(done);
-        let Some(told) = &mut self.told else {
+        let Some(reported) = &mut self.reported else {
             return;
         };
-        if told.elapsed() < Self::INTERVAL {
+        if reported.elapsed() < Self::INTERVAL {
             return;
         }
-        *told = Instant::now();
+        *reported = Instant::now();
         let rate = (done - self.before) as f64 / self.begun.elapsed().as_secs_f64();
         let left = HumanDuration(Duration::from_secs_f64((total - done) as f64 / rate));
         report::tell(format_args!(

@@ -5,11 +5,11 @@ use stiction_core::{StateKind, Status};
 use stiction_scene::InputError;
 use toml::Value;
 
-use super::plan::{Plan, Point};
+use super::plan::{GridPoint, Plan};
 use crate::balance::Imbalance;
-use crate::input::open_path;
-use crate::record::Run;
 use crate::summary::Summary;
+use stiction_live::input::open_path;
+use stiction_live::record::Run;
 
 /// The names of the columns.
 pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {
@@ -33,14 +33,14 @@ pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {
 }
 
 /// A row of the table.
-pub(super) struct Row {
+pub(super) struct SweepRow {
     pub(super) cells: Vec<String>,
     /// Its scene is refused, as reported by `status`; there are no results.
     pub(super) is_refused: bool,
 }
 
 /// Runs a point and returns its row.
-pub(super) fn row(plan: &Plan, point: &Point<'_>, time: bool) -> Row {
+pub(super) fn row(plan: &Plan, point: &GridPoint<'_>, time: bool) -> SweepRow {
     let results = results(plan, point, time);
     let is_refused = results.is_err();
     let mut cells = varied(point);
@@ -58,18 +58,18 @@ pub(super) fn row(plan: &Plan, point: &Point<'_>, time: bool) -> Row {
     for cell in &mut cells {
         *cell = cell.replace(char::is_control, " ");
     }
-    Row { cells, is_refused }
+    SweepRow { cells, is_refused }
 }
 
 /// The columns before `status`.
-pub(super) fn varied(point: &Point<'_>) -> Vec<String> {
+pub(super) fn varied(point: &GridPoint<'_>) -> Vec<String> {
     let mut row = vec![point.index.to_string(), point.scene.name.clone()];
     row.extend(point.values.iter().map(cell));
     row
 }
 
 /// The columns after `status`.
-fn results(plan: &Plan, point: &Point<'_>, time: bool) -> Result<Vec<String>, InputError> {
+fn results(plan: &Plan, point: &GridPoint<'_>, time: bool) -> Result<Vec<String>, InputError> {
     let (scene, settings) = point.scene_file(plan)?;
     let given = settings.rate.map(|rate| ("run.rate", rate));
     let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;

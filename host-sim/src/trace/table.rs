@@ -68,13 +68,13 @@ pub(super) struct Has {
 
 /// A table that is being written. Its first record determines whether frames have a budget.
 #[derive(Debug)]
-pub(super) struct Writer {
+pub(super) struct CsvTable {
     rows: csv::Writer<NamedTempFile>,
     has_header: bool,
     has: Has,
 }
 
-impl Writer {
+impl CsvTable {
     pub(super) fn new(file: NamedTempFile, has: Has) -> Self {
         Self {
             rows: csv::Writer::from_writer(file),

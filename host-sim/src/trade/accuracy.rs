@@ -4,7 +4,7 @@ use stiction_core::Status;
 
 use super::reference::Truth;
 use crate::balance::Imbalance;
-use crate::record::Frame;
+use stiction_live::record::Frame;
 
 /// The bounds that given fractions of the frames satisfy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

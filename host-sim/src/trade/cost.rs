@@ -6,21 +6,21 @@ use std::time::{Duration, Instant};
 use stiction_core::{Hand, Real};
 use stiction_scene::HostSolver;
 
-use crate::emulator::Chip;
+use super::chip::Chip;
 
 /// The cost of a setting on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Emulated {
+pub struct Emulated {
     /// The count per frame, see [`Chip::unit`]: mean.
-    pub(super) mean: f64,
-    /// The same for the worst frame.
-    pub(super) worst: u32,
+    pub mean: f64,
+    /// The count of the worst frame.
+    pub worst: u32,
     /// Flash (bytes).
-    pub(super) flash: u64,
+    pub flash: u64,
     /// State of a run (bytes).
-    pub(super) state: u32,
+    pub state: u32,
     /// Deepest stack (bytes).
-    pub(super) stack: u32,
+    pub stack: u32,
 }
 
 /// The cost of a setting.

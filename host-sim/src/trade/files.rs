@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use stiction_tools::files::part;
+use crate::files::whole::part;
 
 /// The destination of the results.
 #[derive(Debug)]

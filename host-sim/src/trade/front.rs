@@ -3,10 +3,10 @@
 
 use super::measure::Row;
 use super::place::Place;
-use crate::number::Number;
 use crate::plot::fronts::{Fronts, Panel, Point};
 use crate::plot::style::number_color;
 use stiction_core::Evolution;
+use stiction_live::number::Number;
 
 /// The position error (µm) below which settings are equally good.
 pub(super) const FLOOR: f64 = 1e-3;

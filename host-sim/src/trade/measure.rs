@@ -7,15 +7,15 @@ use stiction_core::{Fixed, Hand, Real, SiFloat, Solver, narrow_hand};
 use stiction_scene::InputError;
 
 use super::accuracy::{Accuracy, Errors};
+use super::chip::Chip;
 use super::cost::{self, Cost};
 use super::reference::{Reference, Truth};
 use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
-use crate::emulator::Chip;
-use crate::number::Number;
-use crate::record::{Frame, Run};
-use crate::simulate::simulate;
+use stiction_live::number::Number;
+use stiction_live::record::{Frame, Run};
+use stiction_live::simulate::simulate;
 
 /// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

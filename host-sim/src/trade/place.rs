@@ -1,8 +1,8 @@
 //! The places where a cost is counted: this computer, in ns, and the emulated chips, in instructions or cycles.
 
+use super::chip::Chip;
 use super::cost::Cost;
 use super::measure::Row;
-use crate::emulator::Chip;
 
 /// The place where a cost is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,16 +1,15 @@
-//! The results as files and text: CSV, JSON, the terminal's table and the section of a README.
+//! The results as files and text: CSV, JSON, the terminal's table, and the parts of the section of a README.
 
 use std::io;
-use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
+use super::chip::Chip;
 use super::cost::REPEATS;
 use super::measure::Row;
 use super::place::Place;
 use super::setting::FINEST;
 use super::table::Table;
-use crate::emulator::Chip;
 
 /// The reference of the errors.
 fn reference() -> String {
@@ -19,15 +18,15 @@ fn reference() -> String {
 
 /// The measurements and their conditions.
 #[derive(Clone, Debug)]
-pub(super) struct Report {
+pub struct Report {
     /// The processor of this computer.
-    pub(super) machine: String,
+    pub machine: String,
     /// The scenes in words.
     pub(super) scenes: String,
     /// For every combination, the row over all scenes and one for each group.
     pub(super) rows: Vec<Row>,
     /// Recommendations.
-    pub(super) advice: Vec<String>,
+    pub advice: Vec<String>,
 }
 
 impl Report {
@@ -67,7 +66,7 @@ impl Report {
     }
 
     /// The text above the table.
-    fn caption(&self) -> String {
+    pub fn caption(&self) -> String {
         let emulated = match Place::of(&self.rows).len() {
             ..2 => "",
             _ => {
@@ -105,52 +104,40 @@ impl Report {
 
     /// For the terminal: all measurements.
     pub(super) fn table(&self) -> String {
-        let rows = self.overall();
-        let mut text = format!("{}\n\n{}", self.caption(), Table::of(&rows).text());
-        for (k, chip) in Chip::ALL.iter().enumerate() {
-            if let Some(table) = Table::of_chip(&rows, k) {
-                text += &format!("\n{}:\n{}", chip.timing(), table.text());
+        let mut text = format!("{}\n\n", self.caption());
+        for (heading, table) in self.tables() {
+            if let Some(heading) = heading {
+                text += &format!("\n{heading}:\n");
             }
+            text += &table.text();
         }
         text + "\n"
     }
 
-    /// A few rows, for a README.
-    pub(super) fn short(&self) -> String {
-        format!(
-            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions; their time is an estimate. Error: 50 / 90 / 99 % of all \
-             frames of whole runs are within this distance of where the reference (f64, path) has the body.\n\n{}",
-            self.machine,
-            Table::short(&self.overall()).markdown()
-        )
+    /// The tables: that of this computer, and one for each chip with counts, with its heading.
+    pub fn tables(&self) -> Vec<(Option<String>, Table)> {
+        let rows = self.overall();
+        let chips = Chip::ALL.iter().enumerate();
+        let chips =
+            chips.filter_map(|(k, chip)| Some((Some(chip.timing()), Table::of_chip(&rows, k)?)));
+        std::iter::once((None, Table::of(&rows)))
+            .chain(chips)
+            .collect()
     }
 
-    /// For a README; `folder` has the pictures.
-    pub(super) fn markdown(&self, folder: &Path) -> String {
-        let rows = self.overall();
-        let mut text = format!(
-            "Written by `stiction trade`. {}\n\n{}",
-            self.caption(),
-            Table::of(&rows).markdown()
-        );
-        for (k, chip) in Chip::ALL.iter().enumerate() {
-            if let Some(table) = Table::of_chip(&rows, k) {
-                text += &format!("\n{}:\n\n{}", chip.timing(), table.markdown());
-            }
-        }
-        for place in Place::of(&rows) {
-            let file = folder.join(place.stem()).with_extension("svg");
-            text += &format!(
-                "\n![Error and cost on {}]({})\n",
-                place.name(),
-                file.display()
-            );
-        }
-        let advice: String = self
-            .advice
-            .iter()
-            .map(|line| format!("* {line}\n"))
-            .collect();
-        text + "\n" + &advice
+    /// The cost of each number type and evolution, in a few rows.
+    pub fn short(&self) -> Table {
+        Table::short(&self.overall())
+    }
+
+    /// The places with a cost: the name of each, and the name of its picture.
+    pub fn pictures(&self) -> Vec<(&'static str, String)> {
+        let places = Place::of(&self.rows).into_iter();
+        places
+            .map(|place| {
+                let [svg, _] = place.pictures();
+                (place.name(), svg)
+            })
+            .collect()
     }
 }

@@ -3,7 +3,7 @@
 use stiction_core::Evolution;
 use stiction_scene::SceneFile;
 
-use crate::number::Number;
+use stiction_live::number::Number;
 
 /// Frame rates (Hz): the paper's tracker, a motion capture, a haptic device.
 pub const RATES: [f64; 3] = [31.0, 100.0, FINEST];
@@ -28,7 +28,7 @@ impl Memory {
     };
 
     /// The smallest that the solver accepts, for comparison.
-    pub(super) const NONE: Self = Self::new("0", 0.0);
+    pub const NONE: Self = Self::new("0", 0.0);
 
     /// All lengths that are measured.
     pub const ALL: [Self; 5] = [
@@ -47,7 +47,7 @@ impl Memory {
     }
 
     /// A scene with this memory length on every surface. A point, which has no size, keeps its own.
-    pub(super) fn of(self, scene: &SceneFile) -> SceneFile {
+    pub fn of(self, scene: &SceneFile) -> SceneFile {
         let mut scene = scene.clone();
         let size = size(&scene.vertices);
         let length = self.length.map(|part| part * size);

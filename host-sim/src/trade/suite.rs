@@ -7,8 +7,8 @@ use stiction_scene::{HandPath, InputError, Motion, SceneFile, Source};
 
 use super::setting::{FINEST, Memory};
 use super::{hand, random};
-use crate::number::Number;
-use crate::scenes;
+use stiction_live::number::Number;
+use stiction_live::scenes;
 
 /// The part of the suite to which a scene belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ impl Case {
         }
     }
 
-    /// The same with a memory length on all surfaces.
+    /// This case with a memory length on all surfaces.
     pub(super) fn with(&self, memory: Memory) -> Self {
         Self {
             scene: memory.of(&self.scene),

@@ -1,21 +1,23 @@
-//! Rows as text: aligned columns on a terminal, or a table in Markdown.
+//! Rows as text in columns.
 
-use stiction_tools::table::aligned;
+use crate::columns::aligned;
 
 use super::accuracy::Spread;
+use super::chip::Chip;
 use super::measure::Row;
 use super::setting::{FINEST, Memory};
-use crate::emulator::Chip;
 
 /// A table.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Table {
-    header: Vec<String>,
-    rows: Vec<Vec<String>>,
+pub struct Table {
+    /// The names of the columns.
+    pub header: Vec<String>,
+    /// The cells.
+    pub rows: Vec<Vec<String>>,
 }
 
 /// Number of text columns on the left.
-const WORDS: usize = 3;
+pub const WORDS: usize = 3;
 
 impl Table {
     /// Accuracy and time on this computer.
@@ -150,15 +152,6 @@ impl Table {
             .collect();
         let line = |cells: &Vec<String>| format!("  {}\n", cells.join("  ").trim_end());
         aligned(&lines, WORDS).iter().map(line).collect()
-    }
-
-    /// A table in Markdown.
-    pub(super) fn markdown(&self) -> String {
-        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-        let rule = (0..self.header.len()).map(|k| if k < WORDS { "---|" } else { "---:|" });
-        let rule: String = rule.collect();
-        let rows: String = self.rows.iter().map(|row| line(row)).collect();
-        format!("{}|{rule}\n{rows}", line(&self.header))
     }
 }
 

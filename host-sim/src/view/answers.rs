@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::mirror::Mirror;
 use super::remote::Remote;
 use crate::board::Word;
-use crate::record::Frame;
+use stiction_live::record::Frame;
 
 impl Engine {
     /// Processes the board's messages.
@@ -19,8 +19,9 @@ impl Engine {
                         let result = result.and_then(|()| self.apply(change));
                         self.answers.push((reply, result));
                     }
-                    while let Some((wish, reply)) = self.board.as_mut().and_then(Remote::waited) {
-                        self.take(wish, reply, now);
+                    while let Some((request, reply)) = self.board.as_mut().and_then(Remote::waited)
+                    {
+                        self.take(request, reply, now);
                     }
                 }
                 // The board receives the same setting as before: there is nothing to refuse.
@@ -34,19 +35,21 @@ impl Engine {
                 Word::End(why) => return Err(why),
             }
         }
-        if self.closing.as_ref().is_some_and(|(_, until)| now > *until) {
+        if let Some(closing) = &self.closing
+            && now > closing.until
+        {
             self.end_recording();
         }
         Ok(())
     }
 
     fn answered(&mut self, frame: Frame) {
-        let closing = self.closing.as_mut().map(|(recording, _)| recording);
+        let closing = self.closing.as_mut().map(|closing| &mut closing.recording);
         if let Some(recording) = self.recording.as_mut().or(closing) {
-            recording.hear(&frame);
+            recording.answer(&frame);
         }
-        if let Some((recording, _)) = &self.closing
-            && frame.t >= recording.seconds()
+        if let Some(closing) = &self.closing
+            && frame.t >= closing.recording.seconds()
         {
             self.end_recording();
         }

@@ -1,15 +1,15 @@
 //! Changes of the body on request: it continues under another setting, or another run begins, perhaps with a recording. A board
 //! is asked first, and its answer decides.
 
-use stiction_live::change::{Change, Run};
+use stiction_live::change::{Change, NewRun};
 use stiction_live::guide::{Guide, HandPose};
-use stiction_live::say;
+use stiction_live::outbound;
 use tokio::sync::mpsc::Sender;
 
 use super::engine::Engine;
-use super::recording::Recording;
-use crate::body::Setting;
+use super::recording::LiveRecording;
 use crate::recording::Maker;
+use stiction_live::body::Setting;
 use stiction_live::stage::reread;
 
 /// A requested change.
@@ -17,7 +17,7 @@ use stiction_live::stage::reread;
 pub(super) struct Wanted {
     pub(super) change: Change,
     /// A recording, which begins with the run, and the pose of the live hand that continues.
-    pub(super) recording: Option<Box<(Recording, HandPose)>>,
+    pub(super) recording: Option<Box<(LiveRecording, HandPose)>>,
 }
 
 impl From<Change> for Wanted {
@@ -46,7 +46,7 @@ impl Reply {
     pub(super) fn send(&self, result: Result<(), String>) {
         match self {
             Self::Client { id, answers } => {
-                if let Some(answer) = say::answer(*id, result) {
+                if let Some(answer) = outbound::answer(*id, result) {
                     // A client that does not read loses answers.
                     let _ = answers.try_send(answer);
                 }
@@ -110,15 +110,15 @@ impl Engine {
 
     fn begin(
         &mut self,
-        run: Run,
-        recording: Option<Box<(Recording, HandPose)>>,
+        run: NewRun,
+        recording: Option<Box<(LiveRecording, HandPose)>>,
     ) -> Result<(), String> {
         let home = HandPose::of(&run.stage.home);
         let ready = run.ready()?;
         let begun = match recording {
             Some(begins) => {
                 let (mut recording, now) = *begins;
-                recording.open(&self.shelf, &self.maker())?;
+                recording.open(&self.surroundings.archive, &self.maker())?;
                 recording.add(home, &ready.pair.frame);
                 self.tell(format!("recording to {}\n", recording.place().display()));
                 let mut guide = match self.live.replay {

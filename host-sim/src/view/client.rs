@@ -9,13 +9,13 @@ use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{FutureExt, SinkExt, StreamExt};
-use stiction_live::feed::Told;
-use stiction_live::hear::{self, LONGEST, Message, Said};
-use stiction_live::say::{self, Source};
+use stiction_live::feed::Cursor;
+use stiction_live::inbound::{self, Incoming, LONGEST, Message};
+use stiction_live::outbound::{self, Runner};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{Instant as Tick, sleep, sleep_until, timeout};
 
-use super::doors::Seat;
+use super::connections::Seat;
 use super::orders::Order;
 use super::server::Hub;
 use crate::board::Identity;
@@ -42,7 +42,7 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
     let (sink, stream) = socket.split();
     let (answers, inbox) = mpsc::channel(WAITING);
     let (rate, wanted) = watch::channel(RATE);
-    let ear = Ear {
+    let inbound = Inbound {
         hub: &hub,
         seat: &seat,
         client,
@@ -50,7 +50,7 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
         rate,
         second: (Instant::now(), 0),
     };
-    let mouth = Mouth {
+    let outbound = Outbound {
         hub: &hub,
         client,
         sink,
@@ -61,8 +61,8 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
         return;
     }
     tokio::select! {
-        () = ear.listen(stream) => {}
-        _ = mouth.talk(inbox, wanted) => {}
+        () = inbound.listen(stream) => {}
+        _ = outbound.talk(inbox, wanted) => {}
         () = seat.lost() => {}
     }
     // If the solver has ended, nobody needs to know.
@@ -70,7 +70,7 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
 }
 
 /// The receiver of a client's messages.
-struct Ear<'a> {
+struct Inbound<'a> {
     hub: &'a Hub,
     seat: &'a Seat,
     client: u32,
@@ -80,21 +80,21 @@ struct Ear<'a> {
     second: (Instant, usize),
 }
 
-impl Ear<'_> {
+impl Inbound<'_> {
     /// Runs until the client disconnects, floods or sends nothing.
     async fn listen(mut self, mut stream: SplitStream<WebSocket>) {
         while let Ok(Some(Ok(message))) = timeout(PATIENCE, stream.next()).await {
-            self.seat.hear();
+            self.seat.mark_active();
             if let Some(rest) = self.is_too_fast(&message) {
                 let problem =
                     format!("too many messages, allowed: {MOST} a second; the connection ends");
-                let _ = self.answers.try_send(say::error(None, &problem));
+                let _ = self.answers.try_send(outbound::error(None, &problem));
                 sleep(rest).await;
                 return;
             }
             let refusal = match message {
-                Wire::Text(text) => self.take(hear::read(&text)),
-                Wire::Binary(_) => Some(say::error(None, "a binary message, allowed: text")),
+                Wire::Text(text) => self.take(inbound::read(&text)),
+                Wire::Binary(_) => Some(outbound::error(None, "a binary message, allowed: text")),
                 Wire::Close(_) => return,
                 Wire::Ping(_) | Wire::Pong(_) => None,
             };
@@ -121,14 +121,14 @@ impl Ear<'_> {
     }
 
     /// Forwards a message; returns the answer if it is already known.
-    fn take(&self, Said { id, message }: Said) -> Option<String> {
+    fn take(&self, Incoming { id, message }: Incoming) -> Option<String> {
         let message = match message {
             Ok(message) => message,
-            Err(problem) => return Some(say::error(id, &problem)),
+            Err(problem) => return Some(outbound::error(id, &problem)),
         };
         if let Message::Rate { value } = message {
             let _ = self.rate.send(value);
-            return id.map(say::done);
+            return id.map(outbound::done);
         }
         let order = Order::Message {
             client: self.client,
@@ -138,12 +138,12 @@ impl Ear<'_> {
         };
         let sent = self.hub.orders.try_send(order);
         sent.err()
-            .map(|_| say::error(id, "too much to do, allowed: to send it again"))
+            .map(|_| outbound::error(id, "too much to do, allowed: to send it again"))
     }
 }
 
 /// The sender of messages to a client.
-struct Mouth<'a> {
+struct Outbound<'a> {
     hub: &'a Hub,
     client: u32,
     sink: SplitSink<WebSocket, Wire>,
@@ -156,7 +156,7 @@ struct Mouth<'a> {
 /// The client is disconnected.
 struct Gone;
 
-impl Mouth<'_> {
+impl Outbound<'_> {
     async fn talk(
         mut self,
         mut inbox: mpsc::Receiver<String>,
@@ -164,12 +164,12 @@ impl Mouth<'_> {
     ) -> Result<(), Gone> {
         let mut stop = self.hub.stop.clone();
         let board = self.hub.board.as_ref();
-        let source = board.map_or(Source::Core, Identity::source);
-        let hello = say::hello(self.client, &self.hub.scenes, &source);
+        let source = board.map_or(Runner::Core, Identity::source);
+        let hello = outbound::hello(self.client, &self.hub.scenes, &source);
         self.send(Wire::Text(hello.into())).await?;
         let mut due = Tick::now();
         let mut ping = due;
-        let mut told = Told::new(&self.hub.feed.read());
+        let mut cursor = Cursor::new(&self.hub.feed.read());
         loop {
             tokio::select! {
                 biased;
@@ -188,15 +188,15 @@ impl Mouth<'_> {
                     if with_frame {
                         due = (due + self.period).max(Tick::now());
                     }
-                    self.tell(&mut told, with_frame).await?;
+                    self.tell(&mut cursor, with_frame).await?;
                 }
             }
         }
     }
 
     /// Sends the state if it has changed, and the frame if it has.
-    async fn tell(&mut self, told: &mut Told, with_frame: bool) -> Result<(), Gone> {
-        let (state, news) = told.look(&self.hub.feed.read(), with_frame);
+    async fn tell(&mut self, cursor: &mut Cursor, with_frame: bool) -> Result<(), Gone> {
+        let (state, news) = cursor.look(&self.hub.feed.read(), with_frame);
         if let Some(state) = state {
             self.send(Wire::Text(state.as_ref().into())).await?;
         }

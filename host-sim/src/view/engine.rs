@@ -12,13 +12,13 @@ use stiction_live::change::Ready;
 use stiction_live::live::{Live, PERIOD};
 use tokio::sync::mpsc::Receiver;
 
+use super::archive::Archive;
 use super::change::Reply;
-use super::feed::Feed;
+use super::feed::SharedFeed;
 use super::orders::Order;
-use super::recording::Recording;
+use super::recording::LiveRecording;
 use super::remote::Remote;
-use super::shelf::Shelf;
-use crate::body::Setting;
+use stiction_live::body::Setting;
 use stiction_live::replay::{Recorded as _, Way};
 use stiction_live::stage::Stage;
 
@@ -33,7 +33,7 @@ const RECORDING_EVERY: usize = 100;
 
 /// The solver with its hand, and the other parts of a program: a board, recordings, clients.
 pub(super) struct Engine {
-    pub(super) feed: Arc<Feed>,
+    pub(super) surroundings: Surroundings,
     pub(super) live: Live,
     /// The board, if it has the solver.
     pub(super) board: Option<Remote>,
@@ -41,20 +41,33 @@ pub(super) struct Engine {
     pub(super) is_led: bool,
     /// The tick in which the hand last closed or opened.
     switched: u64,
-    pub(super) recording: Option<Recording>,
-    pub(super) recorded: Option<Arc<Recording>>,
+    pub(super) recording: Option<LiveRecording>,
+    pub(super) recorded: Option<Arc<LiveRecording>>,
     /// A recording that is to be offered.
-    pub(super) offered: Option<Arc<Recording>>,
-    /// The folder of recordings.
-    pub(super) shelf: Shelf,
-    /// Messages for the terminal.
-    pub(super) notes: SyncSender<String>,
+    pub(super) offered: Option<Arc<LiveRecording>>,
     /// An uploaded path, and its name.
     pub(super) upload: Option<(String, Way)>,
-    /// A recording of a board that waits for the answer to its last sample, at most until this time.
-    pub(super) closing: Option<(Recording, Instant)>,
+    /// A recording of a board that waits for the answer to its last sample.
+    pub(super) closing: Option<Closing>,
     /// Answers that wait until their effect is shown.
     pub(super) answers: Vec<(Reply, Result<(), String>)>,
+}
+
+/// What the engine writes to.
+pub(super) struct Surroundings {
+    /// Results, for clients and renderers.
+    pub(super) feed: Arc<SharedFeed>,
+    /// The folder of recordings.
+    pub(super) archive: Archive,
+    /// Messages for the terminal.
+    pub(super) notes: SyncSender<String>,
+}
+
+/// A recording without further samples.
+pub(super) struct Closing {
+    pub(super) recording: LiveRecording,
+    /// It ends at this time, with or without the answer.
+    pub(super) until: Instant,
 }
 
 impl Engine {
@@ -65,11 +78,10 @@ impl Engine {
     pub(super) fn new(
         stage: Stage,
         setting: &Setting,
-        feed: Arc<Feed>,
-        (shelf, notes): (Shelf, SyncSender<String>),
+        surroundings: Surroundings,
     ) -> Result<Self, String> {
         let mut engine = Self {
-            feed,
+            surroundings,
             live: Live::new(stage, setting)?,
             board: None,
             is_led: false,
@@ -77,8 +89,6 @@ impl Engine {
             recording: None,
             recorded: None,
             offered: None,
-            shelf,
-            notes,
             upload: None,
             closing: None,
             answers: Vec::new(),
@@ -132,7 +142,8 @@ impl Engine {
             recording: &mut self.recording,
         };
         self.live.pass(&mut |live| tick.advance(live));
-        let is_over = |recording: &Recording| recording.is_full() || recording.problem.is_some();
+        let is_over =
+            |recording: &LiveRecording| recording.is_full() || recording.problem.is_some();
         if self.recording.as_ref().is_some_and(is_over) {
             self.close_recording(Instant::now());
         }
@@ -158,7 +169,7 @@ struct Tick<'a> {
     /// A board has the solver, and receives the hand.
     is_board: bool,
     switched: &'a mut u64,
-    recording: &'a mut Option<Recording>,
+    recording: &'a mut Option<LiveRecording>,
 }
 
 impl Tick<'_> {

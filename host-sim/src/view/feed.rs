@@ -6,13 +6,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use stiction_live::feed::{Latest, Pending, Shown};
 
-use super::recording::Recording;
+use super::recording::LiveRecording;
 
 /// The published data, and the recording that can be downloaded.
 #[derive(Debug, Default)]
 pub(super) struct Showcase {
     shown: Shown,
-    pub(super) recorded: Option<Arc<Recording>>,
+    pub(super) recorded: Option<Arc<LiveRecording>>,
 }
 
 impl Deref for Showcase {
@@ -25,11 +25,11 @@ impl Deref for Showcase {
 
 /// The published data, with many readers.
 #[derive(Debug, Default)]
-pub(super) struct Feed {
+pub(super) struct SharedFeed {
     shown: Mutex<Showcase>,
 }
 
-impl Feed {
+impl SharedFeed {
     /// Locks the data for reading. Only briefly: nothing new is published meanwhile.
     pub(super) fn read(&self) -> MutexGuard<'_, Showcase> {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
@@ -38,7 +38,8 @@ impl Feed {
     /// Publishes the pending data, unless somebody is reading.
     pub(super) fn show(
         &self,
-        (pending, recorded): (&mut Pending, &mut Option<Arc<Recording>>),
+        pending: &mut Pending,
+        recorded: &mut Option<Arc<LiveRecording>>,
         latest: impl FnOnce() -> Latest,
     ) {
         if pending.is_shown() {

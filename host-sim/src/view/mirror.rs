@@ -2,8 +2,8 @@
 
 use stiction_core::{Angle, Hand, Hold, Present, Wrench};
 
-use crate::body::{Body, Setting};
-use crate::record::Frame;
+use stiction_live::body::{Body, Setting};
+use stiction_live::record::Frame;
 
 /// The last answer of a board.
 #[derive(Clone, Debug)]

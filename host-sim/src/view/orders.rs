@@ -4,10 +4,10 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use stiction_live::change::{Change, Run};
+use stiction_live::change::{Change, NewRun};
 use stiction_live::guide::HandPose;
-use stiction_live::hear::{Message, Path};
 use stiction_live::holder::Source;
+use stiction_live::inbound::{Message, Path};
 use stiction_live::orders::missing;
 use stiction_live::replay::Way;
 use stiction_live::stage::{Stage, reread};
@@ -16,9 +16,9 @@ use tokio::sync::mpsc::Sender;
 
 use super::change::{Reply, Wanted};
 use super::engine::Engine;
-use super::recording::Recording;
+use super::recording::LiveRecording;
 use super::resume::resumed;
-use crate::body::{Setting, without_obstacles};
+use stiction_live::body::{Setting, without_obstacles};
 
 /// An order to the solver.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub(super) enum Order {
     /// A path, and its name.
     Upload(String, Arc<HandPath>),
     /// A recording that was made before the program was started.
-    Earlier(Box<Recording>),
+    Earlier(Box<LiveRecording>),
     /// An edited scene to show.
     Scene(Box<Stage>, Reply),
     /// Why the present content of the scene's file cannot be shown; none if it can.
@@ -48,17 +48,17 @@ pub(super) enum Order {
 
 /// An order that may concern the body: it then waits while a change of the body is in progress.
 #[derive(Debug)]
-pub(super) enum Wish {
+pub(super) enum DeferrableOrder {
     /// A client's message.
-    Said(u32, Message),
+    Message(u32, Message),
     /// An edited scene.
     Scene(Box<Stage>),
 }
 
-impl Wish {
+impl DeferrableOrder {
     const fn is_of_body(&self) -> bool {
         match self {
-            Self::Said(_, message) => message.is_of_body(),
+            Self::Message(_, message) => message.is_of_body(),
             Self::Scene(_) => true,
         }
     }
@@ -88,12 +88,12 @@ impl Engine {
                 id,
                 message,
                 answers,
-            } => self.hear(
-                Wish::Said(client, message),
+            } => self.receive(
+                DeferrableOrder::Message(client, message),
                 Reply::Client { id, answers },
                 now,
             ),
-            Order::Scene(stage, reply) => self.hear(Wish::Scene(stage), reply, now),
+            Order::Scene(stage, reply) => self.receive(DeferrableOrder::Scene(stage), reply, now),
             Order::SceneProblem(problem) => {
                 self.live.changed |= self.live.scene_problem != problem;
                 self.live.scene_problem = problem;
@@ -101,19 +101,19 @@ impl Engine {
         }
     }
 
-    /// Executes a wish, or keeps it until the board has answered.
-    fn hear(&mut self, wish: Wish, reply: Reply, now: Instant) {
+    /// Executes a request, or keeps it until the board has answered.
+    fn receive(&mut self, request: DeferrableOrder, reply: Reply, now: Instant) {
         match &mut self.board {
-            Some(board) if board.is_busy() && wish.is_of_body() => board.keep(wish, reply),
-            _ => self.take(wish, reply, now),
+            Some(board) if board.is_busy() && request.is_of_body() => board.keep(request, reply),
+            _ => self.take(request, reply, now),
         }
     }
 
-    /// Executes a wish, and answers it.
-    pub(super) fn take(&mut self, wish: Wish, reply: Reply, now: Instant) {
-        let result = match wish {
-            Wish::Said(client, message) => self.carry_out(client, message, now),
-            Wish::Scene(stage) => self.own_scene(*stage).map(Some),
+    /// Executes a request, and answers it.
+    pub(super) fn take(&mut self, request: DeferrableOrder, reply: Reply, now: Instant) {
+        let result = match request {
+            DeferrableOrder::Message(client, message) => self.carry_out(client, message, now),
+            DeferrableOrder::Scene(stage) => self.own_scene(*stage).map(Some),
         };
         match result {
             Ok(Some(change)) => self.change(change, reply),
@@ -145,29 +145,31 @@ impl Engine {
         message: Message,
         now: Instant,
     ) -> Result<Option<Wanted>, String> {
-        match message {
-            Message::Record { value: true } => return self.record().map(Some),
-            Message::Record { value: false } => {
-                self.close_recording(now);
-                return Ok(None);
+        if let Message::Record { value } = message {
+            if value {
+                return self.record().map(Some);
             }
-            Message::Replay {
-                what: Some(Path::Upload),
-                demonstration: false,
-            } => return self.upload().map(|change| Some(change.into())),
-            Message::Replay {
-                what: Some(Path::Recording),
-                demonstration: false,
-            } => return self.replay_recording().map(|change| Some(change.into())),
-            Message::Replay {
-                demonstration: true,
-                ..
-            } if self.is_led => {
+            self.close_recording(now);
+            return Ok(None);
+        }
+        if let Message::Replay {
+            what,
+            demonstration,
+        } = message
+        {
+            if demonstration && self.is_led {
                 return Err(
                     "the hand comes from elsewhere, allowed: a demonstration without --hand, --osc-in and --opentrack-in".to_owned(),
                 );
             }
-            _ => {}
+            let change = match what {
+                Some(Path::Upload) if !demonstration => Some(self.upload()?),
+                Some(Path::Recording) if !demonstration => Some(self.replay_recording()?),
+                Some(Path::Scene | Path::Upload | Path::Recording) | None => None,
+            };
+            if change.is_some() {
+                return Ok(change.map(Wanted::from));
+            }
         }
         if self.board.is_some() {
             self.may_board(&message)?;
@@ -182,24 +184,27 @@ impl Engine {
     /// Checks whether a board supports the message.
     fn may_board(&self, message: &Message) -> Result<(), String> {
         let number = self.live.pair.setting.number;
-        match message {
-            Message::Number { value } if *value != number => Err(format!(
+        if let Message::Number { value } = message
+            && *value != number
+        {
+            return Err(format!(
                 "`value` is {}, allowed on this board: {}",
                 value.name(),
                 number.name()
-            )),
-            Message::Set { parameters } if parameters.weight.is_some() => Err(
-                "a board keeps the weight of its scene, allowed: the other parameters".to_owned(),
-            ),
-            Message::Replay {
-                demonstration: true,
-                ..
-            } => Err("a board gives no demonstration, allowed: a replay".to_owned()),
-            Message::Seek { .. } if self.live.replay.is_some() => {
-                Err("a board cannot be set back, allowed: a reset".to_owned())
-            }
-            _ => Ok(()),
+            ));
         }
+        let has_replay = self.live.replay.is_some();
+        let problem = if matches!(message, Message::Set { parameters } if parameters.weight.is_some())
+        {
+            "a board keeps the weight of its scene, allowed: the other parameters"
+        } else if matches!(message, Message::Replay { demonstration, .. } if *demonstration) {
+            "a board gives no demonstration, allowed: a replay"
+        } else if has_replay && matches!(message, Message::Seek { .. }) {
+            "a board cannot be set back, allowed: a reset"
+        } else {
+            return Ok(());
+        };
+        Err(problem.to_owned())
     }
 
     /// The uploaded path.
@@ -219,7 +224,7 @@ impl Engine {
             .ok_or_else(|| missing("recording", "after one was made"))?;
         let way = Way::Recorded(Arc::clone(recorded) as _);
         way.check()?;
-        Ok(Change::Run(Box::new(Run {
+        Ok(Change::Run(Box::new(NewRun {
             stage: recorded.stage.clone(),
             setting: recorded.setting.clone(),
             path: Some(("recording".to_owned(), way)),
@@ -246,7 +251,7 @@ impl Engine {
             home: first.hand(),
             ..self.live.stage.clone()
         };
-        let recording = Recording::new(setting.clone(), stage.clone(), self.board.is_some());
+        let recording = LiveRecording::new(setting.clone(), stage.clone(), self.board.is_some());
         Ok(Wanted {
             change: Change::run(stage, setting),
             recording: Some(Box::new((recording, now))),

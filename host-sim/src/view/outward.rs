@@ -5,18 +5,18 @@ use std::net::{IpAddr, SocketAddr, ToSocketAddrs, UdpSocket as StdSocket};
 use std::sync::Arc;
 use std::time::Duration;
 
-use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType, decoder, encoder};
 use stiction_scene::SceneFile;
 use tokio::net::UdpSocket;
 use tokio::sync::mpsc::Sender;
 use tokio::time::{MissedTickBehavior, interval};
 
-use super::feed::Feed;
+use super::feed::SharedFeed;
 use super::orders::Order;
-use crate::record::Frame;
+use super::osc::{self, Argument, Message};
 use stiction_live::guide::HandPose;
-use stiction_live::hear::FARTHEST;
 use stiction_live::holder::Source;
+use stiction_live::inbound::FARTHEST;
+use stiction_live::record::Frame;
 
 /// The longest packet that is read: short enough for the depth of its nesting.
 const PACKET: usize = 2048;
@@ -55,7 +55,7 @@ pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
 
 /// The format of a sent pose.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Format {
+pub(super) enum PoseFormat {
     Osc,
     OpenTrack,
 }
@@ -66,8 +66,8 @@ pub(super) enum Format {
 /// Fails if the socket cannot be used.
 pub(super) async fn send(
     socket: StdSocket,
-    format: Format,
-    feed: Arc<Feed>,
+    format: PoseFormat,
+    feed: Arc<SharedFeed>,
     rate: f64,
 ) -> io::Result<()> {
     let socket = UdpSocket::from_std(socket)?;
@@ -92,22 +92,21 @@ pub(super) async fn send(
             continue;
         };
         let bytes = match format {
-            Format::Osc => encoder::encode(&bundle(&frame, &scene, &events)).unwrap_or_default(),
-            Format::OpenTrack => doubles(&frame).to_vec(),
+            PoseFormat::Osc => osc::bundle(&parts(&frame, &scene, &events)),
+            PoseFormat::OpenTrack => doubles(&frame).to_vec(),
         };
         // A receiver is not required.
         let _ = socket.send(&bytes).await;
     }
 }
 
-fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacket {
-    let float = |value: f64| OscType::Float(value as f32);
-    let text = |value: &str| OscType::String(value.to_owned());
-    let message = |name: &str, args: Vec<OscType>| {
-        OscPacket::Message(OscMessage {
-            addr: format!("/stiction/{name}"),
-            args,
-        })
+/// A frame as messages.
+fn parts(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> Vec<Message> {
+    let float = |value: f64| Argument::Float(value as f32);
+    let text = |value: &str| Argument::Text(value.to_owned());
+    let message = |name: &str, arguments: Vec<Argument>| Message {
+        address: format!("/stiction/{name}"),
+        arguments,
     };
     let mut content = vec![
         message("pose", frame.pose.map(float).to_vec()),
@@ -127,13 +126,13 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
             .map(|k| i32::try_from(k).unwrap_or(i32::MAX));
         let [x, y] = contact.point.map(float);
         let args = vec![
-            OscType::Int(vertex.unwrap_or(-1)),
+            Argument::Int(vertex.unwrap_or(-1)),
             text(name.map_or("", String::as_str)),
             x,
             y,
             float(contact.normal),
             float(contact.friction),
-            OscType::Int(contact.sliding.into()),
+            Argument::Int(contact.sliding.into()),
         ];
         content.push(message("contact", args));
     }
@@ -142,12 +141,7 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
             .iter()
             .map(|event| message("event", vec![text(event)])),
     );
-    // The OSC time tag "immediately".
-    let timetag = OscTime {
-        seconds: 0,
-        fractional: 1,
-    };
-    OscPacket::Bundle(OscBundle { timetag, content })
+    content
 }
 
 /// x, y, depth (cm), yaw, pitch, roll (degrees).
@@ -172,9 +166,9 @@ fn doubles(frame: &Frame) -> [u8; 48] {
 ///
 /// # Errors
 /// Fails if the socket cannot be used.
-pub(super) async fn hear(
+pub(super) async fn receive(
     socket: StdSocket,
-    format: Format,
+    format: PoseFormat,
     orders: Sender<Order>,
 ) -> io::Result<()> {
     let socket = UdpSocket::from_std(socket)?;
@@ -187,8 +181,8 @@ pub(super) async fn hear(
         };
         let packet = bytes.get(..count).unwrap_or_default();
         let (source, news) = match format {
-            Format::Osc => (Source::Osc, tracker.osc(packet)),
-            Format::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
+            PoseFormat::Osc => (Source::Osc, tracker.osc(packet)),
+            PoseFormat::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
         };
         if let Some(pose) = news {
             // A sample that the solver has no time for is overtaken by the next one.
@@ -216,29 +210,23 @@ impl Default for Tracker {
 impl Tracker {
     /// Returns the hand, if the packet contains a part of it.
     fn osc(&mut self, packet: &[u8]) -> Option<HandPose> {
-        let (_, packet) = decoder::decode_udp(packet).ok()?;
-        let told = self.take(&packet);
-        let hand = self.hand.filter(|_| told)?;
+        let messages = osc::messages(packet)?;
+        let take = |is_new, message| self.take(message) | is_new;
+        let is_new = messages.iter().fold(false, take);
+        let hand = self.hand.filter(|_| is_new)?;
         Some(HandPose {
             held: self.held,
             ..hand
         })
     }
 
-    fn take(&mut self, packet: &OscPacket) -> bool {
-        let message = match packet {
-            OscPacket::Message(message) => message,
-            OscPacket::Bundle(bundle) => {
-                let told = |told, packet| self.take(packet) | told;
-                return bundle.content.iter().fold(false, told);
-            }
-        };
-        match (message.addr.as_str(), message.args.as_slice()) {
-            ("/stiction/hand", [OscType::Float(x), OscType::Float(y), OscType::Float(phi)]) => {
+    fn take(&mut self, message: &Message) -> bool {
+        match (message.address.as_str(), message.arguments.as_slice()) {
+            ("/stiction/hand", [Argument::Float(x), Argument::Float(y), Argument::Float(phi)]) => {
                 let pose = [x, y, phi].map(|&value| f64::from(value) + 0.0);
                 self.lead(pose, 0.0)
             }
-            ("/stiction/held", [OscType::Int(held)]) => {
+            ("/stiction/held", [Argument::Int(held)]) => {
                 self.held = *held != 0;
                 true
             }

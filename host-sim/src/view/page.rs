@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::sync::{LazyLock, OnceLock};
 
 use flate2::{Compression, write::GzEncoder};
-use stiction_tools::script::without_comments;
+use stiction_live::script::without_comments;
 
 /// A file of the page.
 struct File {
@@ -13,13 +13,13 @@ struct File {
     kind: &'static str,
     source: &'static [u8],
     /// The content as sent to browsers; created at the first request.
-    served: OnceLock<Served>,
+    served: OnceLock<PageContent>,
 }
 
 /// The content that browsers receive: scripts of the page without their comments.
-struct Served {
+struct PageContent {
     plain: Cow<'static, [u8]>,
-    /// The same gzip-compressed, if that is shorter.
+    /// Gzip-compressed, if that is shorter.
     packed: Option<Vec<u8>>,
 }
 
@@ -127,7 +127,7 @@ pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
 }
 
 impl File {
-    fn serve(&self) -> Served {
+    fn serve(&self) -> PageContent {
         let plain = match str::from_utf8(self.source) {
             Ok(script) if self.kind == SCRIPT && !self.path.starts_with("/uplot/") => {
                 without_comments(script).into_bytes().into()
@@ -137,7 +137,7 @@ impl File {
         let packed = pack(&plain)
             .ok()
             .filter(|packed| packed.len() < plain.len());
-        Served { plain, packed }
+        PageContent { plain, packed }
     }
 }
 

@@ -11,7 +11,7 @@ use stiction_scene::Source;
 use tokio::task::spawn_blocking;
 
 use super::server::{Hub, problem};
-use crate::scenes;
+use stiction_live::scenes;
 
 /// Returns the scene of a name: the present one, or a bundled one.
 fn source(hub: &Hub, name: &str) -> Option<Source> {

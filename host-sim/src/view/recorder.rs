@@ -1,14 +1,14 @@
-//! Ends a recording, which is then offered, and offers one from before the program was started.
+//! Endpoints a recording, which is then offered, and offers one from before the program was started.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use tokio::sync::mpsc::Sender;
 
-use super::engine::Engine;
+use super::archive::Archive;
+use super::engine::{Closing, Engine};
 use super::orders::Order;
-use super::recording::Recording;
-use super::shelf::Shelf;
+use super::recording::LiveRecording;
 use crate::report;
 
 /// A board answers the last sample of a recording within this time, or not at all.
@@ -18,12 +18,12 @@ const TRIED: usize = 4;
 
 /// Finds recordings from before this program was started, however it ended: their number and size, and the newest one that can be
 /// used.
-pub(super) fn look_back(shelf: &Shelf, orders: &Sender<Order>) {
-    if let Some(stock) = shelf.stock() {
+pub(super) fn look_back(archive: &Archive, orders: &Sender<Order>) {
+    if let Some(stock) = archive.stock() {
         report::print(&format!("{stock}\n"));
     }
-    for place in shelf.newest_first().into_iter().take(TRIED) {
-        match Recording::read(&place) {
+    for place in archive.newest_first().into_iter().take(TRIED) {
+        match LiveRecording::read(&place) {
             Ok(recording) => {
                 // If the program ends meanwhile, nobody needs to know.
                 let _ = orders.blocking_send(Order::Earlier(Box::new(recording)));
@@ -42,7 +42,8 @@ impl Engine {
     pub(super) fn close_recording(&mut self, now: Instant) {
         match self.recording.take() {
             Some(recording) if self.board.is_some() => {
-                self.closing = Some((recording, now + LAST_ANSWER));
+                let until = now + LAST_ANSWER;
+                self.closing = Some(Closing { recording, until });
                 self.live.changed = true;
             }
             recording => {
@@ -54,7 +55,7 @@ impl Engine {
 
     /// Offers a recording for download.
     pub(super) fn end_recording(&mut self) {
-        let closing = self.closing.take().map(|(recording, _)| recording);
+        let closing = self.closing.take().map(|closing| closing.recording);
         if let Some(mut recording) = self.recording.take().or(closing) {
             recording.finish();
             self.tell(recording.farewell());
@@ -66,7 +67,7 @@ impl Engine {
     }
 
     /// Offers an earlier recording, unless there is something newer.
-    pub(super) fn offer(&mut self, recording: Recording) {
+    pub(super) fn offer(&mut self, recording: LiveRecording) {
         if self.recorded.is_some() || self.recording.is_some() || self.closing.is_some() {
             return;
         }
@@ -80,6 +81,6 @@ impl Engine {
 
     /// Sends a message to the terminal, for which the engine does not wait.
     pub(super) fn tell(&self, text: String) {
-        let _ = self.notes.try_send(text);
+        let _ = self.surroundings.notes.try_send(text);
     }
 }

@@ -13,10 +13,10 @@ use stiction_live::replay::Recorded;
 use stiction_live::stage::Stage;
 use stiction_scene::Sample;
 
-use super::shelf::Shelf;
-use crate::body::Setting;
-use crate::record::{Frame, Run};
-use crate::recording::{Change, Head, Line, LiveWriter, Maker, Recording as Reader};
+use super::archive::Archive;
+use crate::recording::{Change, Head, LiveWriter, Maker, Recording, RecordingLine};
+use stiction_live::body::Setting;
+use stiction_live::record::{Frame, Run};
 
 /// Number of ticks (ms) after which a recording ends by itself.
 const LONGEST: usize = 600_000;
@@ -29,7 +29,7 @@ const RATE: f64 = 1000.0;
 
 /// The hand of every tick, and the settings.
 #[derive(Debug)]
-pub(super) struct Recording {
+pub(super) struct LiveRecording {
     /// The scene file.
     pub(super) scene: String,
     /// The settings as read from that file.
@@ -49,9 +49,9 @@ pub(super) struct Recording {
     pub(super) is_earlier: bool,
 }
 
-impl Recording {
-    /// Creates one before its first tick, without a file. `is_heard`: the answers come from a board.
-    pub(super) fn new(setting: Setting, stage: Stage, is_heard: bool) -> Self {
+impl LiveRecording {
+    /// Creates one before its first tick, without a file. `is_of_board`: the answers come from a board.
+    pub(super) fn new(setting: Setting, stage: Stage, is_of_board: bool) -> Self {
         Self {
             scene: setting.scene.source().text().to_owned(),
             setting,
@@ -60,7 +60,7 @@ impl Recording {
             changes: Vec::new(),
             place: PathBuf::new(),
             writer: None,
-            unanswered: is_heard.then(VecDeque::new),
+            unanswered: is_of_board.then(VecDeque::new),
             problem: None,
             is_earlier: false,
         }
@@ -70,14 +70,14 @@ impl Recording {
     ///
     /// # Errors
     /// Fails if there is no place for it.
-    pub(super) fn open(&mut self, shelf: &Shelf, maker: &Maker) -> Result<(), String> {
+    pub(super) fn open(&mut self, archive: &Archive, maker: &Maker) -> Result<(), String> {
         let Setting {
             scene,
             number,
             evolution,
         } = &self.setting;
-        let head = Head::of(scene, (*number, *evolution), maker);
-        let writer = shelf.begin(&head, &Run::of(scene, *number, *evolution))?;
+        let head = Head::of(scene, *number, *evolution, maker);
+        let writer = archive.begin(&head, &Run::of(scene, *number, *evolution))?;
         writer.place().clone_into(&mut self.place);
         self.writer = Some(writer);
         Ok(())
@@ -88,7 +88,7 @@ impl Recording {
     /// # Errors
     /// Fails if it cannot be read, or is not a live recording of this program.
     pub(super) fn read(place: &Path) -> Result<Self, String> {
-        let mut reader = Reader::open(place).map_err(|error| error.to_string())?;
+        let mut reader = Recording::open(place).map_err(|error| error.to_string())?;
         let Head {
             number,
             evolution,
@@ -104,11 +104,11 @@ impl Recording {
         })?;
         let scene = Arc::clone(&setting.scene);
         let mut recording: Option<Self> = None;
-        let line = |reader: &mut Reader| reader.next().map_err(|error| error.to_string());
+        let line = |reader: &mut Recording| reader.next().map_err(|error| error.to_string());
         while let Some(line) = line(&mut reader)? {
             let known = recording.as_ref().map_or(0, Self::count);
             match line {
-                Line::Sample(sample, _) if known <= LONGEST => {
+                RecordingLine::Sample(sample, _) if known <= LONGEST => {
                     if sample.t != known as f64 / RATE {
                         return Err("its ticks are not milliseconds".to_owned());
                     }
@@ -121,8 +121,8 @@ impl Recording {
                     let hand = HandPose::of(&sample.hand);
                     recording.get_or_insert_with(begun).keep(hand);
                 }
-                Line::Sample(..) => break,
-                Line::Change(change) => {
+                RecordingLine::Sample(..) => break,
+                RecordingLine::Change(change) => {
                     let setting = named(&change)?;
                     if let Some(recording) = &mut recording {
                         recording.changes.push((known, setting));
@@ -165,7 +165,7 @@ impl Recording {
 
     /// Adds the board's answer to the sample of this time; the samples before it have none. A hand that rests sends the same
     /// sample again: its first answer counts.
-    pub(super) fn hear(&mut self, frame: &Frame) {
+    pub(super) fn answer(&mut self, frame: &Frame) {
         let due = |waiting: &mut VecDeque<Sample>| {
             let is_due = waiting.front().is_some_and(|sample| sample.t <= frame.t);
             is_due.then(|| waiting.pop_front()).flatten()
@@ -193,7 +193,7 @@ impl Recording {
         self.note(written);
     }
 
-    /// Ends it: samples that a board has not answered yet remain unanswered.
+    /// Endpoints it: samples that a board has not answered yet remain unanswered.
     pub(super) fn finish(&mut self) {
         for sample in self.unanswered.take().into_iter().flatten() {
             self.write(&sample, None);
@@ -270,11 +270,11 @@ impl Recording {
     /// # Errors
     /// Fails if the file is missing, or there is no room for another one.
     pub(super) fn trace(&self) -> Result<File, String> {
-        let mut reader = Reader::open(&self.place).map_err(|error| error.to_string())?;
+        let mut reader = Recording::open(&self.place).map_err(|error| error.to_string())?;
         let file = tempfile::tempfile().map_err(|error| error.to_string())?;
         let mut trace = BufWriter::new(file);
         while let Some(line) = reader.next().map_err(|error| error.to_string())? {
-            if let Line::Sample(_, Some(answer)) = line {
+            if let RecordingLine::Sample(_, Some(answer)) = line {
                 writeln!(trace, "{answer}").map_err(|error| error.to_string())?;
             }
         }
@@ -293,7 +293,7 @@ impl Recording {
     }
 }
 
-impl Recorded for Recording {
+impl Recorded for LiveRecording {
     fn count(&self) -> usize {
         let full = self.chunks.len().saturating_sub(1) * CHUNK;
         full + self.chunks.last().map_or(0, Vec::len)

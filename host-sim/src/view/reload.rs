@@ -1,7 +1,7 @@
 //! Follows the scene's file while somebody edits it: reads it repeatedly, and shows it again when its content has changed. If it
 //! cannot be shown, clients and terminal receive the reason, and the previous scene continues.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc::SyncSender;
 use std::thread;
 use std::time::Duration;
@@ -22,28 +22,17 @@ const EVERY: Duration = Duration::from_millis(400);
 type Content = Result<Vec<u8>, String>;
 
 /// A file that is followed.
-struct Watch {
-    file: PathBuf,
-    number: Number,
-    has_board: bool,
-    orders: Sender<Order>,
-    notes: SyncSender<String>,
+pub(super) struct Watch {
+    pub(super) file: PathBuf,
+    pub(super) number: Number,
+    pub(super) has_board: bool,
+    pub(super) orders: Sender<Order>,
+    /// Messages for the terminal.
+    pub(super) notes: SyncSender<String>,
 }
 
-/// Follows a file from now on, for a number type, with or without a board.
-pub(super) fn begin(
-    file: &Path,
-    (number, has_board): (Number, bool),
-    orders: &Sender<Order>,
-    notes: SyncSender<String>,
-) {
-    let watch = Watch {
-        file: file.to_owned(),
-        number,
-        has_board,
-        orders: orders.clone(),
-        notes,
-    };
+/// Follows a file from now on.
+pub(super) fn begin(watch: Watch) {
     thread::spawn(move || watch.go());
 }
 

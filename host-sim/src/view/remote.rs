@@ -5,14 +5,14 @@ use std::collections::VecDeque;
 use stiction_scene::Sample;
 
 use super::change::{Reply, Wanted};
-use super::orders::Wish;
+use super::orders::DeferrableOrder;
 use crate::board::{Identity, LiveBoard, Word};
-use stiction_live::say::Fares;
+use stiction_live::outbound::Fares;
 
 /// Periods of the engine per second.
 const PERIODS: u32 = 1000;
 
-/// Maximum number of wishes that wait for the answer to a change.
+/// Maximum number of requests that wait for the answer to a change.
 const MOST_WAITING: usize = 64;
 
 /// A board, with its pending request.
@@ -22,7 +22,7 @@ pub(super) struct Remote {
     /// A change that was requested from the board.
     asked: Option<(Wanted, Reply)>,
     /// Messages of clients meanwhile: they apply to the body after the change.
-    waiting: VecDeque<(Wish, Reply)>,
+    waiting: VecDeque<(DeferrableOrder, Reply)>,
     pub(super) fares: Fares,
     /// Periods until the next sample: a board slower than the engine receives one with each of its ticks.
     left: u32,
@@ -73,17 +73,17 @@ impl Remote {
         self.asked.take()
     }
 
-    /// Keeps a wish until the change is complete.
-    pub(super) fn keep(&mut self, wish: Wish, reply: Reply) {
+    /// Keeps a request until the change is complete.
+    pub(super) fn keep(&mut self, request: DeferrableOrder, reply: Reply) {
         if self.waiting.len() < MOST_WAITING {
-            self.waiting.push_back((wish, reply));
+            self.waiting.push_back((request, reply));
         } else {
             reply.send(Err("too much to do, allowed: to send it again".to_owned()));
         }
     }
 
-    /// Returns a wish that no longer has to wait.
-    pub(super) fn waited(&mut self) -> Option<(Wish, Reply)> {
+    /// Returns a request that no longer has to wait.
+    pub(super) fn waited(&mut self) -> Option<(DeferrableOrder, Reply)> {
         match self.asked {
             Some(_) => None,
             None => self.waiting.pop_front(),

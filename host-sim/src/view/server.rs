@@ -1,6 +1,7 @@
 //! The server: the page, the socket, recordings and uploads. Only the page itself, and programs other than browsers, may send
 //! requests.
 
+use std::io;
 use std::net::{Ipv4Addr, Ipv6Addr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,30 +13,33 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use futures_util::stream::try_unfold;
 use serde_json::json;
+use tokio::io::AsyncReadExt;
 use tokio::sync::{Semaphore, mpsc, watch};
 use tokio::task::spawn_blocking;
-use tokio_util::io::ReaderStream;
 
-use super::doors::Seat;
-use super::feed::Feed;
-use super::kept::Kept;
+use super::connections::Seat;
+use super::feed::SharedFeed;
 use super::orders::Order;
 use super::pictures::picture;
-use super::recording::Recording;
+use super::recording::LiveRecording;
+use super::retained::Retained;
 use super::upload::upload;
 use super::{client, page, written};
 use crate::board::Identity;
-use crate::scenes::Offer;
+use stiction_live::scenes::Offer;
 
 /// A message longer than this ends the connection; a shorter one that exceeds the readable length is answered.
 const LONGEST_WIRE: usize = 64 << 10;
 /// Maximum size of a reading from a client (bytes).
 const AT_ONCE: usize = 4 << 10;
+/// A file is sent in pieces of this size (bytes).
+const PIECE: usize = 64 << 10;
 
 /// Data that every client needs.
 pub(super) struct Hub {
-    pub(super) feed: Arc<Feed>,
+    pub(super) feed: Arc<SharedFeed>,
     pub(super) orders: mpsc::Sender<Order>,
     pub(super) scenes: Vec<Offer>,
     /// The board that has the solver.
@@ -47,7 +51,7 @@ pub(super) struct Hub {
     pub(super) uploads: Arc<Semaphore>,
     pub(super) scene_places: Arc<Semaphore>,
     /// Uploaded paths, and recordings.
-    pub(super) kept: Kept,
+    pub(super) retained: Retained,
 }
 
 impl Hub {
@@ -60,9 +64,9 @@ impl Hub {
     pub(super) fn tidy(&self) {
         let recorded = self.feed.read().recorded.clone();
         if let Some(recorded) = recorded {
-            self.kept.keep(recorded);
+            self.retained.keep(recorded);
         }
-        self.kept.tidy();
+        self.retained.tidy();
     }
 }
 
@@ -221,7 +225,7 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
 }
 
 /// A file of a recording, and its bytes.
-fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
+fn content(recorded: &LiveRecording, file: &str) -> Result<(Body, u64), String> {
     let file = match file {
         "trace.jsonl" => recorded.trace()?,
         "recording.jsonl" => recorded.file()?,
@@ -230,8 +234,13 @@ fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
     };
     // A recording of ten minutes has hundreds of megabytes: it is read as it is sent.
     let length = file.metadata().map_err(|error| error.to_string())?.len();
-    let bytes = ReaderStream::new(tokio::fs::File::from_std(file));
-    Ok((Body::from_stream(bytes), length))
+    let pieces = try_unfold(tokio::fs::File::from_std(file), async |mut file| {
+        let mut piece = vec![0; PIECE];
+        let count = file.read(&mut piece).await?;
+        piece.truncate(count);
+        Ok::<_, io::Error>((count > 0).then_some((piece, file)))
+    });
+    Ok((Body::from_stream(pieces), length))
 }
 
 fn of_text(text: String) -> (Body, u64) {

@@ -18,7 +18,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::spawn_blocking;
 use tokio::time::timeout;
 
-use super::doors::PIECE;
+use super::connections::PIECE;
 use super::orders::Order;
 use super::server::{Hub, problem};
 use stiction_live::feed::Latest;
@@ -96,7 +96,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
         .await
         .map_err(|_| refused("it cannot be read".into()))?;
     let (path, answer) = read.map_err(|error: InputError| refused(error.to_string()))?;
-    hub.kept.keep(Arc::clone(&path) as _);
+    hub.retained.keep(Arc::clone(&path) as _);
     match hub.orders.send(Order::Upload(name, path)).await {
         Ok(()) => Ok(answer),
         Err(_) => Err(busy("the program ends")),

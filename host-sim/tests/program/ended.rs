@@ -1,7 +1,5 @@
 //! Programs that are ended, output that cannot be written, names that are no text.
 
-#![cfg(unix)]
-
 use std::ffi::OsStr;
 use std::fs::File;
 use std::os::unix::ffi::OsStrExt;

@@ -1,5 +1,6 @@
 //! Whitney's meter in what a run leaves: traces, summary, plots; and nothing of it where there is no peg in a hole.
 
+use crate::command::assert_same;
 use crate::common::{Folder, numbers, records, text};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -73,42 +74,19 @@ fn a_table_has_the_columns_of_the_meter_only_where_there_is_one() {
         folder.read("trace.csv"),
         records(&folder.read("trace.jsonl")),
     );
-    let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
-    let header = rows.next().expect("a header");
+    let header = assert_same(&table, &trace);
     let keys = ["depth", "fx", "fz", "m", "lambda", "margin", "verdict"];
     let begin = header.len() - keys.len();
     assert_eq!(header[begin..], keys.map(|key| format!("insertion_{key}")));
-    let mut readings = 0;
-    for (row, record) in rows.zip(&trace) {
-        for (cell, key) in row[begin..].iter().zip(keys) {
-            let value = record
-                .get("insertion")
-                .map_or(&Value::Null, |found| &found[key]);
-            let same = match value {
-                Value::Null => cell.is_empty(),
-                Value::String(word) => cell == word,
-                number => cell.parse::<f64>().ok() == number.as_f64(),
-            };
-            assert!(same, "{key}: {cell}, {record}");
-        }
-        readings += usize::from(record.get("insertion").is_some());
-    }
-    assert!(readings > 800, "{readings}");
+    let readings = trace
+        .iter()
+        .filter(|record| record.get("insertion").is_some());
+    assert!(readings.count() > 800);
     for scene in ["hook", "box-flat"] {
         let output = folder.stiction(&["run", scene, "--rate", "20", "--out", "other.csv"]);
         assert!(output.status.success(), "{}", text(&output.stderr));
         let other = folder.read("other.csv");
         assert!(!other.contains("insertion"), "{scene}");
-    }
-}
-
-#[test]
-fn the_judge_takes_a_trace_with_readings() {
-    let folder = Folder::new();
-    for trace in ["trace.csv", "trace.jsonl"] {
-        run(&folder, &["--out", trace]);
-        let output = folder.stiction(&["check", trace, "--scene", "peg-in-hole", "--rate", "100"]);
-        assert!(output.status.success(), "{}", text(&output.stdout));
     }
 }
 

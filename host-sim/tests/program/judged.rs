@@ -8,8 +8,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-use crate::common::{Folder, records, text};
-use stiction_host_sim::scenes;
+use crate::common::{Folder, records, text, with_hand};
+use stiction_live::scenes;
 
 const NUMBERS: [&str; 3] = ["f64", "f32", "fixed"];
 const EVOLUTIONS: [&str; 2] = ["path", "frame"];
@@ -278,10 +278,9 @@ fn slips_that_come_late_are_found() {
 /// The hand lets go and takes hold elsewhere, twice.
 #[test]
 fn new_holds_are_lawful() {
-    let hand = "[hand]\nrate = 100.0\nkeyframes = [[0.0, 0.2, 0.14, 0.5, 0], [0.1, 0.2, 0.14, 0.5, 1], [1.0, 0.2, 0.06, 0.5, 1], \
+    let hand = "rate = 100.0\nkeyframes = [[0.0, 0.2, 0.14, 0.5, 0], [0.1, 0.2, 0.14, 0.5, 1], [1.0, 0.2, 0.06, 0.5, 1], \
                 [1.1, 0.2, 0.06, 0.5, 0], [1.5, 0.19, 0.05, 0.1, 0], [1.6, 0.19, 0.05, 0.1, 1], [2.6, 0.1, 0.04, 0.3, 1]]\n";
-    let begin = crate::common::SCENE.find("[hand]").expect("a hand section");
-    let given = format!("{}{hand}", &crate::common::SCENE[..begin]);
+    let given = with_hand(hand);
     for scene in [given.clone(), given.replace("point = [0.0, 0.02]\n", "")] {
         for number in NUMBERS {
             for evolution in EVOLUTIONS {
@@ -327,38 +326,11 @@ fn input_that_cannot_be_judged_ends_with_status_2() {
 }
 
 /// A box in the corner of floor and wall, in a hand that was recorded by motion capture.
-const RECORDED: &str = r#"
-[body]
-rectangle = [0.10, 0.06]
-start = [0.10, 0.10, 0.0]
-
-[grasp]
-point = [0.0, 0.02]
-
-[spring]
-translation = 500.0
-rotation = 0.5
-
-[friction]
-static = 0.5
-dynamic = 0.3
-
-[[surface]]
-name = "floor"
-normal = [0.0, 1.0]
-offset = 0.0
-
-[[surface]]
-name = "wall"
-normal = [1.0, 0.0]
-offset = 0.0
-
-[hand]
-path = "hand.txt"
-plane = "xy"
-scale = 0.1
-origin = [-0.075, -0.01, -1.386]
-"#;
+fn in_recorded_hand() -> String {
+    let hand = "path = \"hand.txt\"\nplane = \"xy\"\nscale = 0.1\norigin = [-0.075, -0.01, -1.386]";
+    let scene = with_hand(hand).replace("[0.2, 0.12, 0.5]", "[0.10, 0.10, 0.0]");
+    scene.replace("reach = 0.01\n", "")
+}
 
 #[test]
 fn a_recorded_hand_moves_the_box_lawfully() {
@@ -366,7 +338,7 @@ fn a_recorded_hand_moves_the_box_lawfully() {
         return;
     };
     let folder = Folder::new();
-    folder.write("scene.toml", RECORDED);
+    folder.write("scene.toml", in_recorded_hand());
     folder.write("hand.txt", fs::read(hand).expect("the recording"));
     for number in NUMBERS {
         for evolution in EVOLUTIONS {

@@ -189,10 +189,10 @@ fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_boa
         match code {
             Ok(_) => assert!(SCENE.find(from) > Some(hand), "{name}"),
             Err(error) => {
-                let message = text(&folder.stiction(&["run", "scene.toml"]).stderr);
+                let printed = text(&folder.stiction(&["run", "scene.toml"]).stderr);
                 let words = error.to_string();
                 let (_, words) = words.split_once("scene.toml").unwrap();
-                assert!(message.contains(words), "{name}: {words}\n{message}");
+                assert!(printed.contains(words), "{name}: {words}\n{printed}");
             }
         }
     }
@@ -200,22 +200,11 @@ fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_boa
 
 #[test]
 fn scenes_beyond_the_range_of_fixed_point_are_refused_in_fixed_point_alone() {
+    #[rustfmt::skip]
     let cases: &[(&str, &str, &[&str])] = &[
-        (
-            "[0.2, 0.12, 0.5]\nweight",
-            "[0.2, 12.0, 0.5]\nweight",
-            &["line 4", "body.start", "at most 16 body sizes"],
-        ),
-        (
-            "normal = [1.0, 0.0]\noffset = 0.0",
-            "normal = [1.0, 0.0]\noffset = -12.0",
-            &["line 27", "surface[1].offset", "at most 16 body sizes"],
-        ),
-        (
-            "rotation = 0.5",
-            "rotation = 5000.0",
-            &["line 13", "spring.rotation", "at most 16 k_h L^2"],
-        ),
+        ("[0.2, 0.12, 0.5]\nweight", "[0.2, 12.0, 0.5]\nweight", &["line 4", "body.start", "at most 16 body sizes"]),
+        ("normal = [1.0, 0.0]\noffset = 0.0", "normal = [1.0, 0.0]\noffset = -12.0", &["line 27", "surface[1].offset", "at most 16 body sizes"]),
+        ("rotation = 0.5", "rotation = 5000.0", &["line 13", "spring.rotation", "at most 16 k_h L^2"]),
     ];
     for &(from, to, expected) in cases {
         assert!(SCENE.contains(from), "{from}");
@@ -303,19 +292,14 @@ fn more_vertices_or_surfaces_than_there_is_room_for_are_refused() {
 
 #[test]
 fn arguments_that_mean_nothing_are_refused() {
+    #[rustfmt::skip]
     let cases: &[(&[&str], &[&str])] = &[
         (&["--number", "f16"], &["f16", "f32"]),
         (&["--evolution", "time"], &["time", "path", "frame"]),
         (&["--rate", "0"], &["--rate", "0"]),
         (&["--rate", "nan"], &["--rate", "nan"]),
         (&["--rate", "fast"], &["--rate", "fast"]),
-        (
-            &["--rate", "1e12"],
-            &[
-                "1000000000000.0 Hz of `--rate` and a path of 1.0 s give 1000000000001 frames",
-                "allowed: at most 1000000000",
-            ],
-        ),
+        (&["--rate", "1e12"], &["1000000000000.0 Hz of `--rate` and a path of 1.0 s give 1000000000001 frames", "allowed: at most 1000000000"]),
         (&["--tolerance", "0.001"], &["--tolerance"]),
         (&["--events", "8"], &["--events"]),
         (&["--budget", "0"], &["--budget", "1 to 4294967295"]),
@@ -352,7 +336,7 @@ fn places_where_nothing_can_be_written_are_refused() {
 #[test]
 fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
     let folder = Folder::new();
-    for command in ["run", "footprint"] {
+    for command in ["run", "code"] {
         let output = folder.stiction(&[command, "absent.toml"]);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
@@ -363,18 +347,4 @@ fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
         let output = folder.stiction(&[command]);
         assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
     }
-}
-
-#[test]
-fn a_footprint_for_a_file_without_its_section_is_refused_before_anything_is_built() {
-    let folder = Folder::new();
-    folder.write("README.md", "no section");
-    let output = folder.stiction(&["footprint", "ladder", "--readme", "README.md"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        output.stdout.is_empty() && message.contains("README.md: cannot be written"),
-        "{message}"
-    );
-    assert_eq!(folder.read("README.md"), "no section");
 }

@@ -1,4 +1,4 @@
-//! Recordings: what is run again gives the same bits, what does not is named; every fault that was found stays as one.
+//! Recordings: what is run again gives the same bits, what does not is named; every fault that was found is stored as one.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -129,14 +129,14 @@ fn a_recording_that_lost_whole_lines_is_not_good() {
     let recording = folder.read("recording.jsonl");
     let lines: Vec<&str> = recording.lines().collect();
     assert_eq!((lines.len(), lines[12]), (13, r#"{"samples":11}"#));
-    let replayed = |left: &[&str], options: &[&str]| {
-        folder.write("lost.jsonl", left.join("\n") + "\n");
+    let replayed = |part: &[&str], options: &[&str]| {
+        folder.write("lost.jsonl", part.join("\n") + "\n");
         said(&folder, &[&["replay", "lost.jsonl"], options].concat())
     };
     // Its end is lost: what is there is replayed, and what is missing is said.
     for options in [&[][..], &["--quiet"]] {
-        for (left, last) in [(&lines[..12], 12), (&lines[..5], 5)] {
-            let (status, message) = replayed(left, options);
+        for (part, last) in [(&lines[..12], 12), (&lines[..5], 5)] {
+            let (status, message) = replayed(part, options);
             assert_eq!(status, Some(1), "{message}");
             let place = format!("lost.jsonl: ends after line {last} without the count");
             assert!(message.contains(&place), "{message}");
@@ -147,8 +147,8 @@ fn a_recording_that_lost_whole_lines_is_not_good() {
     // Lines are lost in between, or there are more than were recorded.
     let lost = [&lines[..11], &lines[12..]].concat();
     let twice = [&lines[..12], &lines[11..]].concat();
-    for (left, place, there) in [(lost, "line 12", 10), (twice, "line 14", 12)] {
-        let (status, message) = replayed(&left, &["--out", "again.jsonl"]);
+    for (part, place, there) in [(lost, "line 12", 10), (twice, "line 14", 12)] {
+        let (status, message) = replayed(&part, &["--out", "again.jsonl"]);
         assert_eq!(status, Some(2), "{message}");
         let counts = format!("{place}: `samples` is 11, but {there} are there, allowed: ");
         assert!(message.contains(&counts), "{message}");
@@ -279,9 +279,9 @@ fn what_is_no_recording_is_refused_with_its_line() {
 }
 
 /// `tests/recordings`: faults that fuzzing, a board or a user found.
-fn faults() -> Vec<PathBuf> {
-    let left = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recordings");
-    let entries = fs::read_dir(left).expect("the folder of recordings");
+fn stored() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recordings");
+    let entries = fs::read_dir(folder).expect("the folder of recordings");
     let mut files: Vec<_> = entries
         .map(|entry| entry.expect("an entry").path())
         .collect();
@@ -290,9 +290,9 @@ fn faults() -> Vec<PathBuf> {
     files
 }
 
-/// All that is wrong with the left recordings, by the first line of what is said.
+/// All that is wrong with the stored recordings, by the first line of what is said.
 fn none_is_wrong(wrong: impl Fn(&Path) -> Option<String>) {
-    let wrong: Vec<String> = (faults().iter())
+    let wrong: Vec<String> = (stored().iter())
         .filter_map(|file| Some(format!("{}: {}", file.display(), wrong(file)?)))
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -300,7 +300,7 @@ fn none_is_wrong(wrong: impl Fn(&Path) -> Option<String>) {
 
 /// They give the bits of now.
 #[test]
-fn past_faults_give_the_same_bits() {
+fn stored_faults_give_the_same_bits() {
     none_is_wrong(|file| {
         let (status, message) = said(&Folder::new(), &["replay", &file.to_string_lossy()]);
         (status != Some(0)).then_some(message)
@@ -309,7 +309,7 @@ fn past_faults_give_the_same_bits() {
 
 /// The answers of now are lawful, whatever was recorded: a recording that is made anew still shows that the fault is mended.
 #[test]
-fn past_faults_are_lawful() {
+fn stored_faults_are_lawful() {
     none_is_wrong(|file| {
         let folder = Folder::new();
         let replay = ["replay", &file.to_string_lossy(), "--out", "trace.jsonl"];

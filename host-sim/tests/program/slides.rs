@@ -92,15 +92,15 @@ fn slips_of_the_burst(memory: f64) -> usize {
 fn slips_of_a_burst_are_counted_by_its_memory_length() {
     let folder = Folder::new();
     let size = f64::hypot(0.1, 0.06);
-    for (part, reported) in [(19, 91), (12, 43), (8, 15)] {
+    for (part, expected) in [(19, 91), (12, 43), (8, 15)] {
         let memory = size / f64::from(1 << part);
         // No memory counts as 2^-19 of the size.
         let given = if part == 19 { 0.0 } else { memory };
-        assert_eq!(slips_of_the_burst(memory), reported, "2^-{part}");
+        assert_eq!(slips_of_the_burst(memory), expected, "2^-{part}");
         for number in ["f32", "f64", "fixed"] {
             let trace = folder.trace(&bundled("burst", given), &["--number", number]);
             let slips = trace.iter().filter_map(|record| record["slips"].as_u64());
-            assert_eq!(slips.sum::<u64>(), reported as u64, "{number}, 2^-{part}");
+            assert_eq!(slips.sum::<u64>(), expected as u64, "{number}, 2^-{part}");
             let happened = events(&trace);
             let slides = happened.iter().filter(|event| **event == "slide");
             assert_eq!(slides.count(), 2, "{number}, 2^-{part}");
@@ -196,7 +196,7 @@ fn the_table_of_columns_is_that_of_a_trace() {
     let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
     let first = rows.filter_map(|row| row.split(" | ").next());
     let names = first.flat_map(|cell| cell.split("`, `").map(|name| name.trim_matches('`')));
-    let reported: Vec<&str> = names.collect();
+    let listed: Vec<&str> = names.collect();
     let folder = Folder::new();
     let run = "run peg-in-hole --rate 20 --out trace.csv --budget 1";
     let output = folder.stiction(&run.split(' ').collect::<Vec<_>>());
@@ -204,7 +204,7 @@ fn the_table_of_columns_is_that_of_a_trace() {
     let trace = folder.read("trace.csv");
     let header = trace.lines().next().expect("a header");
     let columns: Vec<&str> = header.split(',').filter(|name| !later(name)).collect();
-    assert_eq!(reported, columns);
+    assert_eq!(listed, columns);
     let states = StateKind::ALL.map(StateKind::name);
     let statuses = Status::ALL.map(Status::name);
     for name in [&states[..], &Event::ALL.map(Event::name), &statuses].concat() {

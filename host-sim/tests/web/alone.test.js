@@ -118,7 +118,7 @@ for (const file of [false, true]) {
   }, { file });
 }
 
-aloneTest("an address that cannot be followed is told", async (live) => {
+aloneTest("an address that cannot be followed is reported", async (live) => {
   await live.page.evaluate(() => { location.hash = "#scene=nowhere"; });
   await live.reads("#note", /no scene "nowhere", allowed: /);
   await live.page.evaluate(() => { location.hash = "#scene=ladder&mu_s=much"; });

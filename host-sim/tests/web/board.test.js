@@ -230,40 +230,40 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
 function wired(state = null) {
   const board = new Board({ hello() {}, state() {}, frame() {}, connected() {}, error() {} }, state);
   /** @type {any[]} */
-  const told = [];
-  const decoder = new Decoder((message) => told.push(message));
+  const sent = [];
+  const decoder = new Decoder((message) => sent.push(message));
   board.writer = /** @type {any} */ ({ write: async (bytes) => decoder.push(bytes) });
   const answer = (message, reason = 0) =>
     board.take({
       type: "reply", sequence: 0, time: 0, command_sequence: message.sequence, reason, allowed: "",
     });
   /** Waits until this many messages have been sent to the board. */
-  const untilTold = async (count) => {
-    while (told.length < count) await new Promise((done) => setTimeout(done, 5));
+  const untilSent = async (count) => {
+    while (sent.length < count) await new Promise((done) => setTimeout(done, 5));
   };
-  return { board, told, answer, untilTold };
+  return { board, sent, answer, untilSent };
 }
 
 test("an answer counts for its own command alone, and commands go one after another", async () => {
-  const { board, told, answer, untilTold } = wired();
+  const { board, sent, answer, untilSent } = wired();
   const first = board.request({ type: "set", parameters: { stiffness_translation: 600 } });
   const second = board.request({ type: "set", parameters: { stiffness_rotation: 0.7 } });
   const third = board.request({ type: "reset" });
   // The first answer is late: the command is repeated, and both are answered.
-  await untilTold(2);
-  assert.deepEqual(told.map(({ type, k_h }) => [type, k_h]), Array(2).fill(["parameters", 600]));
-  answer(told[0]);
+  await untilSent(2);
+  assert.deepEqual(sent.map(({ type, k_h }) => [type, k_h]), Array(2).fill(["parameters", 600]));
+  answer(sent[0]);
   await first;
-  await untilTold(3);
-  assert.deepEqual([told[2].k_h, Math.fround(0.7)], [600, told[2].k_theta]);
-  answer(told[1]);
-  answer(told[2], 5);
+  await untilSent(3);
+  assert.deepEqual([sent[2].k_h, Math.fround(0.7)], [600, sent[2].k_theta]);
+  answer(sent[1]);
+  answer(sent[2], 5);
   await assert.rejects(second, /refuses the parameters/);
-  await untilTold(4);
-  assert.equal(told[3].type, "reset");
-  answer(told[1]);
-  answer(told[2], 5);
-  answer(told[3]);
+  await untilSent(4);
+  assert.equal(sent[3].type, "reset");
+  answer(sent[1]);
+  answer(sent[2], 5);
+  answer(sent[3]);
   await third;
   const { parameters } = board.model;
   assert.deepEqual([parameters.stiffness_translation, parameters.stiffness_rotation], [600, 0.5]);
@@ -275,30 +275,30 @@ test("frictions of surfaces are set together, and are those of the scene then", 
   });
   const parameters = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.25, memory: null };
   const scene = { body: [[0, 0]], surfaces: [surface("floor", 0.5), surface("wall", 0.25)], home: [0, 0, 0] };
-  const { board, told, answer, untilTold } = wired({ scene, parameters });
+  const { board, sent, answer, untilSent } = wired({ scene, parameters });
   for (const change of [{ stiffness_translation: 600 }, { static: 0.6 }, { dynamic: 0.1 }]) {
     await assert.rejects(board.request({ type: "set", parameters: change }), /frictions of their own; allowed/);
   }
-  assert.equal(told.length, 0);
+  assert.equal(sent.length, 0);
   const done = board.request({ type: "set", parameters: { static: 0.75, dynamic: 0.5 } });
-  await untilTold(1);
-  assert.deepEqual([told[0].mu_s, told[0].mu_d], [0.75, 0.5]);
-  answer(told[0]);
+  await untilSent(1);
+  assert.deepEqual([sent[0].mu_s, sent[0].mu_d], [0.75, 0.5]);
+  answer(sent[0]);
   await done;
   const state = board.model.state();
   assert.deepEqual([state.parameters.static, state.parameters.dynamic], [0.75, 0.5]);
   for (const { static: mu_s, dynamic: mu_d } of state.scene.surfaces) assert.deepEqual([mu_s, mu_d], [0.75, 0.5]);
   // Now that they are equal, one of them can be set alone.
   const next = board.request({ type: "set", parameters: { dynamic: 0.25 } });
-  await untilTold(2);
-  assert.deepEqual([told[1].mu_s, told[1].mu_d], [0.75, 0.25]);
-  answer(told[1]);
+  await untilSent(2);
+  assert.deepEqual([sent[1].mu_s, sent[1].mu_d], [0.75, 0.25]);
+  answer(sent[1]);
   await next;
   for (const memory of [0.5, null]) {
-    const before = told.length;
+    const before = sent.length;
     const done = board.request({ type: "set", parameters: { memory } });
-    await untilTold(before + 1);
-    const last = told[before];
+    await untilSent(before + 1);
+    const last = sent[before];
     assert.deepEqual([last.has_memory, last.memory, last.mu_d], [memory === null ? 0 : 1, memory ?? 0, 0.25]);
     answer(last);
     await done;

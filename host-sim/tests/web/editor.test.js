@@ -153,7 +153,7 @@ liveTest("a scene is drawn, changed, undone, saved, opened and run", async (benc
   await live.until(() => window.stiction.state?.parameters.static === 0.77);
 });
 
-test("a file that is edited is shown anew, a broken one is told with its line", { skip: shared().missing }, async () => {
+test("a file that is edited is shown anew, a broken one is reported with its line", { skip: shared().missing }, async () => {
   const folder = newFolder();
   const file = join(folder, "mine.toml");
   const text = (/** @type {string} */ weight) => `[body]\nrectangle = [0.1, 0.06]\nstart = [0.0, 0.1, 0.0]\nweight = ${weight}\n` +

@@ -109,10 +109,10 @@ liveTest("slips are heard and felt while that is wanted, and not before", async 
   await live.until(() => /** @type {any} */ (window).counts.contexts === 1);
   await slip(live, SLIPS);
   // A tick may have more than one slip, and is one burst.
-  const heard = await counts();
+  const felt = await counts();
   const all = (await live.frame()).counts.slips;
-  assert.ok(heard.bursts >= 1 && heard.bursts <= all && heard.bursts >= all - 2, `${heard.bursts} of ${all} slips`);
-  assert.ok(heard.phone >= 1 && heard.phone <= heard.bursts && heard.pad === heard.phone, JSON.stringify(heard));
+  assert.ok(felt.bursts >= 1 && felt.bursts <= all && felt.bursts >= all - 2, `${felt.bursts} of ${all} slips`);
+  assert.ok(felt.phone >= 1 && felt.phone <= felt.bursts && felt.pad === felt.phone, JSON.stringify(felt));
 
   // Off again, by its key.
   await page.click("#reset");
@@ -121,7 +121,7 @@ liveTest("slips are heard and felt while that is wanted, and not before", async 
   await page.keyboard.press("m");
   await pressed("false");
   await slip(live, 1);
-  assert.deepEqual(await counts(), heard);
+  assert.deepEqual(await counts(), felt);
 });
 
 /** Returns the size of the stage, in pixels of the screen. @param {Live} live */

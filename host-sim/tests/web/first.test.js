@@ -116,7 +116,7 @@ liveTest("a hand that comes by OSC is not taken", async (bench) => {
   await live.reads("#note", /the hand comes from elsewhere, allowed/);
 }, ["--osc-in", "0"]);
 
-liveTest("a scene is picked by its card and by the keyboard, and its story is told", async (bench) => {
+liveTest("a scene is picked by its card and by the keyboard, and its story is shown", async (bench) => {
   const live = await bench.open();
   const { page } = live;
   const title = (/** @type {string} */ name) =>
@@ -201,19 +201,19 @@ liveTest("every term is explained where it stands, by a title, a description, an
   }
   // The button of a group shows all explanations, by a finger or a key, and Escape closes them.
   const all = await page.locator(".tip").all();
-  let told = "";
+  let read = "";
   for (const button of all) {
     await button.focus();
     await page.keyboard.press("Enter");
     const tips = page.locator(".tips:popover-open");
     await tips.waitFor();
-    told += await tips.innerText();
+    read += await tips.innerText();
     const box = await tips.boundingBox();
     assert.ok(box && box.x >= 0 && box.y >= 0 && box.x + box.width <= 1280 && box.y + box.height <= 800, JSON.stringify(box));
     await page.keyboard.press("Escape");
     await tips.waitFor({ state: "hidden" });
   }
   for (const word of ["The trade", "Number", "Evolution", "Keep hold", "Ghost", "Trails", "Cones", "Dc"]) {
-    assert.ok(told.includes(word), word);
+    assert.ok(read.includes(word), word);
   }
 });

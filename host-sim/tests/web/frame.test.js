@@ -73,7 +73,7 @@ for (const { bytes, message } of examples) {
   });
 }
 
-test("a frame of a newer version is told from a bad one", () => {
+test("a frame of a newer version is distinguished from a bad one", () => {
   assert.ok(newer.length > 2);
   for (const { bytes } of newer) assert.throws(() => decode(bytes.subarray(0, -1)), { message: /^(version|unknown-type)$/ });
 });
@@ -131,7 +131,7 @@ test("a flipped bit is never a message", () => {
   }
 });
 
-test("faults are told in their order", () => {
+test("faults are reported in their order", () => {
   const why = (body) => {
     const frame = new Uint8Array(body.length + 4);
     frame.set(body);

@@ -228,7 +228,7 @@ const bringContrast = (live) =>
   });
 
 for (const theme of THEMES) {
-  liveTest(`all can be read and told apart from its ground in the ${theme} theme`, async (bench) => {
+  liveTest(`all can be read and stands out from its ground in the ${theme} theme`, async (bench) => {
     const live = await bench.open({ colorScheme: theme });
     await inCorner(live);
     await bringContrast(live);

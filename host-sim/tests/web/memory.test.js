@@ -13,7 +13,7 @@ const FIRST = 2;
 /** Idle memory in the heaps of the browser and of the program (bytes). */
 const SLACK = { page: 1.5e6, program: 2.5e6 };
 /** Fraction of the bytes of received messages that the page may keep since then. */
-const KEPT = 0.02;
+const HELD = 0.02;
 /** Memory that the program may keep per tick (bytes); a record of the trace has some 300. */
 const PER_TICK = 10;
 
@@ -75,7 +75,7 @@ liveTest(`in ${SECONDS} s of dragging, recording and replaying memory does not g
   const bytes = last.bytes - warm.bytes,
     ticks = last.ticks - warm.ticks;
   const page = last.page - warm.page;
-  assert.ok(page < SLACK.page + KEPT * bytes, `the page grew by ${page} bytes while it got ${bytes}`);
+  assert.ok(page < SLACK.page + HELD * bytes, `the page grew by ${page} bytes while it got ${bytes}`);
   assert.ok(last.nodes <= warm.nodes + 50, `${last.nodes} elements after ${warm.nodes}`);
   if (last.program === null || warm.program === null) return;
   const program = last.program - warm.program;

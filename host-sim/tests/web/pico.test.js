@@ -60,8 +60,8 @@ class Client {
   constructor(host) {
     this.host = host;
     /** @type {any[]} */
-    this.heard = [];
-    this.decoder = new Decoder((message) => this.heard.push(message));
+    this.received = [];
+    this.decoder = new Decoder((message) => this.received.push(message));
     host.take = (bytes) => this.decoder.push(bytes);
     this.sequence = 0;
   }
@@ -74,13 +74,13 @@ class Client {
 
   /** Waits for a message of a type. @param {string} type */
   wait(type) {
-    this.host.until(() => this.heard.some((message) => message.type === type), type);
-    return this.heard.find((message) => message.type === type);
+    this.host.until(() => this.received.some((message) => message.type === type), type);
+    return this.received.find((message) => message.type === type);
   }
 
   /** Sends a command, which must succeed. @param {any} message */
   done(message) {
-    this.heard = [];
+    this.received = [];
     this.send(message);
     assert.equal(this.wait("reply").reason, 0, message.type);
   }
@@ -138,16 +138,16 @@ usbTest("a Pico over USB has the bits of the program, however fast the samples c
   assert.ok(states.has("edge") && states.has("single-vertex"), [...states].join());
   assert.ok(records.reduce((sum, { slips }) => sum + slips, 0) > 1);
 
-  client.heard = [];
+  client.received = [];
   const from = client.sequence;
   // All simultaneously: the board takes them when it can, and the computer waits.
   for (let i = 0; i < SAMPLES; i++) {
     const [x, y, phi] = hand(i);
     client.send({ type: "hand", x, y, phi, turns: 0, depth: 0, held: 1 });
   }
-  const heard = (/** @type {string} */ type) => client.heard.filter((message) => message.type === type);
-  host.until(() => heard("forces").length >= SAMPLES, `forces of ${SAMPLES} samples`);
-  const [poses, forces] = [heard("pose"), heard("forces")];
+  const received = (/** @type {string} */ type) => client.received.filter((message) => message.type === type);
+  host.until(() => received("forces").length >= SAMPLES, `forces of ${SAMPLES} samples`);
+  const [poses, forces] = [received("pose"), received("forces")];
   assert.deepEqual([poses.length, forces.length, client.decoder.faults], [SAMPLES, SAMPLES, {}]);
   poses.forEach((pose, i) => {
     const { wrench, pose: [x, y, theta], state } = records[i];
@@ -164,9 +164,9 @@ usbTest("the line is USB while a program has it open there, else the UART", (hos
   const silent = (why) => {
     // Messages already in transit.
     host.run(10 * MS);
-    client.heard = [];
+    client.received = [];
     host.run(50 * MS);
-    assert.deepEqual(client.heard, [], why);
+    assert.deepEqual(client.received, [], why);
   };
   silent("nobody has opened the line");
   assert.equal(overUart(host).name, "pico");

@@ -65,7 +65,7 @@ function pressed(force, length, wrench) {
   return message;
 }
 
-liveTest("what is below 1e-6 of the scene's force and length is neither drawn nor told", async (bench) => {
+liveTest("what is below 1e-6 of the scene's force and length is neither drawn nor mentioned", async (bench) => {
   const { live, said } = await openSaid(bench);
   await keepTexts(live);
   // The box has L = 0.1166 m and k_h L = 58.3 N.

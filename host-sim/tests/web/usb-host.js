@@ -232,7 +232,7 @@ export class UsbHost {
     return new TextDecoder("utf-16le").decode(bytes.subarray(2));
   }
 
-  /** Plugs the board in again, which has kept running meanwhile: all waiting data are lost. */
+  /** Plugs the board in again, which ran on meanwhile: all waiting data are lost. */
   plugAgain() {
     this.isReset = false;
     this.room.clear();

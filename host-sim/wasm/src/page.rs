@@ -6,12 +6,12 @@ use std::path::Path;
 use serde_json::json;
 use stiction_core::Evolution;
 use stiction_live::body::Setting;
-use stiction_live::feed::{Shown, Told};
-use stiction_live::hear::{self, Message, Said};
+use stiction_live::feed::{Cursor, Shown};
+use stiction_live::inbound::{self, Incoming, Message};
 use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
+use stiction_live::outbound::{self, Runner};
 use stiction_live::own;
-use stiction_live::say::{self, Source};
 use stiction_live::scenes;
 use stiction_live::simulate;
 use stiction_live::stage::Stage;
@@ -36,7 +36,7 @@ const LONGEST_TURN: Duration = Duration::from_millis(8);
 pub struct Page {
     live: Live,
     shown: Shown,
-    told: Told,
+    cursor: Cursor,
     /// Answers that wait until their result is shown.
     answers: Vec<String>,
     /// The times of the next tick and of the next frame message.
@@ -64,7 +64,7 @@ impl Page {
         live.clients = 1;
         let (shown, now) = (Shown::default(), Instant::now());
         Ok(Self {
-            told: Told::new(&shown),
+            cursor: Cursor::new(&shown),
             live,
             shown,
             answers: Vec::new(),
@@ -76,14 +76,14 @@ impl Page {
 
     /// The first message.
     pub fn hello(&self) -> String {
-        say::hello(CLIENT, &self.live.offers(true), &Source::Core)
+        outbound::hello(CLIENT, &self.live.offers(true), &Runner::Core)
     }
 
     /// Whether only the whole solver can handle a message: a scene with obstacles, if this build has none. Another page should
     /// handle it, after [`Page::handed_over`].
     #[wasm_bindgen(js_name = isBeyond)]
     pub fn is_beyond(&self, text: &str) -> bool {
-        let Ok(Message::Scene { name }) = hear::read(text).message else {
+        let Ok(Message::Scene { name }) = inbound::read(text).message else {
             return false;
         };
         let scene = scenes::ALL.iter().find(|(known, _)| *known == name);
@@ -139,7 +139,7 @@ impl Page {
 
     /// Handles a message of the page.
     pub fn take(&mut self, text: &str) {
-        let Said { id, message } = hear::read(text);
+        let Incoming { id, message } = inbound::read(text);
         let now = Instant::now();
         let result = match message {
             Ok(Message::Rate { value }) => {
@@ -150,7 +150,7 @@ impl Page {
             Ok(message) => self.live.take(CLIENT, message, now),
             Err(problem) => Err(problem),
         };
-        self.answers.extend(say::answer(id, result));
+        self.answers.extend(outbound::answer(id, result));
     }
 
     /// Executes the ticks that are due, and returns the messages for the page.
@@ -173,7 +173,7 @@ impl Page {
         if with_frame {
             self.frame_due = (self.frame_due + self.period).max(now);
         }
-        let (state, news) = self.told.look(&self.shown, with_frame);
+        let (state, news) = self.cursor.look(&self.shown, with_frame);
         messages.extend(state.map(|state| state.to_string()));
         messages.extend(news.map(|news| news.message(CLIENT, 0)));
         messages

@@ -134,7 +134,7 @@ const FOLDERS: [&str; 7] = [
     "core/wire",
     "firmware",
     "host-sim",
-    "host-sim/bench",
+    "host-sim/lab",
     "tests",
 ];
 

@@ -140,9 +140,9 @@ impl<R: Real> Placed<R> {
         (left, sign): (Pair, R),
         lasting: &[Pair],
     ) -> Option<Pair> {
-        let &kept = lasting.first()?;
-        let tangent = scene.face(kept, self.orientation.rotation()).tangent;
-        let along = |pair: Pair| tangent.dot(self.arm_to(scene, pair) - self.arm_to(scene, kept));
+        let &base = lasting.first()?;
+        let tangent = scene.face(base, self.orientation.rotation()).tangent;
+        let along = |pair: Pair| tangent.dot(self.arm_to(scene, pair) - self.arm_to(scene, base));
         let way = along(left).sign();
         let mut list = Pairs::new();
         self.touching_obstacles(scene, together(), &mut list);
@@ -154,8 +154,8 @@ impl<R: Real> Placed<R> {
             } else {
                 high - foot
             };
-            let differs = pair != left && pair != kept;
-            differs && ahead > together() && self.lie_in_line(scene, [kept, pair])
+            let differs = pair != left && pair != base;
+            differs && ahead > together() && self.lie_in_line(scene, [base, pair])
         };
         let ends = list.iter().copied().filter(is_end);
         let mut found: Option<(R, Pair)> = None;

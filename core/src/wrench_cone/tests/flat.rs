@@ -197,7 +197,7 @@ struct Clamp {
     exact: WrenchCone<f64>,
     load: Wrench2<f64>,
     /// The reported reaction of each contact.
-    told: Vec<f64, MAX_CONTACTS>,
+    sums: Vec<f64, MAX_CONTACTS>,
     /// The residual of the load.
     left: f64,
 }
@@ -225,7 +225,7 @@ fn clamp(seed: u64) -> Clamp {
     Clamp {
         exact,
         load: wrench(x.into(), y.into(), moment.into()),
-        told: gather(
+        sums: gather(
             parts
                 .iter()
                 .map(|[plus, minus]| f64::from((*plus + *minus).to_si(1.0))),
@@ -253,22 +253,22 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
         if solutions.is_empty() || solutions.iter().any(|solution| largest(solution) > 4096.0) {
             continue;
         }
-        let at_rail = clamp.told.iter().any(|sum| *sum > 127.0);
+        let at_rail = clamp.sums.iter().any(|sum| *sum > 127.0);
         let balances = clamp.left <= balance;
         assert!(
             balances || at_rail,
             "{seed}: {:?} {}",
-            clamp.told,
+            clamp.sums,
             clamp.left
         );
         let is_small = solutions.iter().any(|solution| largest(solution) < 15.0);
         assert!(
             balances || !is_small,
             "{seed}: {:?} {}",
-            clamp.told,
+            clamp.sums,
             clamp.left
         );
-        for (contact, sum) in clamp.told.iter().enumerate() {
+        for (contact, sum) in clamp.sums.iter().enumerate() {
             let of_contact = solutions.iter().map(|solution| {
                 let parts = solution.iter().filter(|(edge, _)| edge / 2 == contact);
                 parts.map(|(_, part)| part).sum::<f64>()
@@ -279,7 +279,7 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
             assert!(
                 *sum < 1.1 * most + 0.01 && *sum > 0.9 * least.min(127.0) - 0.01,
                 "{seed}: {contact} {:?} {least} {most}",
-                clamp.told
+                clamp.sums
             );
         }
         found[if is_small { 2 } else { usize::from(balances) }] += 1;
@@ -304,7 +304,7 @@ fn what_is_told_leaves_less_than_the_load() {
             clamp.left < size + 1e-5,
             "{seed}: {} {size} {:?}",
             clamp.left,
-            clamp.told
+            clamp.sums
         );
         count += 1;
     }

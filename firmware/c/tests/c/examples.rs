@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::process::Command;
 
+use stiction_host_sim::columns::thousands;
+use stiction_host_sim::firmware::image::Contents;
+use stiction_host_sim::firmware::process::{EmulatorError, if_installed, output_of};
+use stiction_lab::markdown::Section;
 use stiction_scene::NumberType;
-use stiction_tools::image::Contents;
-use stiction_tools::process::{EmulatorError, if_installed, output_of};
-use stiction_tools::readme::Section;
-use stiction_tools::table::thousands;
 
 use crate::library::{Library, folder};
 use crate::machine::{CORTEX_M0, CORTEX_M4F, CORTEX_M33, Compiler, Machine};

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
+use stiction_host_sim::firmware::process::{EmulatorError, output_of};
 use stiction_scene::NumberType;
-use stiction_tools::process::{EmulatorError, output_of};
 
 /// A variant of the library.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
+use stiction_host_sim::firmware::process::{EmulatorError, output_of, require_qemu_arm};
 
 use crate::library::{Library, folder};
 

@@ -11,8 +11,8 @@ use expected::{SCENES_AMONG_OBSTACLES, SCENES_BY_WALLS, scenes_header};
 use library::Library;
 use machine::{CORTEX_M0, CORTEX_M4F, Compiler, Machine, RISC_V};
 use stiction_core::{Fixed, Full};
+use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_scene::NumberType;
-use stiction_tools::process::{EmulatorError, if_installed};
 
 /// Frames of each scene.
 const FRAMES: u32 = 10_000;

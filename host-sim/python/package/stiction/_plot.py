@@ -17,10 +17,9 @@ if TYPE_CHECKING:
 SNAPSHOTS = 5
 
 
-def _placed(vertices: npt.NDArray[np.float64], pose: npt.NDArray[np.float64]) -> Any:
-    cos, sin = np.cos(pose[2]), np.sin(pose[2])
-    x, y = vertices.T
-    return pose[0] + cos * x - sin * y, pose[1] + sin * x + cos * y
+def _placed(run: Run, pose: npt.NDArray[np.float64]) -> Any:
+    x, y, theta = pose
+    return np.asarray(run.scene._scene.placed((x, y, theta))).T
 
 
 def _instants(run: Run, count: int) -> npt.NDArray[np.intp]:
@@ -28,13 +27,17 @@ def _instants(run: Run, count: int) -> npt.NDArray[np.intp]:
 
 
 def surroundings(run: Run, axes: Axes) -> None:
-    """Surfaces and obstacles."""
-    for _, normal, offset in run.scene.surfaces:
-        foot = offset * np.asarray(normal)
-        axes.axline((foot[0], foot[1]), (foot[0] - normal[1], foot[1] + normal[0]), color="black", linewidth=1)
-    for _, corners in run.scene.obstacles:
-        x, y = np.asarray(corners).T
-        axes.fill(x, y, facecolor="lightgray", edgecolor="black")
+    """Surfaces and obstacles, as far as they are seen between the limits of the axes."""
+    x, y = axes.get_xlim(), axes.get_ylim()
+    for role, points in run.scene._scene.shapes(x, y):
+        shape = np.asarray(points).T
+        if role == "obstacle":
+            axes.fill(*shape, facecolor="lightgray")
+        elif role in ("border", "wall"):
+            axes.plot(*shape, color="black", linewidth=1)
+        elif role == "pin":
+            axes.plot(*shape, color="black", marker=".")
+    axes.set(xlim=x, ylim=y)
 
 
 def trajectory(run: Run, axes: Axes) -> None:
@@ -43,8 +46,11 @@ def trajectory(run: Run, axes: Axes) -> None:
     axes.plot(hand[:, 0], hand[:, 1], color="tab:gray", linewidth=1, label="hand")
     axes.plot(pose[:, 0], pose[:, 1], color="tab:blue", linewidth=1, label="body")
     for i in _instants(run, 8):
-        x, y = _placed(run.scene.vertices, pose[i])
+        x, y = _placed(run, pose[i])
         axes.fill(x, y, facecolor="none", edgecolor="tab:blue", alpha=0.5)
+    for _, corners in run.scene.obstacles:
+        axes.update_datalim(corners)
+    axes.autoscale_view()
     surroundings(run, axes)
     axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
     axes.legend()
@@ -77,12 +83,12 @@ def strip(run: Run, axes: npt.NDArray[Any]) -> None:
     reach = 2.0 * np.abs(run.scene.vertices).max() or 1.0
     for here, i in zip(axes, _instants(run, SNAPSHOTS)):
         frame = run.frames[i]
-        here.fill(*_placed(run.scene.vertices, frame["pose"]), facecolor="none", edgecolor="tab:blue")
+        here.fill(*_placed(run, frame["pose"]), facecolor="none", edgecolor="tab:blue")
         here.plot(*frame["hand"][:2], color="tab:gray", marker="+")
-        surroundings(run, here)
         x, y, _ = frame["pose"]
         here.set(title=f"{frame['t']:.3g} s", aspect="equal", xticks=[], yticks=[])
         here.set(xlim=(x - reach, x + reach), ylim=(y - reach, y + reach))
+        surroundings(run, here)
 
 
 def figure(run: Run) -> Figure:

@@ -48,7 +48,7 @@ fn assert_tells(said: &str, parts: &[&str]) {
 
 #[test]
 fn info_is_a_table_over_a_socket() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let _fake = behind_socket::<Fixed>(&socket, 1, Tricks::default());
     let output = folder.stiction(&["info", "--socket", "line", "--timeout", "20"]);
     assert!(output.status.success(), "{}", said(&output));
@@ -80,7 +80,7 @@ fn assert_verified(folder: &Folder, place: [&str; 2]) {
 
 #[test]
 fn a_board_behind_tcp_is_verified() {
-    let (folder, _) = place(DRAGGED);
+    let (folder, _) = place(&DRAGGED);
     let (address, fake) = behind_tcp::<f32>(Tricks::default());
     assert_verified(&folder, ["--tcp", &address]);
     assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
@@ -88,7 +88,7 @@ fn a_board_behind_tcp_is_verified() {
 
 #[test]
 fn a_board_on_a_serial_port_is_verified() {
-    let (folder, _) = place(DRAGGED);
+    let (folder, _) = place(&DRAGGED);
     let (line, port, _open) = terminal();
     let _fake = on::<f32>(line, Tricks::default());
     assert_verified(&folder, ["--port", &port]);
@@ -96,7 +96,7 @@ fn a_board_on_a_serial_port_is_verified() {
 
 #[test]
 fn a_line_without_a_board_is_said() {
-    let (folder, _) = place(DRAGGED);
+    let (folder, _) = place(&DRAGGED);
     let missing = folder.stiction(&["info", "--socket", "nowhere"]);
     assert_error(&missing, &["nowhere: "]);
     let missing = folder.stiction(&["info", "--port", "/dev/nowhere"]);
@@ -108,7 +108,7 @@ fn a_line_without_a_board_is_said() {
 
 #[test]
 fn a_silent_board_is_an_error_after_the_time_given() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         silent_after: Some(0),
         ..Tricks::default()
@@ -124,7 +124,7 @@ fn a_silent_board_is_an_error_after_the_time_given() {
 
 #[test]
 fn an_echo_is_distinguished_from_a_board() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         echo: true,
         ..Tricks::default()
@@ -136,7 +136,7 @@ fn an_echo_is_distinguished_from_a_board() {
 
 #[test]
 fn another_version_is_an_error() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         version: Some(1),
         ..Tricks::default()

@@ -31,7 +31,7 @@ pub(crate) fn info<R: Real>(mode: Mode, budget: u32) -> Info<'static> {
     }
 }
 
-/// The same frame, undamaged, with another version in its first byte.
+/// A frame, undamaged, with another version in its first byte.
 pub(crate) fn of_version(wire: &[u8], version: u8) -> Vec<u8> {
     let mut frame = wire[..wire.len() - 1].to_vec();
     let length = cobs::decode_in_place(&mut frame).expect("COBS");

@@ -20,7 +20,7 @@ fn counted(said: &str, row: &str) -> u64 {
 
 #[test]
 fn lost_poses_are_counted_and_not_in_the_trace() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         lost: vec![0, 7, 150, 300],
         forceless: vec![9],
@@ -50,7 +50,7 @@ fn lost_poses_are_counted_and_not_in_the_trace() {
 
 #[test]
 fn a_stream_of_every_sample_leaves_the_trace_of_the_host() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let fake = behind_socket::<f32>(&socket, 1, Tricks::default());
     let output = board(&folder, &["--out", "board.csv", "--quiet"]);
     assert!(
@@ -65,7 +65,7 @@ fn a_stream_of_every_sample_leaves_the_trace_of_the_host() {
 
 #[test]
 fn a_board_that_measures_the_hand_itself_ends_the_stream() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         measures: true,
         ..Tricks::default()
@@ -80,7 +80,7 @@ fn a_board_that_measures_the_hand_itself_ends_the_stream() {
 
 #[test]
 fn a_refused_tick_rate_is_said_with_the_nearest() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
     let output = board(&folder, &["--tick", "9000", "--out", "trace.jsonl"]);
     let parts = [
@@ -116,8 +116,9 @@ fn a_scene_that_is_too_large_for_the_board_is_said() {
         format!("[{:?}, {:?}]", 0.05 * angle.cos(), 0.05 * angle.sin())
     };
     let corners: Vec<String> = (0..60).map(corner).collect();
+    let own = "vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
     let vertices = format!("vertices = [{}]", corners.join(", "));
-    let (folder, socket) = place(&DRAGGED.replace("rectangle = [0.10, 0.06]", &vertices));
+    let (folder, socket) = place(&DRAGGED.replace(own, &vertices));
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
     assert_error(
         &board(&folder, &[]),
@@ -131,7 +132,7 @@ fn a_scene_that_is_too_large_for_the_board_is_said() {
 #[test]
 fn a_slow_line_gets_what_it_carries() {
     for (arguments, tick_rate, pose_every) in [(&[][..], 1000, 3), (&["--verify"][..], 400, 1)] {
-        let (folder, socket) = place(DRAGGED);
+        let (folder, socket) = place(&DRAGGED);
         let tricks = Tricks {
             line_rate: Some(40_000.0),
             ..Tricks::default()
@@ -195,7 +196,7 @@ fn a_board_that_comes_back_goes_on() {
 
 #[test]
 fn a_board_that_does_not_come_back_is_an_error_and_the_trace_stays() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         leaves_after: Some(100),
         ..Tricks::default()

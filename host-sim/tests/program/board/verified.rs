@@ -8,7 +8,7 @@ use crate::common::{records, text};
 
 /// The last line of `--verify` and the exit status.
 fn verdict<R: Real<Si = f32>>(tricks: Tricks, arguments: &[&str]) -> (String, Option<i32>) {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let fake = behind_socket::<R>(&socket, 1, tricks);
     let output = board(&folder, &[&["--verify", "--quiet"], arguments].concat());
     let said = said(&output);
@@ -18,7 +18,7 @@ fn verdict<R: Real<Si = f32>>(tricks: Tricks, arguments: &[&str]) -> (String, Op
 }
 
 fn trace_is_that_of_the_host<R: Real<Si = f32>>(number: &str, arguments: &[&str]) {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let fake = behind_socket::<R>(&socket, 1, Tricks::default());
     let with_trace = [&["--verify", "--out", "board.jsonl"], arguments].concat();
     let output = board(&folder, &with_trace);
@@ -57,7 +57,7 @@ fn equal_answers_are_equal_and_leave_the_trace_of_the_host() {
 #[test]
 fn the_budget_of_a_tick_is_that_of_both() {
     let arguments = ["--tick", "2000", "--rate", "50"];
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         work_rate: Some(500_000),
         ..Tricks::default()
@@ -119,7 +119,7 @@ fn lost_answers_are_not_equal() {
 
 #[test]
 fn garbage_on_the_line_changes_nothing() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         garbage: true,
         ..Tricks::default()
@@ -145,7 +145,7 @@ fn garbage_on_the_line_changes_nothing() {
 
 #[test]
 fn a_board_that_goes_away_cannot_be_verified() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         leaves_after: Some(100),
         ..Tricks::default()
@@ -162,7 +162,7 @@ fn a_board_that_goes_away_cannot_be_verified() {
 
 #[test]
 fn a_board_that_falls_silent_is_named() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         silent_after: Some(100),
         ..Tricks::default()
@@ -175,7 +175,7 @@ fn a_board_that_falls_silent_is_named() {
 /// What it says is no answer to what it was given.
 #[test]
 fn a_board_that_says_everything_but_answers_is_named() {
-    let (folder, socket) = place(DRAGGED);
+    let (folder, socket) = place(&DRAGGED);
     let tricks = Tricks {
         floods_after: Some(100),
         ..Tricks::default()

@@ -174,9 +174,9 @@ fn a_dry_run_tells_the_points_and_writes_nothing() {
     let folder = folder(GRID);
     let before = folder.names();
     let output = folder.stiction(&["sweep", "sweep.toml", "--dry-run", "--shard", "2/2"]);
-    let told = super::text(&output.stdout);
+    let printed = super::text(&output.stdout);
     assert!(output.status.success());
-    let lines: Vec<&str> = told.lines().collect();
+    let lines: Vec<&str> = printed.lines().collect();
     assert_eq!(lines[0], "36 points, 18 of them in this shard");
     assert_eq!(lines[2], "1,scene.toml,0.5,0.1,1.0");
     assert_eq!(folder.names(), before);

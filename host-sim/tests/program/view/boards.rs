@@ -236,7 +236,7 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
     assert!(2 * times.len() > sampled.len(), "{times:?} of {sampled:?}");
     client.done(json!({"type": "replay", "what": "recording"}));
     let replayed = with_hand(&mut client, [0.03, 0.04, 0.0]);
-    // The same hand; where samples were overtaken it slips elsewhere, by less than friction holds it back.
+    // In the hand that was recorded; where samples were overtaken it slips elsewhere, by less than friction holds it back.
     let (a, b) = (&last["frame"]["pose"], &replayed["frame"]["pose"]);
     assert!((numbers(a)[0] - numbers(b)[0]).abs() < 2.0 * 0.005);
     let error = client.ask(json!({"type": "seek", "seconds": 0.0}));

@@ -17,7 +17,7 @@ fn hello_and_the_state_tell_what_there_is() {
     assert_eq!(hello["source"], json!({"kind": "core"}));
     let scenes = hello["scenes"].as_array().expect("names");
     assert!(scenes.contains(&json!("box-flat")) && scenes.contains(&json!("ladder")));
-    // It is counted as soon as the solver has heard of it.
+    // It is counted as soon as the solver knows of it.
     let state = client.state(|state| state["clients"] == 1);
     assert_eq!(state["scene"]["title"], "ladder");
     assert_eq!(

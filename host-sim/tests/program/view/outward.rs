@@ -37,18 +37,18 @@ impl Other {
         other
     }
 
-    /// What it heard.
+    /// What it received.
     fn next(&mut self) -> Value {
         let line = self.lines.next().expect("a line").expect("text");
         serde_json::from_str(&line).expect("JSON")
     }
 
-    /// The first it heard that `pick` takes.
+    /// The first it received that `pick` takes.
     fn until(&mut self, mut pick: impl FnMut(&Value) -> bool) -> Value {
         for _ in 0..100_000 {
-            let heard = self.next();
-            if pick(&heard) {
-                return heard;
+            let received = self.next();
+            if pick(&received) {
+                return received;
             }
         }
         panic!("what was waited for did not come")
@@ -80,15 +80,15 @@ fn osc_carries_pose_forces_contacts_and_events() {
     let view = View::start(&["box-flat", "--osc", &to, "--osc-rate", "500"]);
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
-    let land = other.until(|heard| heard["/stiction/event"] == json!([["land"]]));
+    let land = other.until(|received| received["/stiction/event"] == json!([["land"]]));
     assert_eq!(land["/stiction/state"][0][0], "edge");
-    let rest = other.until(|heard| {
+    let rest = other.until(|received| {
         let normal = |contact: &Value| {
             contact[4]
                 .as_f64()
                 .is_some_and(|normal| (normal - 2.5).abs() < 1e-3)
         };
-        heard["/stiction/contact"]
+        received["/stiction/contact"]
             .as_array()
             .is_some_and(|all| all.iter().all(normal) && all.len() == 2)
     });
@@ -117,10 +117,10 @@ fn open_track_carries_the_pose_in_centimetres_and_degrees() {
     let view = View::start(&["box-flat", "--number", "f64", "--opentrack", &to]);
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.1, 0.2, 0.5], 20);
-    let roll = |heard: &Value| heard["pose"][5].as_f64().expect("a number");
-    let heard = other.until(|heard| (roll(heard) - 0.5_f64.to_degrees()).abs() < 1e-9);
+    let roll = |received: &Value| received["pose"][5].as_f64().expect("a number");
+    let received = other.until(|received| (roll(received) - 0.5_f64.to_degrees()).abs() < 1e-9);
     let frame = client.frame(|frame| frame["frame"]["hand"][2] == json!(0.5));
-    let (told, pose) = (numbers(&heard["pose"]), numbers(&frame["frame"]["pose"]));
+    let (sent, pose) = (numbers(&received["pose"]), numbers(&frame["frame"]["pose"]));
     let expected = [
         pose[0] * 100.0,
         pose[1] * 100.0,
@@ -129,8 +129,8 @@ fn open_track_carries_the_pose_in_centimetres_and_degrees() {
         0.0,
         pose[2].to_degrees(),
     ];
-    for (a, b) in told.iter().zip(expected) {
-        assert!((a - b).abs() < 1e-9, "{told:?} {expected:?}");
+    for (a, b) in sent.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-9, "{sent:?} {expected:?}");
     }
 }
 

@@ -134,9 +134,9 @@ fn the_path_of_a_scene_and_one_that_is_sent_are_those_of_a_run() {
     let path = "t,x,y,phi\n0.0,0.0,0.3,0.1\n0.25,0.01,0.25,0.2\n0.7,0.0,0.2,0.0\n";
     folder.write("hand.csv", path);
     let answer = view.http("POST", "/upload?name=my%20hand.csv", "", path.as_bytes());
-    let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
+    let answer_body: Value = serde_json::from_slice(&answer.body).expect("JSON");
     assert_eq!(
-        (answer.status, &told),
+        (answer.status, &answer_body),
         (200, &json!({"seconds": 0.7, "records": 3}))
     );
     for (what, name, hand) in [

@@ -53,8 +53,8 @@ mod emulated {
     use std::path::PathBuf;
 
     use serde_json::json;
-    use stiction_tools::board::Board as Emulated;
-    use stiction_tools::process::{if_installed, require_qemu_arm};
+    use stiction_host_sim::firmware::board::Board as Emulated;
+    use stiction_host_sim::firmware::process::{if_installed, require_qemu_arm};
 
     use super::super::boards::lead;
     use super::super::program::View;

@@ -106,7 +106,7 @@ impl View {
         send(Signal::SIGINT, &self.child);
     }
 
-    /// A client that is connected and has heard hello.
+    /// A client that is connected and has received hello.
     pub(crate) fn client(&self) -> Client {
         self.client_of(None).expect("a connection")
     }

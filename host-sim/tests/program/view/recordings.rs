@@ -221,7 +221,7 @@ fn a_changed_setting_is_in_the_recording() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_and_nothing_changes() {
+fn a_folder_that_cannot_be_written_is_reported_and_nothing_changes() {
     let folder = Folder::new();
     folder.write("taken", "");
     let view = View::in_folder(folder, &["box-flat", "--recordings", "taken"]);
@@ -252,13 +252,13 @@ fn the_start_tells_how_many_recordings_there_are_and_how_long() {
     )
     .expect("a pipe");
     let mut view = View::in_folder(folder, &["box-flat"]);
-    let told = view.line();
+    let printed = view.line();
     let place = view.folder().file("recordings");
     let expected = format!(
         "recordings so far: 2, 2.3 MB in {}; nobody but you deletes them\n",
         place.display()
     );
-    assert_eq!(told, expected);
+    assert_eq!(printed, expected);
     assert_eq!(fs::read_dir(place).expect("the folder").count(), 4);
 }
 
@@ -275,13 +275,13 @@ fn a_recording_ends_where_there_is_no_room_and_says_so() {
     let problem = state["recorded"]["problem"].as_str().expect("a problem");
     let expected = "box-flat-1.jsonl: cannot be written: ";
     assert!(problem.contains(expected), "{problem}");
-    let told = loop {
+    let printed = loop {
         let line = view.line();
         if line.starts_with("the recording has ended after ") {
             break line;
         }
     };
-    assert!(told.contains(expected), "{told}");
+    assert!(printed.contains(expected), "{printed}");
     client.frame(|_| true);
     let written = view.folder().read(FILE);
     assert_eq!(written.len(), BLOCKS as usize * 512);

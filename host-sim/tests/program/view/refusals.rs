@@ -77,7 +77,7 @@ fn a_client_that_says_more_than_2000_messages_a_second_has_to_go() {
 
 /// What is said of it, before it has to go.
 #[test]
-fn a_client_that_says_too_much_is_told() {
+fn a_client_that_says_too_much_is_warned() {
     let view = View::start(&["box-flat"]);
     let mut client = view.client();
     // A second may begin in between.
@@ -260,13 +260,13 @@ fn paths_that_cannot_be_used_are_refused_with_a_message() {
     ] {
         let answer = view.http("POST", &format!("/upload?name={name}"), "", path.as_bytes());
         assert_eq!(answer.status, 400, "{name} {path}");
-        let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
-        assert!(told["message"].is_string(), "{told}");
+        let refusal: Value = serde_json::from_slice(&answer.body).expect("JSON");
+        assert!(refusal["message"].is_string(), "{refusal}");
     }
     let long = "t,x,y,phi\n0,0,0,0\n3601,0,0,0\n";
     let answer = view.http("POST", "/upload?name=a.csv", "", long.as_bytes());
-    let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
-    let message = told["message"].as_str().expect("a text");
+    let refusal: Value = serde_json::from_slice(&answer.body).expect("JSON");
+    let message = refusal["message"].as_str().expect("a text");
     assert_eq!(message.lines().next(), Some(TOO_LONG), "{message}");
     assert_eq!(
         view.http("POST", "/upload?name=a.csv", "", &[b'#'; (16 << 20) + 1])
@@ -348,7 +348,7 @@ fn what_cannot_be_viewed_ends_with_status_2() {
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_ends_it_and_the_clients_are_told() {
+fn ctrl_c_ends_it_and_the_clients_are_notified() {
     let mut view = View::start(&["box-flat"]);
     let mut client = view.client();
     client.frame(|_| true);

@@ -161,7 +161,7 @@ fn a_reset_restores_the_parameters_where_it_says_so_and_defaults_leave_the_body(
 }
 
 #[test]
-fn a_file_that_is_edited_is_shown_anew_and_a_broken_one_is_told_with_its_line() {
+fn a_file_that_is_edited_is_shown_anew_and_a_broken_one_is_reported_with_its_line() {
     let folder = Folder::new();
     folder.write("mine.toml", ROD);
     let mut view = View::in_folder(folder, &["mine.toml"]);

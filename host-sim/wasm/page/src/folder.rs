@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use stiction_live::scenes;
+use stiction_live::script::without_comments;
 use stiction_live::thumbnail::thumbnail;
 use stiction_scene::Source;
-use stiction_tools::script::without_comments;
 
 use crate::module::{For, Module, workspace};
 use crate::{BuildError, of};

@@ -1,7 +1,7 @@
 //! The page in one file: a browser that opens a local file loads no separate module, worker or wasm. The modules are in an import
 //! map, as `data:` URLs; the worker and the wasm are packed into a script element that the browser does not run.
 
-use std::fmt::Write as _;
+use std::collections::BTreeMap;
 use std::io::Write as _;
 
 use base64::Engine as _;
@@ -57,7 +57,21 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         .iter()
         .map(|(name, svg)| (name.clone(), svg.as_str().into()))
         .collect();
-    let mut scripts = String::new();
+    let scripts = scripts(files, modules, [&packed, &Value::Object(pictures)])?;
+    put(
+        &mut page,
+        r#"<script type="module" src="main.js"></script>"#,
+        &scripts,
+    )?;
+    Ok(page)
+}
+
+/// The scripts in the place of the page's own one: the modules, then the data packed and the pictures, then the main module.
+fn scripts(
+    files: &[File],
+    mut modules: BTreeMap<String, String>,
+    [packed, pictures]: [&Value; 2],
+) -> Result<String, BuildError> {
     let main = modules.remove("main.js").unwrap_or_default();
     let imports: Map<String, Value> = modules
         .into_iter()
@@ -68,26 +82,19 @@ pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
         .collect();
     let map = json!({ "imports": imports });
     // A text in which no tag is seen.
-    let pictures = Value::Object(pictures).to_string().replace('<', "\\u003c");
+    let pictures = pictures.to_string().replace('<', "\\u003c");
     let uplot = element("script", &text(files, "uplot/uplot.min.js")?)?;
-    let _ = write!(
-        scripts,
+    Ok(format!(
         "{uplot}\n<script type=\"importmap\">{map}</script>\n\
          <script type=\"application/json\" id=\"packed\">{packed}</script>\n\
          <script type=\"application/json\" id=\"pictures\">{pictures}</script>\n\
          <script type=\"module\">{}</script>",
         closed(&main)?
-    );
-    put(
-        &mut page,
-        r#"<script type="module" src="main.js"></script>"#,
-        &scripts,
-    )?;
-    Ok(page)
+    ))
 }
 
 /// The modules by name; they import each other by bare names.
-fn modules(files: &[File]) -> Result<std::collections::BTreeMap<String, String>, BuildError> {
+fn modules(files: &[File]) -> Result<BTreeMap<String, String>, BuildError> {
     let scripts = files
         .iter()
         .filter(|(name, _)| name.ends_with(".js") && !name.contains('/'));

@@ -1,0 +1,141 @@
+//! The model of the solver that a scene needs, and why, and its resources on emulated chips compared with the full model. From a
+//! scene to a table:
+//!
+//! ```text
+//! scene ─ model ─ measure (flash, state, stack, instructions or cycles) ─ table
+//! ```
+
+mod measure;
+mod table;
+
+use std::error::Error;
+use std::panic::resume_unwind;
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use clap::Args;
+use stiction_core::{Evolution, Fixed, Hand};
+use stiction_host_sim::firmware::process::EmulatorError;
+use stiction_host_sim::input::open_scene;
+use stiction_host_sim::trade::chip::Chip;
+use stiction_live::input::open_path;
+use stiction_live::number::{Number, parse_evolution};
+use stiction_scene::{InputError, SceneFile, SceneModel};
+
+use crate::emulator::Board;
+use crate::markdown::Destination;
+use measure::measure;
+use table::{LEGEND, Row, table};
+
+/// The arguments of `lab footprint`.
+#[derive(Args, Clone, Debug)]
+pub struct FootprintArgs {
+    /// Scene file (TOML), or the name of a bundled scene; without one, a few bundled scenes, those of the README
+    scene: Option<PathBuf>,
+    /// Measure this evolution only, instead of both
+    #[arg(long, value_parser = parse_evolution)]
+    evolution: Option<Evolution>,
+}
+
+/// The scenes of the README.
+const SCENES: [&str; 8] = [
+    "locked",
+    "corner-stick-slip",
+    "ladder",
+    "vertex-stick-slip",
+    "box-flat",
+    "rod-on-floor",
+    "point-stick-slip",
+    "point-frictionless",
+];
+
+/// A scene and its hand in every frame.
+struct Case {
+    scene: SceneFile,
+    hands: Vec<Hand<f64>>,
+}
+
+impl Case {
+    fn open(name: &Path) -> Result<Self, InputError> {
+        let scene = open_scene(name, Number::F32)?;
+        // Before any build: the numbers form a valid scene for both chips.
+        scene.scene::<f32>()?;
+        scene.scene::<Fixed>()?;
+        let (path, rate) = open_path(&scene, None, None)?;
+        let hands = path.frames(rate).map(|sample| sample.hand).collect();
+        Ok(Self { scene, hands })
+    }
+}
+
+/// Measures a scene, or a few bundled ones.
+///
+/// # Errors
+/// A scene cannot be used, a tool is missing, or the document cannot be written.
+pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dyn Error>> {
+    let names = match &args.scene {
+        Some(name) => vec![name.as_path()],
+        None => SCENES.map(Path::new).to_vec(),
+    };
+    let cases: Result<Vec<Case>, _> = names.into_iter().map(Case::open).collect();
+    let cases = cases?;
+    let all = Evolution::ALL.into_iter();
+    let evolutions: Vec<_> = all
+        .filter(|evolution| args.evolution.is_none_or(|asked| asked == *evolution))
+        .collect();
+    Board::require_all(&Chip::ALL.map(Board::of))?;
+    let mut rows = Vec::new();
+    for case in &cases {
+        println!("{}", heading(case));
+        rows.extend(measured(case, &evolutions)?);
+    }
+    let table = table(&rows);
+    let text = format!(
+        "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table:#}"
+    );
+    let write = output.write && args.scene.is_none() && args.evolution.is_none();
+    Ok(Destination { write }.put("host-sim/README.md", "footprint", &text)?)
+}
+
+/// A scene's model, and why.
+fn heading(case: &Case) -> String {
+    let scene = &case.scene;
+    let model = SceneModel::smallest(scene);
+    let mut text = format!("{}: the smallest model is {model}\n", scene.title);
+    for reason in SceneModel::reasons(scene) {
+        text += &format!("  {reason}\n");
+    }
+    text + &format!("  the full model is {}\n\n", model.full())
+}
+
+/// The rows of a scene.
+fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
+    // One chip computes while the image of another one is built.
+    let of_chips = thread::scope(|scope| {
+        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, evolutions)));
+        started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
+    let rows: Result<Vec<_>, _> = of_chips.into_iter().collect();
+    Ok(rows?.concat())
+}
+
+/// The rows of a scene on a chip.
+fn of_chip(chip: Chip, case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
+    let Case { scene, hands } = case;
+    let model = SceneModel::smallest(scene);
+    let row = |&evolution| {
+        let of = |model| {
+            let measured = measure(chip, model, scene, evolution, hands);
+            eprintln!("{} done: {model}", chip.name());
+            measured
+        };
+        Ok(Row {
+            scene: scene.title.clone(),
+            model,
+            chip,
+            evolution,
+            smallest: of(model)?,
+            full: of(model.full())?,
+        })
+    };
+    evolutions.iter().map(row).collect()
+}

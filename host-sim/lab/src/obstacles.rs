@@ -1,0 +1,143 @@
+//! Measures the cost of obstacles: bundled scenes along their own path of the hand on an emulated Cortex-M4F, without a budget and with
+//! the least one that no step exceeds; and a scene with an increasing number of boxes that are never touched, within reach of the body and
+//! out of it. Needs QEMU.
+
+use std::error::Error;
+
+use stiction_core::{Evolution, Hand, Solver, Status, WithObstacles};
+use stiction_host_sim::columns::thousands;
+use stiction_live::scenes;
+use stiction_scene::{Motion, ObstacleInfo, SceneFile, Source};
+
+use crate::emulator::{Board, Counted, Counter, Frame, Profile, job};
+use crate::markdown::{Destination, Table};
+
+/// The least budget of the solver in the image, see [`Counter::among`].
+const LEAST: u32 = Solver::<f32, 4, 1, WithObstacles<17, 68>>::LEAST_BUDGET;
+/// The scenes of the first table.
+const SCENES: [&str; 4] = ["table-edge", "peg-in-hole", "step", "plank-on-posts"];
+/// The scene of the second table, and the numbers of boxes in addition to its own obstacles.
+const AROUND: &str = "table-edge";
+const BOXES: [usize; 6] = [0, 1, 2, 4, 8, 16];
+/// The height of the boxes' lower sides (m): just above the highest position of the body, and far above it.
+const IN_REACH: f64 = 0.13;
+const OUT_OF_REACH: f64 = 1.0;
+
+/// A scene and its hand in every frame.
+struct Course {
+    scene: SceneFile,
+    hands: Vec<Hand<f64>>,
+}
+
+impl Course {
+    fn bundled(name: &str) -> Result<Self, Box<dyn Error>> {
+        let text = scenes::ALL.iter().find(|(other, _)| *other == name);
+        let (_, text) = text.ok_or("no bundled scene of this name")?;
+        let scene = SceneFile::parse(Source::new(name, *text), f64::from(f32::MAX))?;
+        let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
+            return Err("the scene has no keyframes".into());
+        };
+        let samples = path.frames(scene.hand.rate);
+        let hands = samples.map(|sample| sample.hand).collect();
+        Ok(Self { scene, hands })
+    }
+
+    /// Adds this many boxes in a row at a height.
+    fn with_boxes(mut self, count: usize, height: f64) -> Self {
+        let boxes = (0..count).map(|i| {
+            let (left, width) = (-0.08 + 0.0125 * i as f64, 0.01);
+            let [right, top] = [left + width, height + width];
+            ObstacleInfo {
+                name: format!("box {i}"),
+                vertices: vec![[left, height], [right, height], [right, top], [left, top]],
+                ..self.scene.obstacles[0].clone()
+            }
+        });
+        let boxes: Vec<_> = boxes.collect();
+        self.scene.written.obstacles.extend(boxes);
+        self
+    }
+
+    fn count(&self, counter: &Counter, budget: u32) -> Result<Counted, Box<dyn Error>> {
+        let job = job(&self.scene, Evolution::Path, &self.hands);
+        Ok(counter.count(&job, budget)?)
+    }
+}
+
+fn mean(counted: &Counted) -> f64 {
+    let steps = counted.steps();
+    let sum: f64 = steps.iter().map(|step| f64::from(step.instructions)).sum();
+    sum / steps.len() as f64
+}
+
+fn worst(counted: &Counted) -> u32 {
+    let steps = counted.steps().iter();
+    steps.map(|step| step.instructions).max().unwrap_or(0)
+}
+
+/// A row of the first table.
+fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error>> {
+    let case = Course::bundled(name)?;
+    let free = case.count(counter, u32::MAX)?;
+    let bound = case.count(counter, LEAST)?;
+    let of = |counted: &Counted, is: fn(&Frame) -> bool| {
+        counted.steps().iter().filter(|step| is(step)).count()
+    };
+    let most_work = |counted: &Counted| counted.steps().iter().map(|step| step.work).max();
+    Ok([
+        name.to_owned(),
+        thousands(free.steps().len() as u64),
+        format!("{:.0}", mean(&free)),
+        thousands(worst(&free).into()),
+        most_work(&free).unwrap_or(0).to_string(),
+        thousands(worst(&bound).into()),
+        most_work(&bound).unwrap_or(0).to_string(),
+        of(&bound, |step| step.pose.status == Status::Behind).to_string(),
+        of(&bound, |step| step.work > LEAST).to_string(),
+    ])
+}
+
+/// The cost of boxes that are never touched.
+fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
+    let mut table = Table::new("boxes: | in reach: | each: | out of reach: | each:");
+    let mut none = None;
+    for boxes in BOXES {
+        let counted = [IN_REACH, OUT_OF_REACH].map(|height| {
+            let case = Course::bundled(AROUND)?.with_boxes(boxes, height);
+            case.count(counter, u32::MAX).map(|counted| mean(&counted))
+        });
+        let [near, far] = counted;
+        let (near, far) = (near?, far?);
+        let none = *none.get_or_insert(near);
+        let each = |mean: f64| match boxes {
+            0 => "–".to_owned(),
+            _ => format!("{:.1}", (mean - none) / boxes as f64),
+        };
+        let [near, far] = [near, far].map(|mean| [format!("{mean:.0}"), each(mean)]);
+        let cells = [boxes.to_string()].into_iter().chain(near).chain(far);
+        table.row(cells);
+    }
+    Ok(table)
+}
+
+/// Measures both.
+///
+/// # Errors
+/// QEMU or a target is missing, or the document cannot be written.
+pub fn obstacles(output: Destination) -> Result<(), Box<dyn Error>> {
+    let counter = Counter::among(Board::Stm32F405, Profile::Device)?;
+    let mut table = Table::new(
+        "scene | steps: | mean: | worst: | units, worst: | worst with the budget: | its units: | steps behind: | steps over the budget:",
+    );
+    for name in SCENES {
+        table.row(scene_row(&counter, name)?);
+    }
+    let boxes = of_boxes(&counter)?;
+    let text = format!(
+        "Written by `cargo run --release -p stiction-lab -- obstacles --write`: instructions of a step on an emulated Cortex-M4F, f32, path\n\
+         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners. The budget is the least one that no step exceeds, {LEAST} units.\n\n\
+         {table}\nBoxes in addition to the obstacles of `{AROUND}`, which are never touched: instructions per step, on average, and the increase per box.\n\n\
+         {boxes}"
+    );
+    Ok(output.put("host-sim/README.md", "obstacles", &text)?)
+}

@@ -1,0 +1,74 @@
+//! The emulated Pico on its own clock and its client, in one thread.
+
+use crate::chip as board;
+use stiction_host_sim::firmware::image::flashed;
+use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_tests::station::client::{Client, Said};
+use stiction_wire::{Command, Health, Reason};
+
+/// Cycles of a ms.
+pub(crate) const MS: u64 = MEGAHERTZ as u64 * 1_000;
+/// No answer takes longer (ms).
+pub(crate) const PATIENCE: u32 = 2_000;
+
+/// A chip and its client, in one thread: time goes on only here.
+pub(crate) struct Bench {
+    pub(crate) chip: Chip,
+    pub(crate) client: Client,
+}
+
+impl Bench {
+    /// From power-up; nothing where something is missing.
+    pub(crate) fn start(board: &board::Chip) -> Option<Self> {
+        let image = board.image()?;
+        let mut bench = Self {
+            chip: Chip::new(flashed(&image.path, FLASH).unwrap()),
+            client: Client::default(),
+        };
+        bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
+        Some(bench)
+    }
+
+    /// A ms goes by.
+    pub(crate) fn pass(&mut self) {
+        self.chip.run(MS);
+        self.client.listen(&self.chip.gone());
+    }
+
+    pub(crate) fn send(&mut self, command: Command<'_>) {
+        let bytes = self.client.encode(command);
+        self.chip.bring(&bytes);
+    }
+
+    /// Waits for a report; those before it are passed over.
+    pub(crate) fn wait<T>(&mut self, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
+        for _ in 0..PATIENCE {
+            while let Some(received) = self.client.inbox.pop_front() {
+                if let Some(found) = wanted(&received.said) {
+                    return found;
+                }
+            }
+            self.pass();
+        }
+        panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
+    }
+
+    /// Sends a command that the board executes.
+    pub(crate) fn done(&mut self, command: Command<'_>) {
+        let sequence = self.client.sequence;
+        self.send(command);
+        let reason = self.wait(|said| match said {
+            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
+            _ => None,
+        });
+        assert_eq!(reason, Reason::Done);
+    }
+
+    pub(crate) fn health(&mut self) -> Health {
+        self.client.inbox.clear();
+        self.wait(|said| match said {
+            Said::Health(health) => Some(*health),
+            _ => None,
+        })
+    }
+}

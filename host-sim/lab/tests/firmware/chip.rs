@@ -1,0 +1,163 @@
+//! The boards, and their images as cargo builds them: with the board's own scene, or with another one. What is missing is reported
+//! with the command that installs it; with CI=true it must be there.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command as Process;
+use std::sync::Mutex;
+use stiction_host_sim::firmware::board::{Board, OBSTACLES};
+use stiction_host_sim::firmware::image::Contents;
+use stiction_host_sim::firmware::process::{if_installed, output_of};
+use stiction_host_sim::firmware::workspace;
+
+/// A board with its emulator.
+#[derive(Debug)]
+pub(crate) struct Chip {
+    pub(crate) board: Board,
+    /// Of its package.
+    features: &'static str,
+    /// Built for little flash.
+    is_small: bool,
+    /// An instruction takes 2^N ns: between half of what it takes on the chip and twice that.
+    pub(crate) shift: u32,
+    /// Bytes that its line brings in a second: a tenth of the baud.
+    pub(crate) line_rate: u32,
+}
+
+pub(crate) const F405: Chip = Chip {
+    board: Board::OLIMEX,
+    features: "",
+    is_small: false,
+    shift: 3,
+    line_rate: 92_160,
+};
+
+/// With a device of its own.
+pub(crate) const PANTOGRAPH: Chip = Chip {
+    features: "pantograph",
+    ..F405
+};
+
+pub(crate) const MICROBIT: Chip = Chip {
+    board: Board::MICROBIT,
+    features: "",
+    is_small: false,
+    shift: 6,
+    line_rate: 11_520,
+};
+
+/// Its clock goes with the real one.
+pub(crate) const PICO: Chip = Chip {
+    board: Board::PICO,
+    features: "",
+    is_small: false,
+    shift: 0,
+    line_rate: 92_160,
+};
+
+/// No emulator runs its image: it is built and looked into.
+pub(crate) const PICO2: Chip = Chip {
+    board: Board::PICO2,
+    features: "",
+    is_small: false,
+    shift: 0,
+    line_rate: 92_160,
+};
+
+/// In the place of the Pico 2: an instruction takes 1.2 of its cycles.
+pub(crate) const AN505: Chip = Chip {
+    board: Board::AN505,
+    shift: 3,
+    ..PICO2
+};
+
+/// As it is flashed, with its log.
+pub(crate) const PICO_FLASHED: Chip = Chip {
+    features: "rtt",
+    ..PICO
+};
+
+/// With a knob of its own.
+pub(crate) const KNOB: Chip = Chip {
+    features: "knob",
+    ..PICO
+};
+
+/// With a pantograph of its own.
+pub(crate) const PICO_PANTOGRAPH: Chip = Chip {
+    features: "pantograph",
+    ..PICO
+};
+
+/// With a log, and an end where it stops.
+pub(crate) const ENDING_AN505: Chip = Chip {
+    features: "semihosting",
+    ..AN505
+};
+
+/// For little flash.
+pub(crate) const SMALL_MICROBIT: Chip = Chip {
+    is_small: true,
+    ..MICROBIT
+};
+
+/// With room for obstacles.
+pub(crate) const F405_AMONG: Chip = Chip {
+    features: OBSTACLES,
+    ..F405
+};
+
+/// The images that are built. Who builds one holds this until it has a copy: the next one takes its place.
+pub(crate) static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// An image and what is in it.
+pub(crate) struct Image {
+    pub(crate) path: PathBuf,
+    pub(crate) contents: Contents,
+}
+
+impl Chip {
+    /// Of its folder in firmware/boards.
+    pub(crate) const fn name(&self) -> &'static str {
+        self.board.name
+    }
+
+    /// The release image without logs; nothing where something is missing.
+    pub(crate) fn image(&self) -> Option<Image> {
+        self.image_of(None)
+    }
+
+    /// The image with a bundled scene of the host compiled in, or with the board's own. It is built once and copied.
+    pub(crate) fn image_of(&self, scene: Option<&str>) -> Option<Image> {
+        if_installed(self.board.require_emulator())?;
+        let name = [self.name(), self.features, scene.unwrap_or("own")].join("-");
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let mut built = BUILT.lock().unwrap();
+        if !built.contains(&path) {
+            let scene = scene.map(bundled);
+            let image = match &scene {
+                Some(scene) if self.is_small => self.board.small_image(scene),
+                _ => self.board.image(self.features, scene.as_deref()),
+            };
+            let image = if_installed(image)?;
+            fs::copy(image, &path).unwrap();
+            built.insert(path.clone());
+        }
+        let contents = Contents::of(&path).unwrap();
+        Some(Image { path, contents })
+    }
+
+    /// What `cargo emulate` needs for the log.
+    pub(crate) fn log_installed(&self) -> Option<()> {
+        let mut printer = Process::new("defmt-print");
+        printer.arg("--version");
+        if_installed(output_of(printer)).map(drop)
+    }
+}
+
+/// The file of a bundled scene of the host.
+pub(crate) fn bundled(name: &str) -> PathBuf {
+    let scenes = workspace().join("host-sim/scenes");
+    scenes.join(name).with_extension("toml")
+}

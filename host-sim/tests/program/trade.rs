@@ -1,0 +1,256 @@
+//! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, the costs on chips.
+
+use crate::common::{Folder, text};
+use serde_json::Value;
+use stiction_host_sim::trade::counts::counted;
+use stiction_host_sim::trade::{Memory, RATES, Setting};
+
+/// Three number types, two evolutions, and all scenes with their three groups.
+const ROWS: usize = 3 * 2 * Memory::ALL.len() * RATES.len() * 4;
+
+/// The cells of a column.
+fn column(rows: &[csv::StringRecord], header: &csv::StringRecord, name: &str) -> Vec<String> {
+    let place = header.iter().position(|column| column == name);
+    let place = place.unwrap_or_else(|| panic!("no column {name}"));
+    rows.iter().map(|row| row[place].to_owned()).collect()
+}
+
+#[test]
+fn every_combination_is_measured_against_a_reference_without_error() {
+    let folder = Folder::new();
+    let arguments = "trade --quick --table --out figures/trade";
+    let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    rows(&folder);
+    report(&folder);
+    pictures(&folder);
+    // First what to take, in a few lines; then the table that was asked for.
+    let printed = text(&output.stdout);
+    let table = printed.find("\nMeasured on").expect("the table");
+    let recommendation = &printed[..table];
+    assert!(recommendation.contains("take f"), "{printed}");
+    assert!(recommendation.lines().count() <= 10, "{recommendation}");
+    assert!(printed[table..].contains("worst residual"), "{printed}");
+    let mut files: Vec<_> = (folder.file("figures/trade").read_dir())
+        .expect("the folder")
+        .map(|entry| entry.expect("a file").file_name())
+        .collect();
+    files.sort();
+    assert_eq!(files, ["host.png", "host.svg", "trade.csv", "trade.json"]);
+}
+
+fn rows(folder: &Folder) {
+    let csv = folder.read("figures/trade/trade.csv");
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let header = reader.headers().expect("a header").clone();
+    let rows: Vec<_> = reader.records().map(|row| row.expect("a row")).collect();
+    let cells = |name| column(&rows, &header, name);
+    let names: Vec<_> = ["number", "evolution", "memory", "rate_hz", "scenes"]
+        .map(cells)
+        .to_vec();
+    let key = |i: usize| {
+        names
+            .iter()
+            .map(|cells| cells[i].as_str())
+            .collect::<Vec<_>>()
+    };
+    let mut count = 0;
+    for setting in Setting::all() {
+        for rate in RATES {
+            for scenes in ["all", "bundled", "random", "hand"] {
+                let (rate, memory) = (format!("{rate:?}"), setting.memory.name);
+                let wanted = [
+                    setting.number.name(),
+                    setting.evolution.name(),
+                    memory,
+                    &rate,
+                    scenes,
+                ];
+                let found = (0..rows.len()).filter(|&i| key(i) == wanted).count();
+                assert_eq!(found, 1, "{wanted:?}");
+                count += 1;
+            }
+        }
+    }
+    assert_eq!(rows.len(), count);
+    assert_eq!(count, ROWS);
+    let errors = [
+        "position_p50_um",
+        "position_p90_um",
+        "position_p99_um",
+        "position_max_um",
+        "angle_p50_mrad",
+        "angle_p90_mrad",
+        "angle_p99_mrad",
+        "angle_max_mrad",
+    ];
+    for i in 0..rows.len() {
+        let values = errors.map(|name| cells(name)[i].parse::<f64>().expect("a number"));
+        assert!(values.iter().all(|value| value.is_finite()), "{:?}", key(i));
+        assert!(values[..4].is_sorted() && values[4..].is_sorted());
+        let is_reference = key(i)[..2] == ["f64", "path"] && key(i)[3] == "1000.0";
+        if is_reference {
+            assert_eq!(values, [0.0; 8]);
+        }
+        let count = |name| cells(name)[i].parse::<u64>().expect("a count");
+        if is_reference {
+            assert_eq!(
+                ["other_state", "slips_too_many", "slips_too_few"].map(count),
+                [0; 3]
+            );
+        }
+        assert!(count("frames") > 0);
+        let time: f64 = cells("host_ns")[i].parse().expect("a time");
+        assert!(time > 0.0);
+        let residual: f64 = cells("worst_residual")[i].parse().expect("a residual");
+        let bound = if key(i)[0] == "f64" { 1e-9 } else { 2e-3 };
+        assert!(residual < bound, "{:?} {residual}", key(i));
+    }
+}
+
+fn report(folder: &Folder) {
+    let json = folder.read("figures/trade/trade.json");
+    let report: Value = serde_json::from_str(&json).expect("JSON");
+    let rows = report["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), ROWS);
+    assert!(rows.iter().all(|row| row["host_ns"].is_number()));
+    assert!(
+        report["advice"][0]
+            .as_str()
+            .is_some_and(|advice| advice.contains("take"))
+    );
+    assert!(report["machine"].is_string());
+}
+
+fn pictures(folder: &Folder) {
+    let svg = folder.read("figures/trade/host.svg");
+    let document = roxmltree::Document::parse(&svg).expect("XML");
+    let texts: Vec<_> = (document.descendants())
+        .filter(|node| node.has_tag_name("text"))
+        .filter_map(|node| node.text())
+        .map(str::trim)
+        .collect();
+    for part in ["fixed", "path", "ns per frame, mean"] {
+        assert!(texts.contains(&part), "{part}: {texts:?}");
+    }
+    assert!(texts.iter().any(|text| text.starts_with("31 Hz, ")));
+    let png = std::fs::read(folder.file("figures/trade/host.png")).expect("a picture");
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+}
+
+#[test]
+fn what_was_counted_on_chips_is_added() {
+    let folder = Folder::new();
+    let output = folder.stiction(&["trade", "--quick", "--emulated", "--table"]);
+    let message = text(&output.stderr);
+    assert!(output.status.success(), "{message}");
+    let report: Value = serde_json::from_str(&folder.read("trade/trade.json")).expect("JSON");
+    let rows = report["rows"].as_array().expect("rows");
+    for row in rows {
+        let number = row["number"].as_str().expect("a number type");
+        let is_counted = ["all", "bundled"].contains(&row["scenes"].as_str().expect("scenes"));
+        let chips = [
+            ("cortex_m4f", "instructions", 2.0 / 168.0, &["f32"][..]),
+            ("cortex_m33", "instructions", 2.0 / 150.0, &["f32"]),
+            ("cortex_m0", "instructions", 1.65 / 16.0, &["f32", "fixed"]),
+            ("cortex_m0plus", "cycles", 1.0 / 125.0, &["fixed"]),
+        ];
+        for (chip, unit, time, numbers) in chips {
+            let value = |name: &str| row[format!("{chip}_{name}")].as_f64();
+            let is_short = row["memory"] == "0";
+            if !is_counted || is_short || !numbers.contains(&number) {
+                assert_eq!(value(unit), None, "{row}");
+                continue;
+            }
+            let value = |name| value(name).unwrap_or_else(|| panic!("no {name}: {row}"));
+            let worst = format!("{unit}_worst");
+            let (mean, worst) = (value(unit), value(&worst));
+            assert!(300.0 < mean && mean < worst && worst < 2e6, "{row}");
+            for (counted, us) in [(mean, value("us")), (worst, value("us_worst"))] {
+                assert!((us / (counted * time) - 1.0).abs() < 1e-12, "{row}");
+            }
+            assert!(
+                (5_000.0..200_000.0).contains(&value("flash_bytes")),
+                "{row}"
+            );
+            assert!((50.0..500.0).contains(&value("state_bytes")), "{row}");
+            assert!((500.0..10_000.0).contains(&value("stack_bytes")), "{row}");
+        }
+    }
+    for file in ["cortex_m4f.svg", "cortex_m0.png"] {
+        assert!(folder.file("trade").join(file).exists(), "{file}");
+    }
+    let stdout = text(&output.stdout);
+    for part in [
+        "On Cortex-M4F, ",
+        "On Cortex-M0, ",
+        "in the worst",
+        "stack (bytes)",
+    ] {
+        assert!(stdout.contains(part), "{part}: {stdout}");
+    }
+}
+
+/// At the slowest rate, where a frame has most to do: the more the shorter slips may be.
+#[test]
+fn a_long_memory_and_the_frame_evolution_cost_less() {
+    let counts = counted().expect("counts");
+    for (chip, number) in [("Cortex-M4F", "f32"), ("Cortex-M0", "fixed")] {
+        let mean = |evolution: &str, memory: &str| {
+            let wanted = [chip, number, evolution, memory];
+            let found = counts.iter().find(|count| {
+                let setting = &count.setting;
+                let (number, evolution) = (setting.number.name(), setting.evolution.name());
+                [count.chip.name(), number, evolution, setting.memory.name] == wanted
+                    && count.rate == RATES[0]
+            });
+            found.unwrap_or_else(|| panic!("no {wanted:?}")).cost.mean
+        };
+        assert!(mean("path", "2^-8") < mean("path", "2^-14"));
+        assert!(mean("frame", "2^-12") < mean("path", "2^-12"));
+    }
+}
+
+#[test]
+fn a_recorded_hand_takes_the_place_of_the_synthetic_one() {
+    let folder = Folder::new();
+    let path: String = (0..200)
+        .map(|k| f64::from(k) / 100.0)
+        .map(|t| format!("{t},{},{},{}\n", (3.0 * t).sin(), (2.0 * t).cos(), 0.3 * t))
+        .collect();
+    folder.write("mine.csv", format!("t,x,y,phi\n{path}"));
+    let output = folder.stiction(&["trade", "--quick", "--hand", "mine.csv"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("a recorded hand (mine.csv"));
+    assert_eq!(folder.names(), ["mine.csv", "trade"]);
+}
+
+#[test]
+fn what_cannot_be_used_is_refused_before_anything_is_measured() {
+    let folder = Folder::new();
+    folder.write("file", "a file");
+    folder.write("bad.csv", "t,x,y\n0,0,0\n");
+    folder.write("long.csv", "t,x,y,phi\n0,0,0,0\n1000,1,0,0\n");
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["--out", "file"], &["file", "cannot be written"]),
+        (
+            &["--out", "file/below"],
+            &["file/below", "cannot be written"],
+        ),
+        (&["--hand", "bad.csv"], &["bad.csv", "line 1", "header"]),
+        (&["--hand", "long.csv"], &["long.csv", "1000 s", "600 s"]),
+        (&["--hand", "absent.csv"], &["absent.csv"]),
+        (&["--speed"], &["--speed"]),
+    ];
+    let before = folder.names();
+    for &(arguments, expected) in cases {
+        let output = folder.stiction(&[&["trade", "--quick"], arguments].concat());
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        for part in expected {
+            assert!(message.contains(part), "{part:?} is not in: {message}");
+        }
+        assert!(output.stdout.is_empty());
+        assert_eq!(folder.names(), before, "{arguments:?}");
+    }
+}
