@@ -4,7 +4,8 @@
 # hour of fuzzing for each target.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+export STICTION_TESTS=long
 cargo test --release --locked -p stiction-core -p stiction-wire -p stiction-firmware -p stiction-scene -p stiction-tests
 cargo run --release --locked -p stiction-tests --example walk -- 1000000000
-cargo test --locked -p stiction-lab --test emulated --test firmware -- --ignored 100_000 million
+cargo test --locked -p stiction-lab --test emulated --test firmware -- --ignored --skip table
 for target in wire scene_file hand_path solver; do tests/fuzz/run.sh "$target" 3600; done
