@@ -1,9 +1,9 @@
 //! The description of the board, the scene that it begins with, and the room for others.
 
-use stiction_wire::Mode;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::speed::Processor;
 use stiction_firmware::station::{SceneType, Setup, station_of};
+use stiction_wire::Mode;
 
 // Written by the build script: `scene.toml` as constants.
 include!(concat!(env!("OUT_DIR"), "/scene.rs"));
