@@ -108,16 +108,6 @@ fn outputs_in_the_place_of_an_input_or_of_another_output_are_refused() {
         ("sweep hands.toml", "hands.csv", read("--out")),
         ("trade --hand trade.csv --out .", "trade.csv", read("--out")),
         (
-            "trade --hand hand.csv --readme hand.csv",
-            "hand.csv",
-            read("--readme"),
-        ),
-        (
-            "trade --readme README.md --readme below/../README.md",
-            "README.md",
-            "would be written by --readme and by --readme".to_owned(),
-        ),
-        (
             "run scene.toml --out new.jsonl --record below/../new.jsonl",
             "new.jsonl",
             "would be written by --out and by --record, allowed: a name for each".to_owned(),

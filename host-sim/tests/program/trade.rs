@@ -2,7 +2,6 @@
 
 use crate::common::{Folder, text};
 use serde_json::Value;
-use stiction_host_sim::trade::counts::counted;
 use stiction_host_sim::trade::{Memory, RATES, Setting};
 
 /// Three number types, two evolutions, and all scenes with their three groups.
@@ -165,7 +164,7 @@ fn what_was_counted_on_chips_is_added() {
             let value = |name| value(name).unwrap_or_else(|| panic!("no {name}: {row}"));
             let worst = format!("{unit}_worst");
             let (mean, worst) = (value(unit), value(&worst));
-            assert!(300.0 < mean && mean < worst && worst < 2e6, "{row}");
+            assert!(300.0 < mean && mean < worst && worst < 1e7, "{row}");
             for (counted, us) in [(mean, value("us")), (worst, value("us_worst"))] {
                 assert!((us / (counted * time) - 1.0).abs() < 1e-12, "{row}");
             }
@@ -188,26 +187,6 @@ fn what_was_counted_on_chips_is_added() {
         "stack (bytes)",
     ] {
         assert!(stdout.contains(part), "{part}: {stdout}");
-    }
-}
-
-/// At the slowest rate, where a frame has most to do: the more the shorter slips may be.
-#[test]
-fn a_long_memory_and_the_frame_evolution_cost_less() {
-    let counts = counted().expect("counts");
-    for (chip, number) in [("Cortex-M4F", "f32"), ("Cortex-M0", "fixed")] {
-        let mean = |evolution: &str, memory: &str| {
-            let wanted = [chip, number, evolution, memory];
-            let found = counts.iter().find(|count| {
-                let setting = &count.setting;
-                let (number, evolution) = (setting.number.name(), setting.evolution.name());
-                [count.chip.name(), number, evolution, setting.memory.name] == wanted
-                    && count.rate == RATES[0]
-            });
-            found.unwrap_or_else(|| panic!("no {wanted:?}")).cost.mean
-        };
-        assert!(mean("path", "2^-8") < mean("path", "2^-14"));
-        assert!(mean("frame", "2^-12") < mean("path", "2^-12"));
     }
 }
 
