@@ -3,10 +3,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::Value;
 use stiction_judge::{
-    Bounds, Contact, Evolution, Finding, Frame, Judge, Obstacle, Scene, Source, Status, Surface,
-    Touch, law,
+    Bounds, Contact, Evolution, Finding, Frame, Judge, Obstacle, Scene, Status, Surface, Touch, law,
 };
 use stiction_tests::draw::Draw;
 use stiction_tests::obstacles::survey::kind;
@@ -125,22 +123,9 @@ fn traced(world: &World) -> (Scene, Vec<Frame>) {
     (scene(&world.scene, world.start), frames)
 }
 
-/// The scene file of a case.
-fn file_of(name: &str) -> Scene {
-    let cases: Vec<Value> =
-        serde_json::from_str(include_str!("../../cases/obstacles.json")).expect("the cases");
-    let case = cases
-        .iter()
-        .find(|case| case["name"] == name)
-        .expect("the case");
-    let text = case["scene"].as_str().expect("a text");
-    Scene::parse(Source::new("scene.toml", text)).expect("a sound scene")
-}
-
 #[test]
 fn cases_are_lawful() {
     for case in cases() {
-        let scene = file_of(&case.name);
         let mut frames: Vec<Frame> = Vec::new();
         run(&case.among, &case, |i, body, (hand, _)| {
             let next = frame(
@@ -152,7 +137,7 @@ fn cases_are_lawful() {
             frames.push(next);
         });
         for (frames, bounds) in [(single(&frames), EXACT[0]), (frames, EXACT[1])] {
-            assert_eq!(broken(&scene, &frames, bounds), None, "{}", case.name);
+            assert_eq!(broken(&case.scene, &frames, bounds), None, "{}", case.name);
         }
     }
 }

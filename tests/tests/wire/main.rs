@@ -12,7 +12,6 @@ mod other_client;
 mod random;
 mod round_trip;
 mod said;
-mod solver_bits;
 
 use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, Message, Report, ReportAmong, frame_bytes,
