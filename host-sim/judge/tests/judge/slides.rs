@@ -4,10 +4,10 @@
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 
-use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
+use stiction_judge::{Contact, Event, Frame, Scene, State, law};
 
 use crate::drag::{SCENE, pressed};
-use crate::write::{broken, frame, on, scene};
+use crate::write::{self, frame, on, only};
 
 const K: f64 = 500.0;
 const DYNAMIC: f64 = 0.3;
@@ -83,21 +83,14 @@ const RESTS: usize = 5;
 const BEGINS: usize = 6;
 const SLIPS_ON: usize = 11;
 
-fn laws(scene: &str, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
-    for (i, frame) in frames.iter_mut().enumerate() {
-        frame.t = i as f64;
-    }
-    broken(&self::scene(scene), Evolution::Path, &frames)
+fn laws(scene: &str, frames: Vec<Frame>) -> BTreeSet<&'static str> {
+    write::laws(&write::scene(scene), frames)
 }
 
 fn after(place: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
     let mut frames = tour();
     fault(&mut frames[place]);
     laws(TOOL, frames)
-}
-
-fn only(law: &'static str) -> BTreeSet<&'static str> {
-    BTreeSet::from([law])
 }
 
 #[test]
@@ -273,7 +266,7 @@ fn thresholds_of_memory_lengths() {
         (own, 71.25),
     ] {
         let normal = |part: f64, x: f64| {
-            let parsed = self::scene(&scene);
+            let parsed = write::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
             // Without the weight of 1 N and its friction.
             lighten(&parsed, &mut frame, part * threshold);
