@@ -11,8 +11,6 @@ use crate::solver::Evolution;
 use std::vec;
 use std::vec::Vec;
 
-mod laws;
-
 /// The indices of the obstacles' corners and sides begin here, after one half-plane.
 const FIRST: u8 = 1;
 
@@ -41,59 +39,6 @@ fn setting() -> Setting {
 
 fn same(is: f64, should: f64, tolerance: f64) {
     assert!((is - should).abs() <= tolerance, "{is} {should}");
-}
-
-/// W (w/2) + F (w - o + x) over w - o at the table's edge, the rest at the box's left vertex; it tips where W (w/2 - o) = F x.
-#[test]
-fn box_beyond_the_edge_of_a_table_shares_its_load() {
-    fn shares<R: Real>(tolerance: f64)
-    where
-        R::Si: From<f32> + Into<f64>,
-    {
-        let (width, weight) = (1.0, 0.5);
-        for evolution in Evolution::ALL {
-            for over in [0.125, 0.25, 0.375] {
-                for out in [0.0625, 0.125] {
-                    let edge = 0.5 - over;
-                    let setting = Setting {
-                        obstacles: vec![table([-4.0, edge])],
-                        weight,
-                        held_at: [edge + out, 0.0],
-                        // So stiff that only the force acts.
-                        ..setting()
-                    };
-                    let hand = |force: f64| [edge + out, 0.25 - force, 0.0];
-                    let mut run = Run::<R>::start(&setting, evolution, hand(0.0));
-                    let tips = weight * (width / 2.0 - over) / out;
-                    let mut last = hand(0.0);
-                    for part in [0.25, 0.5, 0.96875, 1.03125] {
-                        let force = tips * part;
-                        run.go([last, hand(force)], 4);
-                        last = hand(force);
-                        assert_eq!(run.output.status, Status::Ok);
-                        if part > 1.0 {
-                            assert_eq!(run.contacts(), [corner(2)], "{over} {out} {part}");
-                            assert!(run.pose()[2] < 0.0);
-                            continue;
-                        }
-                        assert_eq!(run.output.state, StateKind::Edge);
-                        let far = width - over;
-                        let at_edge = (weight * width / 2.0 + force * (far + out)) / far;
-                        let [left, right] = run.reactions()[..] else {
-                            panic!("{:?}", run.contacts())
-                        };
-                        same(left[0], -0.5, tolerance);
-                        same(right[0], edge, tolerance);
-                        same(right[1], at_edge, tolerance * (1.0 + force));
-                        same(left[1], weight + force - at_edge, tolerance * (1.0 + force));
-                    }
-                }
-            }
-        }
-    }
-    shares::<f64>(1e-12);
-    shares::<f32>(4e-6);
-    shares::<Fixed>(4e-6);
 }
 
 /// A body that is turned down about one contact lands on the other one, and the loads are then the same as on the floor where it is borne
@@ -296,28 +241,4 @@ fn box_is_pushed_over_a_narrow_block() {
     pushed::<f64>(1e-9);
     pushed::<f32>(8e-6);
     pushed::<Fixed>(8e-6);
-}
-
-/// A short side of the body on a long one of an obstacle bears loads as a long one on a short one does.
-#[test]
-fn body_and_obstacle_are_exchanged() {
-    for i in -2..=2 {
-        let turn = f64::from(i) / 64.0;
-        let [short, long] = [(0.75, 8.0), (8.0, 0.75)].map(|(body, block)| {
-            let setting = Setting {
-                body: box_of([body, 0.5]),
-                obstacles: vec![table([-block / 2.0, block / 2.0])],
-                ..setting()
-            };
-            let mut run = Run::<f64>::start(&setting, Evolution::Path, [0.0, 0.25, 0.0]);
-            run.go([[0.0, 0.25, 0.0], [turn, 0.125, turn]], 8);
-            assert_eq!(run.output.state, StateKind::Edge);
-            run.reactions()
-        });
-        for (a, b) in short.iter().zip(&long) {
-            for k in 0..3 {
-                same(a[k], b[k], 1e-12);
-            }
-        }
-    }
 }
