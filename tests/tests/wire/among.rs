@@ -2,7 +2,10 @@
 
 use crate::round_trip::scene;
 use crate::{Either, decoded, encoded, first};
-use stiction_core::{Description, ObstacleDescription, Scene, Touch, WithObstacles, Wrench};
+use stiction_core::{
+    Description, ObstacleDescription, Scene, SurfaceDescription, Touch, WithObstacles, Wrench,
+};
+use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{
     CommandAmong, ContactAmong, Forces, Frame, List, ObstacleList, ReportAmong, SceneAmong,
     obstacle_bytes, scene_bytes, wire_bytes,
@@ -49,19 +52,25 @@ fn scene_among_obstacles_goes_through_and_is_refused_where_it_does_not_fit() {
             ..PIN
         },
     ];
+    let corner = |i: u8| {
+        let angle = std::f32::consts::TAU * f32::from(i) / 64.0;
+        [0.05 * angle.cos(), 0.05 * angle.sin()]
+    };
+    let vertices: Vec<_> = (0..64).map(corner).collect();
+    let surfaces = [SurfaceDescription {
+        offset: -0.5,
+        ..FLOOR
+    }; 16];
     let described = Description {
-        vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-        start: [-0.1, 0.03, 0.0],
+        vertices: &vertices,
+        start: [-0.1, 0.06, 0.0],
         weight: 2.0,
-        holding_point: Some([0.0, 0.02]),
-        reach: 0.0,
-        stiffness_translation: 500.0,
-        stiffness_rotation: 0.5,
-        surfaces: &[],
+        surfaces: &surfaces,
+        ..BOX
     };
     let sent = SceneAmong::new(&described, &obstacles);
     let wire = encoded(&first(CommandAmong::SceneAmong(sent)));
-    assert!(wire.len() <= wire_bytes(scene_bytes(4, 0) + obstacle_bytes(3, 7)));
+    assert!(wire.len() <= wire_bytes(scene_bytes(64, 16) + obstacle_bytes(3, 7)));
     decoded(&wire, true, |received| {
         let Ok(Either::Command(Frame {
             message: CommandAmong::SceneAmong(received),
@@ -70,14 +79,14 @@ fn scene_among_obstacles_goes_through_and_is_refused_where_it_does_not_fit() {
         else {
             panic!("no scene");
         };
-        let (mut v, mut c) = ([[0.0; 2]; 4], [[0.0; 2]; 7]);
-        let mut o = [PIN; 3];
-        let scene = received.scene.description(&mut v, &mut []);
+        let (mut v, mut s) = ([[0.0; 2]; 64], [FLOOR; 16]);
+        let (mut c, mut o) = ([[0.0; 2]; 7], [PIN; 3]);
+        let scene = received.scene.description(&mut v, &mut s);
         let scene = scene.expect("it fits");
         let there = received.obstacles.descriptions(&mut c, &mut o);
         let there = there.expect("they fit");
         assert_eq!((scene, there), (described, &obstacles[..]));
-        Scene::<f32, 4, 0, WithObstacles<3, 7>>::among(&scene, there).expect("a scene");
+        Scene::<f32, 64, 16, WithObstacles<3, 7>>::among(&scene, there).expect("a scene");
         let error = |corners: usize, obstacles: usize| {
             let (mut c, mut o) = ([[0.0; 2]; 7], [PIN; 3]);
             let there = received.obstacles;
@@ -86,6 +95,13 @@ fn scene_among_obstacles_goes_through_and_is_refused_where_it_does_not_fit() {
         };
         assert!(error(7, 2).starts_with("number of obstacles is 3.0"));
         assert!(error(6, 3).starts_with("number of corners of all obstacles is 7.0"));
+        let refused = |vertices: usize, surfaces: usize| {
+            let (mut v, mut s) = ([[0.0; 2]; 64], [FLOOR; 16]);
+            let scene = received.scene;
+            let error = scene.description(&mut v[..vertices], &mut s[..surfaces]);
+            error.expect_err("too many").value
+        };
+        assert_eq!([refused(63, 16), refused(64, 1)], [64.0, 16.0]);
     });
 }
 

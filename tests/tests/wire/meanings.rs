@@ -1,12 +1,9 @@
-//! The meaning of single fields: the bits of events, a status of a later version, an optional memory length.
+//! The meaning of single fields: the bits of events, a status of a later version.
 
 use crate::random::Random;
-use crate::round_trip::scene;
 use crate::{Either, bare, decoded, encoded, first};
-use stiction_core::{Event, Status, SurfaceDescription};
-use stiction_wire::{
-    Command, CommandAmong, EventSet, Frame, List, Pose, Report, ReportAmong, SceneCommand, VERSION,
-};
+use stiction_core::{Event, Status};
+use stiction_wire::{EventSet, Frame, Pose, Report, ReportAmong, VERSION};
 
 /// FRAME.md 5.1.
 #[test]
@@ -73,35 +70,6 @@ fn status_to_come_is_taken_for_ambiguous() {
             assert_eq!(pose.status == Status::Ambiguous, code == 3 || code >= known);
             assert!(pose.held && !pose.force_off && pose.turns == 7);
             assert_eq!(pose.events, EventSet::of(&[Event::Touch, Event::Slip]));
-        });
-    }
-}
-
-/// Only `None` means that there is no memory length; no number means that, not even an invalid one.
-#[test]
-fn memory_length_arrives_or_is_absent() {
-    for memory in [None, Some(0.0), Some(2e-5), Some(-1.0), Some(f32::INFINITY)] {
-        let wall = SurfaceDescription {
-            normal: [0.0, 1.0],
-            offset: 0.0,
-            friction_static: 0.5,
-            friction_dynamic: 0.3,
-            memory,
-        };
-        let surfaces = [wall; 2];
-        let sent = SceneCommand {
-            surfaces: List::from(&surfaces),
-            ..scene(&[[0.0; 2]])
-        };
-        decoded(&encoded(&first(Command::Scene(sent))), true, |received| {
-            let Ok(Either::Command(Frame {
-                message: CommandAmong::Common(Command::Scene(scene)),
-                ..
-            })) = received
-            else {
-                panic!("no scene");
-            };
-            assert!(scene.surfaces.iter().eq(surfaces));
         });
     }
 }

@@ -3,7 +3,7 @@
 use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, bare, decoded, encoded, first, sampled, times, without_obstacles};
-use stiction_core::{Angle, Description, Hand, Scene, SurfaceDescription};
+use stiction_core::{Angle, Hand};
 use stiction_wire::{
     Command, CommandAmong, Fault, FaultKind, Frame, List, Pose, Reason, Reference, Reply, Report,
     ReportAmong, SceneCommand, Text, VERSION, VERSION_AMONG, scene_bytes, wire_bytes,
@@ -126,56 +126,6 @@ fn length_on_the_wire_has_its_bound() {
             wire.len()
         );
     }
-}
-
-#[test]
-fn scene_of_64_vertices_goes_through_in_one_frame() {
-    let corner = |i: i32| {
-        let angle = std::f32::consts::TAU * i as f32 / 64.0;
-        [0.05 * angle.cos(), 0.05 * angle.sin()]
-    };
-    let vertices: Vec<_> = (0..64).map(corner).collect();
-    let wall = SurfaceDescription {
-        normal: [0.0, 1.0],
-        offset: -0.1,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    };
-    let surfaces = [wall; 16];
-    let described = Description {
-        vertices: &vertices,
-        start: [0.0; 3],
-        weight: 0.0,
-        holding_point: Some([0.0, 0.02]),
-        reach: 0.0,
-        stiffness_translation: 500.0,
-        stiffness_rotation: 0.5,
-        surfaces: &surfaces,
-    };
-    let wire = encoded(&first(Command::Scene(SceneCommand::from(&described))));
-    assert!(wire.len() <= wire_bytes(scene_bytes(64, 16)));
-    decoded(&wire, true, |received| {
-        let Ok(Either::Command(Frame {
-            message: CommandAmong::Common(Command::Scene(scene)),
-            ..
-        })) = received
-        else {
-            panic!("no scene");
-        };
-        let (mut v, mut s) = ([[0.0; 2]; 64], [wall; 16]);
-        let there = scene.description(&mut v, &mut s).expect("it fits");
-        assert_eq!(there, described);
-        Scene::<f32, 64, 16>::new(&there).expect("a scene");
-        let error = scene
-            .description(&mut v[..63], &mut s)
-            .expect_err("one too many");
-        assert_eq!(error.value, 64.0);
-        let error = scene
-            .description(&mut v, &mut s[..1])
-            .expect_err("15 too many");
-        assert_eq!(error.value, 16.0);
-    });
 }
 
 #[test]
