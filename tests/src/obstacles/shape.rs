@@ -31,7 +31,7 @@ pub fn sides(shape: &[Point]) -> usize {
 }
 
 /// Both ends of a side.
-fn ends(shape: &[Point], side: usize) -> [Point; 2] {
+pub(crate) fn ends(shape: &[Point], side: usize) -> [Point; 2] {
     [shape[side], shape[(side + 1) % shape.len()]]
 }
 

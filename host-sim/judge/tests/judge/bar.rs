@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 
 use stiction_judge::{Contact, Event, Frame, Scene, State, Touch, law};
 
+use stiction_tests::change;
+
 use crate::write::{frame, laws, only, scene};
 
 const K: f64 = 500.0;
@@ -68,28 +70,11 @@ fn lying(hand: [f64; 3], theta: f64, lever: f64, sliding: i8) -> Frame {
     }
 }
 
-/// The zero of a function between two points.
-fn zero(f: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    let sign = f(from).signum();
-    assert_ne!(sign, f(to).signum());
-    for _ in 0..100 {
-        let middle = f64::midpoint(from, to);
-        if f(middle).signum() == sign {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    f64::midpoint(from, to)
-}
-
 /// The angle at which the moments balance while the pin sticks.
 fn stuck(hand: [f64; 3], lever: f64) -> f64 {
-    zero(
-        |theta| balanced(hand, theta) - lever,
-        hand[2] - 0.5,
-        hand[2] + 0.5,
-    )
+    change(hand[2] - 0.5, hand[2] + 0.5, |theta| {
+        balanced(hand, theta) > lever
+    })
 }
 
 /// The hand turns and moves along: the bar turns about the pin, which sticks to it except for `creep` (m) per frame.
@@ -159,7 +144,7 @@ fn ends() -> [f64; 2] {
     };
     let end = [1.0, -1.0].map(|sign| way(sign).find(|&theta| driven(theta) <= 0.0));
     let end = end.into_iter().flatten().next().expect("an end");
-    [begin, zero(driven, begin, end)]
+    [begin, change(begin, end, |theta| driven(theta) > 0.0)]
 }
 
 #[test]
@@ -183,7 +168,7 @@ fn sliding() -> Vec<Frame> {
             let [normal, friction] = reaction(hand, theta, balanced(hand, theta));
             friction + mu * normal
         };
-        let theta = zero(excess, -0.3, 0.3);
+        let theta = change(-0.3, 0.3, |theta| excess(theta) > 0.0);
         lying(hand, theta, balanced(hand, theta), 1)
     };
     (0..10).map(at).collect()

@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 
 use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
 
+use stiction_tests::change;
+
 use crate::write::{broken, frame, on, only, scene};
 
 const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
@@ -115,21 +117,13 @@ fn leaning(theta: f64) -> Frame {
         // The feet are at ∓(cos, sin) from the middle, where the hand holds.
         4.0 * (hand[2] - theta) + (-cos * foot + sin * mu * foot) + (cos * mu * head + sin * head)
     };
-    let (mut low, mut high) = (-0.5, 0.5);
-    for _ in 0..60 {
-        let middle = f64::midpoint(low, high);
-        if (moment(middle) > 0.0) == (moment(low) > 0.0) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let ratio = change(-0.5, 0.5, |mu| moment(mu) > 0.0);
     let contact = |vertex: usize, point: [f64; 2]| Contact {
         touch: on(vertex, vertex),
         direction: None,
         point,
-        normal: reactions(low)[vertex],
-        friction: low * reactions(low)[vertex],
+        normal: reactions(ratio)[vertex],
+        friction: ratio * reactions(ratio)[vertex],
         sliding: None,
     };
     Frame {

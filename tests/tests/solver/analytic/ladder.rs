@@ -1,10 +1,9 @@
 //! A rod between floor and wall: critical angle and load, jamming, the trammel slip.
 
-use super::threshold;
 use std::f64::consts::{FRAC_PI_4, PI};
 use stiction_core::{Evolution, StateKind};
 use stiction_tests::scenes::leaning_rod;
-use stiction_tests::{Number, Run, Setup, close, test_each};
+use stiction_tests::{Number, Run, Setup, change, close, test_each};
 
 test_each!(
     cases::critical_angle,
@@ -42,7 +41,7 @@ mod cases {
             [0.3, 0.987_882_737_839],
             [0.8, 0.221_314_442_348],
         ] {
-            let steepest = threshold(1.5, 0.1, |alpha| {
+            let steepest = change(1.5, 0.1, |alpha| {
                 sticks::<R>(&ladder(alpha, 0.5, mu), evolution)
             });
             close("critical angle", steepest, alpha, R::ANALYTIC);
@@ -51,7 +50,7 @@ mod cases {
 
     /// Case 7b.
     pub(super) fn critical_load<R: Number>(evolution: Evolution) {
-        let highest = threshold(0.2, 0.95, |part| {
+        let highest = change(0.2, 0.95, |part| {
             sticks::<R>(&ladder(1.0, part, 0.4), evolution)
         });
         close("critical part", highest, 0.674_968_180_915, R::ANALYTIC);
