@@ -1,13 +1,9 @@
-//! Gaps, the room to the nearest of them and the first touch, against a loop over all vertices and surfaces and small steps.
+//! Gaps and the room to the nearest of them, against a loop over all vertices and surfaces.
 
 use super::*;
 use crate::fixtures::sampled;
 use crate::geometry::Angle;
-use crate::moment::Pinned;
-use crate::real::Fixed;
 use crate::scene::{Description, Scene, SurfaceDescription};
-
-mod touch;
 
 type Room<R> = Scene<R, 5, 3>;
 

@@ -52,19 +52,9 @@ mod cases {
             }
             // k > N lever: one balance.
             let theta = change(-2.0, 2.0, |theta| moment(ROTATION, hand, theta) > 0.0);
-            close("theta", frame.pose[2], theta, R::ANALYTIC);
-            close(
-                "foot",
-                frame.pose[0],
-                hand[0] + LEVER * theta.sin(),
-                R::ANALYTIC,
-            );
-            close(
-                "N",
-                frame.normal(),
-                LEVER * theta.cos() - hand[1],
-                R::ANALYTIC,
-            );
+            R::near("theta", frame.pose[2], theta);
+            R::near("foot", frame.pose[0], hand[0] + LEVER * theta.sin());
+            R::near("N", frame.normal(), LEVER * theta.cos() - hand[1]);
         }
         assert_eq!(run.frame.state, StateKind::SingleVertex);
         assert_eq!((run.frame.slips, run.frame.status), (0, Status::Ok));
@@ -88,15 +78,15 @@ mod cases {
         let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, begin);
         run.lead([0.0, HEIGHT, -0.3], 20);
         let leans = change(-0.8, -0.3, |theta| phi(theta) > -0.3);
-        close("leans", run.frame.pose[2], leans, R::ANALYTIC);
+        R::near("leans", run.frame.pose[2], leans);
         let end = [0.1, HEIGHT, 0.3];
         let onset = run.onset(end, |frame| frame.saw(Event::Snap));
-        close("phi", onset.hand[2], phi(fold), R::ANALYTIC);
+        R::near("phi", onset.hand[2], phi(fold));
         // A double root.
         close("fold", onset.before.pose[2], fold, R::ANALYTIC.sqrt());
-        close("lands", run.frame.pose[2], lands, R::ANALYTIC);
+        R::near("lands", run.frame.pose[2], lands);
         let foot = run.frame.hand[0] + LEVER * lands.sin();
-        close("foot", run.frame.pose[0], foot, R::ANALYTIC);
+        R::near("foot", run.frame.pose[0], foot);
         assert_eq!(run.frame.events, [Event::Snap]);
         assert_eq!(run.frame.state, StateKind::SingleVertex);
     }
