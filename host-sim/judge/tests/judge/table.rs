@@ -128,17 +128,6 @@ fn vertex_beyond_the_edge_is_found() {
 }
 
 #[test]
-fn box_that_is_let_down_or_turned_into_the_table_is_found() {
-    for (down, turn) in [(1e-5, 0.0), (0.0, 1e-3)] {
-        let mut frames = pushed();
-        frames[BEYOND].pose[1] -= down;
-        frames[BEYOND].pose[2] += turn;
-        let broken = laws(frames);
-        assert!(broken.contains(law::OUTSIDE), "{broken:?}");
-    }
-}
-
-#[test]
 fn contact_that_changes_elsewhere_than_at_an_end_is_found() {
     let mut frames = pushed();
     // The other end of the table, without an event.
@@ -155,30 +144,6 @@ fn contact_that_changes_elsewhere_than_at_an_end_is_found() {
     frames[1].events = vec![Event::Slip];
     frames[1].slips = 1;
     assert!(!laws(frames).contains(law::PASSED_ON));
-}
-
-#[test]
-fn names_of_two_contacts_in_one_line() {
-    for frame in [BEFORE, BEYOND] {
-        let mut frames = pushed();
-        frames[frame].state = State::TwoVertex;
-        assert!(laws(frames).contains(law::NAME));
-    }
-}
-
-/// Vertex and corner at one place are one contact.
-#[test]
-fn contact_that_is_reported_as_two_is_found() {
-    let mut frames = pushed();
-    frames.truncate(1);
-    frames[0] = flat(-0.05, 1.0);
-    assert_eq!(laws(frames.clone()), NONE);
-    let mut second = frames[0].contacts[1];
-    second.touch = EDGE;
-    (second.normal, second.friction) = (0.0, 0.0);
-    frames[0].contacts.push(second);
-    frames[0].state = State::Locked;
-    assert!(laws(frames).contains(law::ONCE));
 }
 
 /// Touching features without a force are a contact, too: found in the second frame.

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use stiction_judge::{Evolution, Scene, Source};
 
-use crate::drag::{LAWFUL, SCENE, drag, drag_scene};
+use crate::drag::{SCENE, drag, drag_scene};
 use crate::write::{FORMATS, judged, lines};
 
 /// The message about a trace in which one line was changed; lines are counted from 1, without the header.
 fn message(format: &str, record: usize, change: impl Fn(&str) -> String) -> String {
     let scene = drag_scene();
-    let mut lines = lines(format, &scene, &drag(LAWFUL));
+    let mut lines = lines(format, &scene, &drag(false));
     let line = record - usize::from(format == "jsonl");
     lines[line] = change(&lines[line]);
     let text = lines.join("\n");
@@ -68,7 +68,7 @@ fn vertex_that_the_body_does_not_have() {
 #[test]
 fn slide_that_is_none() {
     let scene = drag_scene();
-    let mut frames = drag(LAWFUL);
+    let mut frames = drag(false);
     for contact in frames.iter_mut().flat_map(|frame| &mut frame.contacts) {
         contact.sliding = Some(0);
     }
