@@ -242,6 +242,3 @@ pub(crate) fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (T
         },
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -22,3 +22,23 @@ pub fn times<N>(daily: N, long: N) -> N {
         Ok(other) => panic!("STICTION_TESTS is {other:?}, allowed: daily, long"),
     }
 }
+
+/// The point between `low` and `high` at which a condition changes, to the last digit: the last one at which it is as at `low`.
+///
+/// # Panics
+/// If it is the same at both.
+pub fn change(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let first = holds(low);
+    assert_ne!(first, holds(high), "no change between {low} and {high}");
+    loop {
+        let middle = f64::midpoint(low, high);
+        if middle == low || middle == high {
+            return low;
+        }
+        if holds(middle) == first {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}

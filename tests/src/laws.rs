@@ -65,14 +65,6 @@ pub fn judge<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
     findings
 }
 
-/// Between one frame and the next, a sticking contact stays where it is (mu_s > mu_d) unless an event occurs.
-pub fn creep<R: Number>(setup: &Setup, last: &Frame, next: &Frame) -> Finding {
-    let mut judge = judge_of::<R>(setup, Evolution::Path);
-    judge.next(judged(0, last));
-    let findings = judge.next(judged(1, next)).into_iter();
-    worst(findings.filter(|finding| finding.law == law::STICKS))
-}
-
 /// A judge with the scene as the number type rounds it, and that type's bounds.
 pub fn judge_of<R: Number>(setup: &Setup, evolution: Evolution) -> Judge {
     judge_within::<R>(setup, evolution, bounds::<R>())

@@ -17,7 +17,7 @@ pub mod scenes;
 pub mod setup;
 pub mod station;
 
-pub use expect::{close, times};
+pub use expect::{change, close, times};
 pub use laws::judge;
 pub use number::Number;
 pub use random::Scenario;

@@ -1,6 +1,7 @@
 //! The number types under test, and the bounds that hold for each of them.
 
 use crate::counted::Counted;
+use crate::expect::close;
 use stiction_core::{Angle, CordicFixed, Fixed, LibmSingle, MicromathSingle, Real};
 
 /// A number type with its bounds. All bounds are relative to the characteristic size of the bounded quantity.
@@ -27,6 +28,11 @@ pub trait Number: Real {
     /// An unwrapped angle (rad), without rounding it to the narrow float.
     fn wide_angle(angle: Angle<Self::Si>) -> f64 {
         f64::from(angle.turns) * std::f64::consts::TAU + Self::wide(angle.rest)
+    }
+    /// Asserts a closed-form answer, to within the error of the type; says what, both values and the distance.
+    #[track_caller]
+    fn near(what: &str, got: f64, want: f64) {
+        close(what, got, want, Self::ANALYTIC);
     }
     /// `x` rounded to the narrow float.
     fn rounded(x: f64) -> f64 {

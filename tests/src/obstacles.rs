@@ -2,8 +2,8 @@
 //! known answers, the judge on single frames, random scenes, closed rooms, and pegs in holes. SI units, world frame, unless stated
 //! otherwise.
 
+pub mod answers;
 pub mod cases;
-pub mod compare;
 pub mod guard;
 pub mod judged;
 pub mod laws;

@@ -159,26 +159,6 @@ impl Setup {
         let largest = pairs.fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
-    /// cg (m), body frame: the centroid of the area, of the rod or of the point.
-    pub fn centroid(&self) -> [f64; 2] {
-        let n = self.vertices.len();
-        if n < 3 {
-            let mean = |k: usize| self.vertices.iter().map(|v| v[k]).sum::<f64>() / n as f64;
-            return [mean(0), mean(1)];
-        }
-        let (mut sum, mut area) = ([0.0; 2], 0.0);
-        for (i, a) in self.vertices.iter().enumerate() {
-            let b = self.vertices[(i + 1) % n];
-            let twice = a[0] * b[1] - a[1] * b[0];
-            area += twice;
-            sum = [
-                sum[0] + (a[0] + b[0]) * twice,
-                sum[1] + (a[1] + b[1]) * twice,
-            ];
-        }
-        [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
-    }
-
     /// The scene with every number rounded to type `R`.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {

@@ -1,13 +1,9 @@
-//! Gaps, the room to the nearest of them and the first touch, against a loop over all vertices and surfaces and small steps.
+//! Gaps and the room to the nearest of them, against a loop over all vertices and surfaces.
 
 use super::*;
 use crate::fixtures::sampled;
 use crate::geometry::Angle;
-use crate::moment::Pinned;
-use crate::real::Fixed;
 use crate::scene::{Description, Scene, SurfaceDescription};
-
-mod touch;
 
 type Room<R> = Scene<R, 5, 3>;
 
@@ -142,132 +138,4 @@ fn room_is_the_least_gap() {
         }
     }
     assert!(cfg!(miri) || near > 10 && far > 10, "{near} {far}");
-}
-
-/// If the body stands on a surface with a vertex, only the neighbours of that vertex can reach that surface.
-#[test]
-fn room_of_a_pivot_leaves_its_own_vertex_out() {
-    for turn in [-0.2, 0.1, 0.3] {
-        let scene = scene::<f64>(|x| x, [(0.0, -0.8), (1.3, -20.0), (-2.0, -30.0)]);
-        let at = Placed {
-            point: Vec2::new(0.3, scene.surface(0).offset),
-            body_point: scene.vertex(4),
-            orientation: Orientation::new(Angle::from_radians(turn)),
-            on: Some(0),
-        };
-        let others = [0, 1, 2, 3].map(|vertex| gap(&scene, &at, (vertex, 0)));
-        let least = others.into_iter().fold(f64::INFINITY, f64::min);
-        let room = at.room(&scene, Some(4));
-        assert!(
-            (room - least).abs() < 2.0 * <f64 as Real>::TOUCH,
-            "{room} {least}"
-        );
-    }
-}
-
-/// In f32 the room is less than the least gap by a touch and by the rounding of the gap from [`Placed::gap_at`].
-#[test]
-fn room_leaves_the_rounding_out() {
-    for (point, offset) in [
-        (Vec2::ZERO, -0.75),
-        (Vec2::new(0.25, 0.5), -0.5),
-        (Vec2::new(-0.5, 0.25), -0.5),
-        (Vec2::new(4.0, 0.0), -0.5),
-    ] {
-        let scene = scene::<f32>(|x| x as f32, [(0.0, offset), (1.3, -90.0), (-2.0, -90.0)]);
-        let at = Placed {
-            point,
-            ..placed::<f32>(|x| x as f32, [0.0; 3])
-        };
-        let gaps = [0, 1, 2, 3, 4].map(|vertex| {
-            let arm = at.arm(&scene, vertex);
-            let contact = Pair { vertex, surface: 0 };
-            let (gap, rounding) = at.gap_at(&scene, contact, arm);
-            gap - rounding
-        });
-        let least = gaps.into_iter().fold(f32::INFINITY, f32::min) - <f32 as Real>::TOUCH;
-        let off = at.room(&scene, None) - least;
-        assert!(off.abs() <= f32::EPSILON, "{point:?}: {off}");
-    }
-}
-
-/// A rod along x.
-fn rod(offset: f64) -> Room<f64> {
-    Scene::new(&Description {
-        vertices: &[[0.0, 0.0], [1.0, 0.0]],
-        start: [0.0, 10.0, 0.0],
-        weight: 0.0,
-        holding_point: None,
-        reach: 0.0,
-        stiffness_translation: 1.0,
-        stiffness_rotation: 1.0,
-        surfaces: &[SurfaceDescription {
-            normal: [0.0, 1.0],
-            offset,
-            friction_static: 0.5,
-            friction_dynamic: 0.3,
-            memory: None,
-        }],
-    })
-    .expect("a sound scene")
-}
-
-/// A rod hangs down from a point beyond its end, over planes from near to far.
-#[test]
-fn far_room_is_no_more_than_the_gap() {
-    for i in 0..100 {
-        let height = 1.5 + 0.1 * f64::from(i);
-        let at = Placed {
-            point: Vec2::ZERO,
-            body_point: Vec2::new(-0.4, 0.0),
-            orientation: Orientation::new(Angle::from_radians(-core::f64::consts::FRAC_PI_2)),
-            on: None,
-        };
-        let room = at.room(&rod(-height), None);
-        assert!(room > 0.0 && room <= height - 1.4, "{height}: {room}");
-    }
-}
-
-/// A touch is not clear, not even for a body that does not turn.
-#[test]
-fn touch_is_not_clear() {
-    let touch = <f64 as Real>::TOUCH;
-    let scene = rod(0.0);
-    for (height, touches) in [(touch, true), (touch.next_up(), false)] {
-        let at = Placed {
-            point: Vec2::ZERO,
-            body_point: Vec2::new(0.0, -height),
-            orientation: Orientation::new(Angle::default()),
-            on: Some(0),
-        };
-        assert_eq!(
-            at.touching(&scene, touch).len(),
-            if touches { 2 } else { 0 }
-        );
-        assert_eq!(at.is_clear(&scene, 0.0), !touches, "{height}");
-    }
-}
-
-/// Shift and turn count together, with either sign.
-#[test]
-fn near_is_neither_shifted_nor_turned_by_more_than_a_little() {
-    const LITTLE: f64 = 1e-3;
-    let placed = |x: f64, y: f64, turn: f64| Placed {
-        point: Vec2::new(5.0 + LITTLE * x, -3.0 + LITTLE * y),
-        body_point: Vec2::ZERO,
-        orientation: Orientation::new(Angle::from_radians(0.3 + LITTLE * turn)),
-        on: None,
-    };
-    let here = placed(0.0, 0.0, 0.0);
-    for (x, y, turn) in [(0.4, 0.0, 0.4), (0.4, -0.4, 0.0), (0.0, 0.0, -0.9)] {
-        assert!(here.is_near(&placed(x, y, turn), LITTLE));
-    }
-    for (x, y, turn) in [
-        (0.8, 0.0, 0.8),
-        (0.8, 0.0, -0.8),
-        (-2.0, 0.0, 0.0),
-        (0.0, 0.0, -2.0),
-    ] {
-        assert!(!here.is_near(&placed(x, y, turn), LITTLE));
-    }
 }

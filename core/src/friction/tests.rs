@@ -54,60 +54,6 @@ fn verdict_is_to_within_the_rounding() {
     }
 }
 
-fn margin(start: f64) -> Margin<f64> {
-    Margin {
-        start,
-        along: 0.0,
-        turning: Vec2::ZERO,
-        rounding: 0.0,
-    }
-}
-
-/// T = mu N on the edges of the cones, along the sign where it holds and against it where it slides; none without a sign. A sticking
-/// contact holds up to mu_s with stiction, up to mu_d without it.
-#[test]
-fn edges_bear_friction_in_proportion() {
-    let friction = Coulomb::<f64>::from_coefficients(0.75, 0.5, MEMORY);
-    for sign in [1.0, -1.0] {
-        for (stiction, mu) in [(true, 0.75), (false, 0.5)] {
-            let (normal, along) = friction.edge(stiction, sign);
-            assert!((along - sign * mu * normal).abs() < 1e-15);
-            let holds = |t: f64| {
-                let margins = (margin(1.0), margin(t));
-                friction.holds(margins, stiction, sign).start
-            };
-            assert!(holds(-(mu - 0.01) * sign) > 0.0 && holds(-(mu + 0.01) * sign) < 0.0);
-        }
-        let (normal, along) = friction.sliding_edge(sign);
-        assert!((along + sign * 0.5 * normal).abs() < 1e-15);
-        let drives = |t: f64| friction.drives(margin(1.0), margin(t), sign).start;
-        assert!(drives(-0.51 * sign) > 0.0 && drives(-0.49 * sign) < 0.0);
-    }
-    assert_eq!(friction.sliding_edge(0.0).1, 0.0);
-}
-
-/// f = n - s mu_d t and e = t + s mu_d n, both times cos(lambda): of length 1 and perpendicular, on any surface.
-#[test]
-fn sliding_edge_is_a_pair_of_directions() {
-    for mu in [0.0, 0.1, 0.9, 5.0, 50.0] {
-        let friction = Coulomb::<f64>::from_coefficients(mu + 0.1, mu, MEMORY);
-        for angle in [0.0, 0.7, -2.5] {
-            let (sin, cos) = libm::sincos(angle);
-            let (normal, tangent) = (Vec2::new(-sin, cos), Vec2::new(cos, sin));
-            for sign in [1.0, -1.0] {
-                let edge = friction.sliding_along((normal, tangent), sign);
-                let per_length = 1.0 / libm::hypot(1.0, mu);
-                let reaction = (normal - tangent * (sign * mu)) * per_length;
-                let balanced = (tangent + normal * (sign * mu)) * per_length;
-                assert!((edge.reaction - reaction).length() < 1e-15);
-                assert!((edge.balanced - balanced).length() < 1e-15);
-                assert!((edge.cos - per_length).abs() < 1e-15);
-                assert!((edge.sin - sign * mu * per_length).abs() < 1e-15);
-            }
-        }
-    }
-}
-
 /// N* = D_c / (mu_s - mu_d), including this value; none if the coefficients are equal.
 fn stiction_begins_at_the_threshold<R: Real>()
 where

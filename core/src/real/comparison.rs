@@ -233,7 +233,6 @@ fn sinc_and_cosine<R: Real>(x: R) -> (R, R) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::real::Fixed;
     use core::f64::consts::{PI, TAU};
 
     /// Largest errors: of sine and cosine, of atan2, of a square root relative to it.
@@ -301,21 +300,6 @@ mod tests {
             let apart = (wide(angle) - exact).abs();
             assert!(apart.min((apart - TAU).abs()) <= errors.angle, "{y} {x}");
         }
-    }
-
-    #[test]
-    fn own_kernels_are_as_good_as_they_say() {
-        check::<f32>(&Errors {
-            circle: 1.2e-7,
-            angle: 4e-7,
-            root: 6e-8,
-        });
-        // Half or three quarters of 6e-8, and the rounding of the f32 in which the result is examined.
-        check::<Fixed>(&Errors {
-            circle: 7.5e-8,
-            angle: 1.7e-7,
-            root: 3e-7,
-        });
     }
 
     #[test]

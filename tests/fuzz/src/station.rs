@@ -3,11 +3,12 @@
 
 use std::collections::VecDeque;
 
-use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription, WithObstacles};
+use stiction_core::{Description, Fixed, Full, Real, WithObstacles};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_tests::station::BOX;
 use stiction_wire::{
     Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
 };
@@ -32,49 +33,24 @@ const fn board(number: NumberType) -> Setup {
         limits: Limits::DEFAULT,
         passivity: None,
         mode: Mode::DEFAULT,
-        scene: Description {
-            vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-            start: [0.0, 0.03, 0.0],
-            weight: 0.0,
-            holding_point: Some([0.0, 0.02]),
-            reach: 0.0,
-            stiffness_translation: 500.0,
-            stiffness_rotation: 0.5,
-            surfaces: &[SurfaceDescription {
-                normal: [0.0, 1.0],
-                offset: 0.0,
-                friction_static: 0.5,
-                friction_dynamic: 0.3,
-                memory: None,
-            }],
-        },
+        scene: Description { reach: 0.0, ..BOX },
     }
 }
 
 static SINGLE: Setup = board(NumberType::F32);
 static FIXED: Setup = board(NumberType::Fixed);
 
-/// A board that computes in f32.
-pub(crate) fn single(traffic: &[u8]) {
-    hears::<f32, Full, ROOM>(&SINGLE, traffic);
+/// A board that computes in f32, or else in fixed point, with room for obstacles or without.
+pub(crate) fn receives(traffic: &[u8], is_single: bool, is_among: bool) {
+    match (is_single, is_among) {
+        (true, false) => follow::<f32, Full, ROOM>(&SINGLE, traffic),
+        (true, true) => follow::<f32, Among, ROOM_AMONG>(&SINGLE, traffic),
+        (false, false) => follow::<Fixed, Full, ROOM>(&FIXED, traffic),
+        (false, true) => follow::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic),
+    }
 }
 
-/// As above, with capacity for obstacles.
-pub(crate) fn single_among(traffic: &[u8]) {
-    hears::<f32, Among, ROOM_AMONG>(&SINGLE, traffic);
-}
-
-/// A board that computes in fixed point.
-pub(crate) fn fixed(traffic: &[u8]) {
-    hears::<Fixed, Full, ROOM>(&FIXED, traffic);
-}
-
-/// As above, with capacity for obstacles.
-pub(crate) fn fixed_among(traffic: &[u8]) {
-    hears::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic);
-}
-
-fn hears<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
+fn follow<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
     let station = Station::<R, V, S, M, N>::new(setup);
     let mut station = station.expect("a sound setup");
     let mut line = Line::new(traffic);

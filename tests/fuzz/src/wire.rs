@@ -34,12 +34,7 @@ pub fn wire(bytes: &[u8]) {
     hear::<LONGEST>(&traffic);
     hear::<SHORT>(&traffic);
     track(&traffic);
-    match (kind & 2 == 0, kind & 4 == 0) {
-        (true, true) => station::single(&traffic),
-        (false, true) => station::fixed(&traffic),
-        (true, false) => station::single_among(&traffic),
-        (false, false) => station::fixed_among(&traffic),
-    }
+    station::receives(&traffic, kind & 2 == 0, kind & 4 != 0);
 }
 
 /// Boards and clients receive the same traffic, both those without capacity for obstacles and those with it.
@@ -81,11 +76,17 @@ fn hear<const ROOM: usize>(traffic: &[u8]) {
 fn same_again<'a, M: Message<'a>>(
     frame: &Frame<M>,
     without: Option<Vec<u8>>,
-    taken: impl Fn(&[u8]) -> Result<Vec<u8>, Fault>,
+    taken: impl Fn(&mut Decoder<LONGEST>, u8) -> Result<Vec<u8>, Fault>,
 ) {
-    let said = encoded(frame);
-    assert!(without.is_none_or(|without| without == said));
-    assert_eq!(taken(&said).as_ref(), Ok(&said), "what is sent is accepted");
+    let sent = encoded(frame);
+    assert!(without.is_none_or(|without| without == sent));
+    let (&end, before) = sent.split_last().expect("a frame has bytes");
+    let mut decoder = Decoder::new();
+    for &byte in before {
+        assert!(decoder.push::<Command>(byte).is_none(), "one frame");
+    }
+    let again = taken(&mut decoder, end);
+    assert_eq!(again.as_ref(), Ok(&sent), "what is sent is accepted");
 }
 
 fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
@@ -94,24 +95,14 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
     said.expect("there is room for every frame").to_vec()
 }
 
-/// The frame that a board, having received these bytes, would send again.
-fn taken_by_board(wire: &[u8]) -> Result<Vec<u8>, Fault> {
-    let mut decoder = Decoder::<LONGEST>::new();
-    let (&end, before) = wire.split_last().expect("a frame has bytes");
-    for &byte in before {
-        assert!(decoder.push::<Command>(byte).is_none(), "one frame");
-    }
+/// The frame that a board, with its last byte, would send again.
+fn taken_by_board(decoder: &mut Decoder<LONGEST>, end: u8) -> Result<Vec<u8>, Fault> {
     let frame = decoder.push::<CommandAmong>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }
 
 /// As [`taken_by_board`], for a client.
-fn taken_by_client(wire: &[u8]) -> Result<Vec<u8>, Fault> {
-    let mut decoder = Decoder::<LONGEST>::new();
-    let (&end, before) = wire.split_last().expect("a frame has bytes");
-    for &byte in before {
-        assert!(decoder.push::<Report>(byte).is_none(), "one frame");
-    }
+fn taken_by_client(decoder: &mut Decoder<LONGEST>, end: u8) -> Result<Vec<u8>, Fault> {
     let frame = decoder.push::<ReportAmong>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }

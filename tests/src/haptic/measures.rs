@@ -4,7 +4,7 @@ use crate::number::Number;
 use crate::random::Scenario;
 use crate::run::{Frame, run};
 use crate::setup::Setup;
-use stiction_core::{Evolution, StateKind, Status};
+use stiction_core::{Evolution, StateKind};
 
 /// A whole run, with every frame of the hand cut into `parts` equal ones.
 pub fn led<R: Number>(scenario: &Scenario, evolution: Evolution, parts: usize) -> Vec<Frame> {
@@ -31,8 +31,6 @@ pub fn against_f64<R: Number>(
 pub struct Comparison {
     /// Distance of the poses (L) in every frame in which the body touches in either run.
     pub errors: Samples,
-    /// In m.
-    pub metres: Samples,
     /// Slips of the runs.
     pub slips: u64,
     /// Slips of the reference runs.
@@ -54,9 +52,7 @@ impl Comparison {
         let l = setup.size();
         for (a, b) in run.iter().step_by(parts).zip(reference) {
             if touches(a) || touches(b) {
-                let metres = distance(setup, a.pose, b.pose);
-                self.metres.add(metres);
-                self.errors.add(metres / l);
+                self.errors.add(distance(setup, a.pose, b.pose) / l);
             }
         }
         self.slips += slips(run);
@@ -64,38 +60,26 @@ impl Comparison {
     }
 }
 
-/// Statistics of runs.
+/// How often runs are in each state.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Frames, including the initial ones.
-    pub frames: u64,
     /// Frames by state, in the order of [`StateKind::ALL`].
-    pub states: [u64; StateKind::ALL.len()],
-    /// Frames by status, in the order of [`Status::ALL`].
-    pub statuses: [u64; Status::ALL.len()],
-    /// Slips of each frame.
-    pub slips: Samples,
+    states: [u64; StateKind::ALL.len()],
 }
 
 impl Tally {
     /// Adds a run.
     pub fn add(&mut self, run: &[Frame]) {
         for frame in run {
-            self.frames += 1;
-            count(&mut self.states, &StateKind::ALL, frame.state);
-            count(&mut self.statuses, &Status::ALL, frame.status);
-            self.slips.add(f64::from(frame.slips));
+            for (count, state) in self.states.iter_mut().zip(StateKind::ALL) {
+                *count += u64::from(state == frame.state);
+            }
         }
-    }
-    /// The fraction of all frames that have this status.
-    pub fn share(&self, status: Status) -> f64 {
-        let counts = Status::ALL.iter().zip(self.statuses);
-        let found: u64 = counts.filter(|&(&s, _)| s == status).map(|(_, n)| n).sum();
-        found as f64 / self.frames as f64
     }
     /// The fraction of all frames in which the body touches.
     pub fn share_in_contact(&self) -> f64 {
-        self.contact() as f64 / self.frames as f64
+        let frames: u64 = self.states.iter().sum();
+        self.contact() as f64 / frames as f64
     }
     /// The fraction of the frames in contact that are in this state.
     pub fn share_of_contact(&self, state: StateKind) -> f64 {
@@ -107,12 +91,6 @@ impl Tally {
     fn count(&self, wanted: impl Fn(StateKind) -> bool) -> u64 {
         let counts = StateKind::ALL.into_iter().zip(self.states);
         counts.filter(|&(s, _)| wanted(s)).map(|(_, n)| n).sum()
-    }
-}
-
-fn count<T: PartialEq>(counts: &mut [u64], all: &[T], one: T) {
-    for (n, kind) in counts.iter_mut().zip(all) {
-        *n += u64::from(*kind == one);
     }
 }
 
@@ -145,12 +123,12 @@ impl Samples {
 }
 
 /// The number of slips of a whole run.
-pub fn slips(run: &[Frame]) -> u64 {
+fn slips(run: &[Frame]) -> u64 {
     run.iter().map(|frame| u64::from(frame.slips)).sum()
 }
 
 /// How far apart two poses of the body are: the displacement of the vertex that moves farthest (m).
-pub fn distance(setup: &Setup, a: [f64; 3], b: [f64; 3]) -> f64 {
+fn distance(setup: &Setup, a: [f64; 3], b: [f64; 3]) -> f64 {
     let way = |&v: &[f64; 2]| {
         let ([ax, ay], [bx, by]) = (setup.world(a, v), setup.world(b, v));
         (ax - bx).hypot(ay - by)

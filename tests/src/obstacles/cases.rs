@@ -5,7 +5,7 @@ use super::scene::{Among, Obstacle};
 use crate::setup::Setup;
 use serde_json::Value;
 use stiction_core::SurfaceDescription;
-use stiction_judge::Touch;
+use stiction_judge::{Scene, Source, Surface, Touch};
 
 /// Cases whose values follow from closed formulas, without solving an equation numerically.
 const CLOSED: [&str; 5] = [
@@ -21,7 +21,9 @@ const CLOSED: [&str; 5] = [
 pub struct Case {
     /// What the case is about.
     pub name: String,
-    /// The scene.
+    /// The scene, as in its file.
+    pub scene: Scene,
+    /// The scene for the solver.
     pub among: Among,
     /// The hand, frame by frame: x, y, phi.
     pub hands: Vec<[f64; 3]>,
@@ -89,13 +91,6 @@ impl Known {
     pub fn is_pose(&self) -> bool {
         matches!(self, Self::Pose(..))
     }
-    /// Whether it is a force.
-    pub fn is_force(&self) -> bool {
-        matches!(
-            self,
-            Self::Normal(..) | Self::Friction(..) | Self::Frictions(_) | Self::Pull(_)
-        )
-    }
 }
 
 impl Check {
@@ -138,13 +133,9 @@ pub fn all() -> Vec<Case> {
 }
 
 fn read(case: &Value) -> Case {
-    let scene = text(&case["scene"]);
-    let geometry = &case["geometry"];
-    let (among, names) = if geometry.is_null() {
-        (bare(scene), [Vec::new(), Vec::new()])
-    } else {
-        among(geometry, scene)
-    };
+    let scene = Source::new("scene.toml", text(&case["scene"]));
+    let scene = Scene::parse(scene).expect("a sound scene");
+    let among = among(&scene);
     let hand = |row: &Value| [1, 2, 3].map(|k| number(&row[k]));
     let twin = case["same_as"].is_string().then(|| {
         let mut twin = among.clone();
@@ -159,80 +150,46 @@ fn read(case: &Value) -> Case {
         hands: list(&case["hand"]).iter().map(hand).collect(),
         checks: list(&case["checks"])
             .iter()
-            .map(|c| check(c, &names))
+            .map(|c| check(c, &scene))
             .collect(),
         closed: CLOSED.contains(&name),
         tolerance: ["f64", "f32"].map(|key| number(&case["tolerance"][key])),
         twin,
         refused: case["fails"].is_string(),
         among,
+        scene,
     }
 }
 
-/// The scene, and the names of its half-planes and obstacles.
-fn among(geometry: &Value, scene: &str) -> (Among, [Vec<String>; 2]) {
-    let each = |kind: &str| geometry[kind].as_object().expect("a table by name").clone();
-    let pair = |of: &Value| [0, 1].map(|k| number(&of[k]));
-    let surface = |of: &Value| {
-        let [friction_static, friction_dynamic] = pair(&of[2]);
-        SurfaceDescription {
-            normal: pair(&of[0]),
-            offset: number(&of[1]),
-            friction_static,
-            friction_dynamic,
-            memory: None,
-        }
+fn among(scene: &Scene) -> Among {
+    let surface = |s: &Surface| SurfaceDescription {
+        normal: s.normal,
+        offset: s.offset,
+        friction_static: s.friction_static,
+        friction_dynamic: s.friction_dynamic,
+        memory: None,
     };
-    let obstacle = |of: &Value| Obstacle {
-        vertices: list(&of[0]).iter().map(pair).collect(),
-        friction: pair(&of[1]),
+    let obstacle = |o: &stiction_judge::Obstacle| Obstacle {
+        vertices: o.vertices.clone(),
+        friction: [o.friction_static, o.friction_dynamic],
     };
-    let vertices: Vec<_> = list(&geometry["verts"]).iter().map(pair).collect();
-    let start = line(scene, "start").remove(0);
-    let setup = Setup {
-        surfaces: each("surfaces").values().map(surface).collect(),
-        ..Setup::new(&vertices)
-            .at([0, 1, 2].map(|k| number(&start[k])))
-            .held_at(pair(&geometry["g"]))
-            .springs(number(&geometry["kh"]), number(&geometry["kth"]))
-            .weighing(number(&geometry["W"]))
-    };
-    let obstacles = each("obstacles").values().map(obstacle).collect();
-    let names = ["surfaces", "obstacles"].map(|kind| each(kind).keys().cloned().collect());
-    (Among { setup, obstacles }, names)
-}
-
-/// Body and obstacle of a scene file; a refused scene needs nothing else.
-fn bare(scene: &str) -> Among {
-    let points = |value: &Value| -> Vec<[f64; 2]> {
-        let point = |p: &Value| [0, 1].map(|k| number(&p[k]));
-        list(value).iter().map(point).collect()
-    };
-    let shapes = line(scene, "vertices");
-    let start = line(scene, "start").remove(0);
+    let setup = Setup::new(&scene.vertices)
+        .at(scene.start)
+        .held_at(scene.holding_point.expect("a holding point"))
+        .springs(scene.stiffness_translation, scene.stiffness_rotation)
+        .weighing(scene.weight);
     Among {
-        setup: Setup::new(&points(&shapes[0]))
-            .at([0, 1, 2].map(|k| number(&start[k])))
-            .springs(500.0, 0.5),
-        obstacles: vec![Obstacle {
-            vertices: points(&shapes[1]),
-            friction: [0.5, 0.3],
-        }],
+        setup: Setup {
+            surfaces: scene.surfaces.iter().map(surface).collect(),
+            ..setup
+        },
+        obstacles: scene.obstacles.iter().map(obstacle).collect(),
     }
 }
 
-/// The values of a key in the lines of a scene file.
-fn line(scene: &str, key: &str) -> Vec<Value> {
-    let value = |line: &str| {
-        let value = line.strip_prefix(key)?.trim_start().strip_prefix('=')?;
-        Some(serde_json::from_str(value.trim()).expect("a list"))
-    };
-    scene.lines().filter_map(value).collect()
-}
-
-fn check(check: &Value, names: &[Vec<String>; 2]) -> Check {
+fn check(check: &Value, scene: &Scene) -> Check {
     let want = &check[2];
-    let touch = |of: &Value| touch(of, names);
+    let touch = |of: &Value| touch(of, scene);
     let value = match text(&check[1]) {
         "x" => Known::Pose(0, number(want)),
         "y" => Known::Pose(1, number(want)),
@@ -257,18 +214,20 @@ fn check(check: &Value, names: &[Vec<String>; 2]) -> Check {
     }
 }
 
-fn touch(of: &Value, [surfaces, obstacles]: &[Vec<String>; 2]) -> Touch {
-    let find = |names: &[String], name: &Value| {
-        let place = names.iter().position(|n| n == text(name));
-        place.expect("the name of something")
-    };
+fn touch(of: &Value, scene: &Scene) -> Touch {
     if of["surface"].is_string() {
+        let mut names = scene.surfaces.iter().map(|surface| &surface.name);
         return Touch::Surface {
             vertex: index(&of["vertex"]),
-            surface: find(surfaces, &of["surface"]),
+            surface: names
+                .position(|name| name == text(&of["surface"]))
+                .expect("its name"),
         };
     }
-    let obstacle = find(obstacles, &of["obstacle"]);
+    let mut names = scene.obstacles.iter().map(|obstacle| &obstacle.name);
+    let obstacle = names
+        .position(|name| name == text(&of["obstacle"]))
+        .expect("its name");
     if of["corner"].is_null() {
         return Touch::Side {
             vertex: index(&of["vertex"]),

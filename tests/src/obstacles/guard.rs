@@ -37,10 +37,7 @@ pub fn within<T: Send + 'static>(
 }
 
 /// The result of a task, or the message of its panic.
-///
-/// # Errors
-/// The message of the panic.
-pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|thrown| {
         let words = thrown.downcast_ref::<String>().cloned();
         let words = words.or_else(|| thrown.downcast_ref::<&str>().map(|s| (*s).to_owned()));

@@ -1,67 +1,24 @@
 //! A run of the solver, compared with the known values of a case.
 
-use super::cases::{Answer, Case, Check, Known};
+use super::cases::{Answer, Case, Check};
 use super::run::Run;
 use crate::number::Number;
-use std::fmt;
 use stiction_core::Evolution;
 use stiction_judge::{Contact, Frame, Status};
 
 /// The bound in f64 for cases with closed formulas, relative to the scale of a check.
 const CLOSED: f64 = 1e-9;
 
-/// How far a run deviates from a case.
-#[derive(Clone, Debug, Default)]
-pub struct Verdict {
-    /// Largest error of a pose, in body sizes and rad.
-    pub pose: f64,
-    /// Largest error of a force, relative to the largest force of its frame.
-    pub force: f64,
-    /// The first check that fails: its frame, and a description.
-    pub first_off: Option<(usize, String)>,
-    /// Statuses other than `ok`, with the first frame and the number of frames of each.
-    pub statuses: Vec<(Status, usize, usize)>,
-}
-
-impl Verdict {
-    fn take(&mut self, frame: usize, words: impl FnOnce() -> String) {
-        if self.first_off.is_none() {
-            self.first_off = Some((frame, words()));
-        }
-    }
-    fn count(&mut self, frame: usize, status: Status) {
-        if status == Status::Ok {
-            return;
-        }
-        match self.statuses.iter_mut().find(|s| s.0 == status) {
-            Some(known) => known.2 += 1,
-            None => self.statuses.push((status, frame, 1)),
-        }
-    }
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "pose {:8.1e}  force {:8.1e}", self.pose, self.force)?;
-        for (status, first, count) in &self.statuses {
-            write!(f, "  {} x{count} from frame {first}", status.name())?;
-        }
-        match &self.first_off {
-            None => write!(f, "  right"),
-            Some((frame, words)) => write!(f, "  OFF in frame {frame}: {words}"),
-        }
-    }
-}
-
-/// Runs a case in a number type and an evolution.
-pub fn verdict<R: Number>(case: &Case, evolution: Evolution) -> Verdict {
-    let mut verdict = Verdict::default();
+/// How a case deviates from what is known, in a number type and an evolution: the first deviation in words.
+///
+/// # Errors
+/// A value, a status other than `ok`, a pose or force that is not that of the half-plane, or a scene that is not refused.
+pub fn is_right<R: Number>(case: &Case, evolution: Evolution) -> Result<(), String> {
     if case.refused {
-        if case.among.scene::<R>().is_ok() {
-            verdict.take(0, || "it is not refused".to_owned());
-        }
-        return verdict;
+        let scene = case.among.scene::<R>();
+        return scene.map_or(Ok(()), |_| Err("it is not refused".to_owned()));
     }
+    let bound = bound::<R>(case);
     let mut run = Run::<R>::start(&case.among, evolution, case.hands[0]);
     let twin = case.twin.as_ref();
     let mut twin = twin.map(|twin| Run::<R>::start(twin, evolution, case.hands[0]));
@@ -70,19 +27,41 @@ pub fn verdict<R: Number>(case: &Case, evolution: Evolution) -> Verdict {
         if i > 0 {
             slips += run.step(hand).slips;
         }
-        verdict.count(i, run.frame.status);
+        if run.frame.status != Status::Ok {
+            return Err(format!("frame {i}: {}", run.frame.status.name()));
+        }
         if let Some(twin) = &mut twin {
             if i > 0 {
                 twin.step(hand);
             }
-            same::<R>(case, (i, &run.frame, &twin.frame), &mut verdict);
+            let [pose, force] = apart(case, &run.frame, &twin.frame);
+            if pose > bound || force > bound || run.frame.slips != twin.frame.slips {
+                return Err(format!(
+                    "frame {i}: off the half-plane by {pose:.1e} and {force:.1e}: {:?}",
+                    run.frame
+                ));
+            }
         }
         let answer = answer(&run.frame, slips);
         for check in case.checks.iter().filter(|check| check.frame == i) {
-            compare::<R>(case, (check, &answer), &mut verdict);
+            within(check, &answer, bound)?;
         }
     }
-    verdict
+    Ok(())
+}
+
+/// A known value to within a bound, relative to its scale.
+///
+/// # Errors
+/// By how much the answer is off.
+pub fn within(check: &Check, answer: &Answer, bound: f64) -> Result<(), String> {
+    let (frame, value, error) = (check.frame, &check.value, check.error(answer));
+    if error <= bound {
+        return Ok(());
+    }
+    Err(format!(
+        "frame {frame}: {value:?} off by {error:.1e}, allowed {bound:.0e}: {answer:?}"
+    ))
 }
 
 /// The answer that a frame gives, with the slips so far.
@@ -107,50 +86,13 @@ fn bound<R: Number>(case: &Case) -> f64 {
     }
 }
 
-fn compare<R: Number>(case: &Case, (check, answer): (&Check, &Answer), verdict: &mut Verdict) {
-    let error = check.error(answer);
-    if check.value.is_pose() {
-        verdict.pose = verdict.pose.max(error);
-    }
-    if check.value.is_force() {
-        verdict.force = verdict.force.max(error);
-    }
-    let bound = bound::<R>(case);
-    if error > bound {
-        verdict.take(check.frame, || {
-            let got = match check.value {
-                Known::Contacts(_) | Known::State(_) => {
-                    let touches: Vec<_> = answer.contacts.iter().map(|c| c.0).collect();
-                    format!("{} {touches:?}", answer.state)
-                }
-                _ => format!("{answer:?}"),
-            };
-            format!(
-                "{:?} off by {error:.1e}, allowed {bound:.0e}: {got}",
-                check.value
-            )
-        });
-    }
-}
-
-/// Compares a run with that of the twin: pose and forces of the hand.
-fn same<R: Number>(case: &Case, (i, one, other): (usize, &Frame, &Frame), verdict: &mut Verdict) {
+/// How far a frame is from that of the twin: in pose and in forces of the hand, relative to their scales.
+fn apart(case: &Case, one: &Frame, other: &Frame) -> [f64; 2] {
     let size = case.among.setup.size();
     let [x, y, theta] = [0, 1, 2].map(|k| (one.pose[k] - other.pose[k]).abs());
-    let pose = (x.max(y) / size).max(theta);
     let force = |f: [f64; 3]| f[0].hypot(f[1]).max(f[2].abs() / size);
     let off = force([0, 1, 2].map(|k| one.wrench[k] - other.wrench[k]));
     let unit = case.among.setup.stiffness_translation * size;
-    let off = off / force(other.wrench).max(1e-3 * unit);
-    verdict.pose = verdict.pose.max(pose);
-    verdict.force = verdict.force.max(off);
-    let bound = bound::<R>(case);
-    if pose > bound || off > bound || one.slips != other.slips {
-        verdict.take(i, || {
-            let slips = [one.slips, other.slips];
-            format!(
-                "differs from the half-plane: pose by {pose:.1e}, force by {off:.1e}, slips {slips:?}"
-            )
-        });
-    }
+    let least = force(other.wrench).max(1e-3 * unit);
+    [(x.max(y) / size).max(theta), off / least]
 }

@@ -8,7 +8,7 @@ use crate::draw::Draw;
 use crate::setup::Setup;
 
 /// Jumps of the hand in a room.
-pub const JUMPS: usize = 100;
+const JUMPS: usize = 100;
 /// The longest jump, in body sizes.
 const FARTHEST: f64 = 1e3;
 /// The body is at least this far from the walls at the start, in body sizes.

@@ -13,19 +13,9 @@ pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// a × b
-pub fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
 /// |a|
 pub fn length(a: Point) -> f64 {
     a[0].hypot(a[1])
-}
-
-/// The tangent of a normal n: (n_y, -n_x); for a floor, +x.
-pub fn tangent(normal: Point) -> Point {
-    [normal[1], -normal[0]]
 }
 
 /// Points of the body frame in the world frame, for a pose x, y (m), theta (rad).
@@ -41,7 +31,7 @@ pub fn sides(shape: &[Point]) -> usize {
 }
 
 /// Both ends of a side.
-pub fn ends(shape: &[Point], side: usize) -> [Point; 2] {
+pub(crate) fn ends(shape: &[Point], side: usize) -> [Point; 2] {
     [shape[side], shape[(side + 1) % shape.len()]]
 }
 
@@ -51,16 +41,6 @@ pub fn outward(shape: &[Point], side: usize) -> Point {
     let along = sub(to, from);
     let long = length(along);
     [along[1] / long, -along[0] / long]
-}
-
-/// The vertices before and after a vertex; for a segment, the other end twice; for a point, none.
-pub fn neighbours(shape: &[Point], vertex: usize) -> Vec<Point> {
-    let n = shape.len();
-    let at = |i: usize| shape[i % n];
-    match n {
-        1 => Vec::new(),
-        _ => vec![at(vertex + n - 1), at(vertex + 1)],
-    }
 }
 
 /// The separation of two convex shapes along the axis that separates them best (m), which is at most their distance; negative if
@@ -89,21 +69,4 @@ fn beyond(shape: &[Point], other: &[Point]) -> f64 {
     (0..sides(shape))
         .map(side)
         .fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// The centroid of the area, of the segment or of the point.
-pub fn centroid(shape: &[Point]) -> Point {
-    let first = shape[0];
-    let (mut area, mut sum) = (0.0, [0.0; 2]);
-    for i in 2..shape.len() {
-        let (a, b) = (sub(shape[i - 1], first), sub(shape[i], first));
-        let twice = cross(a, b);
-        area += twice;
-        sum = [0, 1].map(|k| sum[k] + twice * (a[k] + b[k]) / 3.0);
-    }
-    if area > 0.0 {
-        return [0, 1].map(|k| first[k] + sum[k] / area);
-    }
-    let count = shape.len() as f64;
-    [0, 1].map(|k| shape.iter().map(|p| p[k]).sum::<f64>() / count)
 }

@@ -4,17 +4,8 @@
 
 use super::scene::{Friction, Pose, Scene, Vector, add, cross, dot, length, scale, sub};
 
+pub(super) use crate::obstacles::shape::{ends, sides};
 pub use stiction_judge::Touch;
-
-/// The number of sides of a convex shape: none for a point, two for a segment.
-pub(super) fn sides(shape: &[Vector]) -> usize {
-    if shape.len() < 2 { 0 } else { shape.len() }
-}
-
-/// The vertices of a shape at the ends of a side.
-pub(super) fn ends(shape: &[Vector], side: usize) -> [Vector; 2] {
-    [shape[side], shape[(side + 1) % shape.len()]]
-}
 
 /// The unit normal of a side, pointing out of the shape.
 pub(super) fn outward(shape: &[Vector], side: usize) -> Vector {

@@ -1,6 +1,8 @@
 //! The scene of the reference in plain SI `f64`: the body, its surroundings, and the wrench with which hand and weight load the
 //! body. World frame, moments counter-clockwise.
 
+pub(super) use crate::obstacles::shape::{dot, length, sub};
+
 /// A vector in the plane.
 pub(super) type Vector = [f64; 2];
 
@@ -178,22 +180,10 @@ pub(super) fn add(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-pub(super) fn sub(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
 pub(super) fn scale(factor: f64, a: Vector) -> Vector {
     [factor * a[0], factor * a[1]]
 }
 
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
 pub(super) fn cross(a: Vector, b: Vector) -> f64 {
     a[0] * b[1] - a[1] * b[0]
-}
-
-pub(super) fn length(a: Vector) -> f64 {
-    a[0].hypot(a[1])
 }

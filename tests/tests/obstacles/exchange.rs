@@ -4,12 +4,12 @@
 //! Two things are not compared: whether a contact at the edge of its cone has stopped, and what counts as a slip when a contact moves on
 //! to the next pair.
 
-use stiction_core::{Evolution, Fixed};
+use stiction_core::Evolution;
 use stiction_judge::{Contact, Frame, Status, Touch};
 use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::obstacles::shape::{Point, length, placed, separation, sub};
 use stiction_tests::obstacles::{Among, Obstacle, Run};
-use stiction_tests::{Number, Setup, times};
+use stiction_tests::{Number, Setup, test_each, times};
 
 fn number_of_scenes() -> u64 {
     times(20, 300)
@@ -173,28 +173,22 @@ fn both<R: Number>(number: u64, evolution: Evolution, bound: f64) -> [usize; 2] 
     counts
 }
 
-/// All scenes: most of them touch, and many slide.
-fn all<R: Number>(bound: f64) {
-    for evolution in Evolution::ALL {
+test_each!(cases::body_and_world_exchange);
+
+mod cases {
+    use super::*;
+
+    /// Most of the scenes touch, and many slide.
+    pub(super) fn body_and_world_exchange<R: Number>(evolution: Evolution) {
+        let bound = if R::ROUNDING > f64::ROUNDING {
+            1e-3
+        } else {
+            1e-9
+        };
         let counts = (0..number_of_scenes()).map(|number| both::<R>(number, evolution, bound));
         let [touch, slide] = counts.fold([0; 2], |[a, b], [c, d]| [a + c, b + d]);
         let frames = 3 * FRAMES * number_of_scenes() as usize;
         assert!(touch > frames / 20, "{touch} of {frames} frames touch");
         assert!(slide > frames / 100, "{slide} of {frames} frames slide");
     }
-}
-
-#[test]
-fn body_and_world_exchange_in_f64() {
-    all::<f64>(1e-9);
-}
-
-#[test]
-fn body_and_world_exchange_in_f32() {
-    all::<f32>(1e-3);
-}
-
-#[test]
-fn body_and_world_exchange_in_fixed_point() {
-    all::<Fixed>(1e-3);
 }

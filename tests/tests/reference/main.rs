@@ -2,8 +2,6 @@
 //! traces, and against itself where physics says that two scenes are equivalent. The solver takes no part.
 
 mod cases;
-mod corners;
 mod judged;
-mod symmetry;
 mod traced;
 mod worlds;

@@ -2,7 +2,7 @@
 //! gets a name only if the contacts before and after allow no other.
 
 use stiction_judge::{Event, Frame};
-use stiction_tests::obstacles::compare::frame_of;
+use stiction_tests::obstacles::answers::frame_of;
 use stiction_tests::reference::{Reference, Scene};
 
 /// The record of a body, given the previous one.

@@ -8,21 +8,3 @@ mod edge;
 mod fold;
 mod ladder;
 mod vertex;
-
-/// The point between `low`, where `holds` is true, and `high`, where it is false, at which it becomes false.
-fn threshold(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    assert!(
-        holds(low) && !holds(high),
-        "no threshold between {low} and {high}"
-    );
-    let (mut low, mut high) = (low, high);
-    for _ in 0..60 {
-        let middle = (low + high) / 2.0;
-        if holds(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::laws::assert_lawful;
-use stiction_tests::{Number, Run, close, scenes, test_each};
+use stiction_tests::{Number, Run, scenes, test_each};
 
 test_each!(cases::rod_follows_its_branches_and_snaps_between_them);
 
@@ -50,12 +50,7 @@ mod cases {
                 (StateKind::TwoVertex, Status::Ok)
             );
             assert_eq!(frame.slips, 0);
-            close(
-                "theta",
-                frame.pose[2],
-                -FRAC_PI_4 - balance(beta, side),
-                R::ANALYTIC,
-            );
+            R::near("theta", frame.pose[2], -FRAC_PI_4 - balance(beta, side));
         }
         assert_eq!(snaps, 2);
     }

@@ -4,7 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::draw::{Draw, polygon};
-use stiction_tests::reference::{Foot, Reference, Scene, Surface, Touch};
+use stiction_tests::obstacles::Among;
+use stiction_tests::reference::{Foot, Reference, Scene, Touch};
 use stiction_tests::{Frame, Run, Setup, times};
 
 /// Number of scenes, each of a hundred frames.
@@ -107,23 +108,11 @@ fn path(draw: &mut Draw, start: [f64; 3], size: f64, down: [f64; 2]) -> Vec<[f64
 }
 
 fn scene(setup: &Setup) -> Scene {
-    let size = setup.size();
-    let surface = |s: &stiction_core::SurfaceDescription<f64>| Surface {
-        normal: s.normal,
-        offset: s.offset,
-        mu_s: s.friction_static,
-        mu_d: s.friction_dynamic,
-        memory: s.memory.unwrap_or(size / 4096.0),
-    };
-    Scene {
-        vertices: setup.vertices.clone(),
-        holding_point: setup.holding_point.unwrap_or_default(),
-        k_h: setup.stiffness_translation,
-        k_theta: setup.stiffness_rotation,
-        weight: setup.weight,
-        surfaces: setup.surfaces.iter().map(surface).collect(),
+    let among = Among {
+        setup: setup.clone(),
         obstacles: Vec::new(),
-    }
+    };
+    among.reference()
 }
 
 /// The reference in the pose and contacts of a frame, with stiction or without.

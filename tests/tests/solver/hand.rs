@@ -71,13 +71,13 @@ mod cases {
             close("the grasp pulls nothing", frame.wrench[k], 0.0, R::GAP);
         }
         let moved = run.step([x + 0.5, y + 0.2, phi]).pose;
-        close("x follows", moved[0], 0.5, R::ANALYTIC);
-        close("y follows", moved[1], 2.2, R::ANALYTIC);
+        R::near("x follows", moved[0], 0.5);
+        R::near("y follows", moved[1], 2.2);
         let turned = run.step([x + 0.5, y + 0.2, phi + 0.4]).pose;
-        close("theta follows", turned[2], 0.6, R::ANALYTIC);
+        R::near("theta follows", turned[2], 0.6);
         let [gx, gy] = setup.world(turned, [0.6, 0.3]);
-        close("turns about the hand: x", gx, x + 0.5, R::ANALYTIC);
-        close("turns about the hand: y", gy, y + 0.2, R::ANALYTIC);
+        R::near("turns about the hand: x", gx, x + 0.5);
+        R::near("turns about the hand: y", gy, y + 0.2);
     }
 
     pub(super) fn reach_limits_the_grasp<R: Number>(evolution: Evolution) {
@@ -157,14 +157,9 @@ mod cases {
         run.lead([0.8, 1.9, 1.0], 20);
         assert_eq!(run.frame.state, StateKind::NonContact);
         let [gx, gy] = setup.world(run.frame.pose, [0.8, 0.9]);
-        close("held at the new point: x", gx, 0.8, R::ANALYTIC);
-        close("held at the new point: y", gy, 1.9, R::ANALYTIC);
-        close(
-            "with the new rest angle",
-            run.frame.pose[2],
-            0.0,
-            R::ANALYTIC,
-        );
+        R::near("held at the new point: x", gx, 0.8);
+        R::near("held at the new point: y", gy, 1.9);
+        R::near("with the new rest angle", run.frame.pose[2], 0.0);
     }
 
     pub(super) fn given_holding_point_pulls_from_the_start<R: Number>(evolution: Evolution) {
@@ -174,9 +169,9 @@ mod cases {
             .floor([0.5, 0.3]);
         let frame = Run::<R>::start(&setup, evolution, [4.0, 5.0, 0.5]).frame;
         let [gx, gy] = setup.world(frame.pose, [0.0, 0.5]);
-        close("x", gx, 4.0, R::ANALYTIC);
-        close("y", gy, 5.0, R::ANALYTIC);
-        close("theta", frame.pose[2], 0.5, R::ANALYTIC);
+        R::near("x", gx, 4.0);
+        R::near("y", gy, 5.0);
+        R::near("theta", frame.pose[2], 0.5);
     }
 
     /// A hand with one component invalid.

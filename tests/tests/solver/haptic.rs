@@ -5,7 +5,7 @@ use stiction_tests::haptic::measures::{Samples, Tally, against_f64, led};
 use stiction_tests::haptic::{Kind, scenes};
 use stiction_tests::laws::assert_lawful_run;
 use stiction_tests::run::planar;
-use stiction_tests::{Number, Run, Scenario, times};
+use stiction_tests::{Number, Scenario, times};
 
 /// The number of scenes of each kind.
 fn number_of_scenes() -> usize {
@@ -58,27 +58,6 @@ fn scenes_and_samples_are_those_of_f32() {
             assert_eq!(single.position.map(f64::from), double.position);
             assert_eq!(single, planar::<f32>(hand));
         }
-    }
-}
-
-/// A body that its weight does not turn about the hand starts in the air.
-#[test]
-fn stiff_hand_begins_in_the_air() {
-    for (kind, i, scenario) in all() {
-        let stiff = matches!(kind, Kind::StickSlip | Kind::Equal);
-        if stiff || scenario.setup.weight == 0.0 {
-            let start = Run::<f64>::start(&scenario.setup, Evolution::Path, scenario.keyframes[0]);
-            assert_eq!(start.frame.state, StateKind::NonContact, "{kind:?} {i}");
-        }
-    }
-}
-
-/// A run whose frames are cut into three passes through every sample of the hand.
-#[test]
-fn cut_frames_end_at_the_samples() {
-    for (_, _, scenario) in all() {
-        let samples = scenario.hands(3).into_iter().step_by(3);
-        assert!(samples.eq(scenario.hands(1)));
     }
 }
 

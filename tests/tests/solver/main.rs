@@ -23,7 +23,6 @@ mod projection;
 mod range;
 mod scene_errors;
 mod size;
-mod slides_of_reference;
 mod slips;
 mod snapshot;
 mod swings;

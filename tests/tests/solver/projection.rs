@@ -76,25 +76,10 @@ fn every_plane<R: Number>(position: [f64; 3], angle: f64, tilt: f64) {
         let hand = projection
             .planar(&sample::<R>(position, tilted))
             .expect("a finite sample");
-        close(
-            "x",
-            R::wide(hand.position[0]),
-            dot(position, x),
-            R::ANALYTIC,
-        );
-        close(
-            "y",
-            R::wide(hand.position[1]),
-            dot(position, y),
-            R::ANALYTIC,
-        );
-        close(
-            "depth",
-            R::wide(hand.depth),
-            dot(position, normal),
-            R::ANALYTIC,
-        );
-        close("phi", R::wide_angle(hand.angle), angle, R::ANALYTIC);
+        R::near("x", R::wide(hand.position[0]), dot(position, x));
+        R::near("y", R::wide(hand.position[1]), dot(position, y));
+        R::near("depth", R::wide(hand.depth), dot(position, normal));
+        R::near("phi", R::wide_angle(hand.angle), angle);
     }
 }
 

@@ -3,7 +3,7 @@
 
 use stiction_core::{Bare, Evolution, Status};
 use stiction_tests::run::RunOf;
-use stiction_tests::{Number, Run, Setup, close, test_each};
+use stiction_tests::{Number, Run, Setup, test_each};
 
 test_each!(
     cases::vertex_that_is_the_holding_point_is_a_point,
@@ -50,10 +50,10 @@ mod cases {
                 for (free, firm) in pairs {
                     assert_eq!(free.status, Status::Ok, "{free:?}");
                     assert_eq!((free.state, free.slips), (firm.state, firm.slips));
-                    close("x", free.pose[0], firm.pose[0], R::ANALYTIC);
-                    close("y", free.pose[1], firm.pose[1], R::ANALYTIC);
-                    close("N", free.normal(), firm.normal(), R::ANALYTIC);
-                    close("T", free.friction(), firm.friction(), R::ANALYTIC);
+                    R::near("x", free.pose[0], firm.pose[0]);
+                    R::near("y", free.pose[1], firm.pose[1]);
+                    R::near("N", free.normal(), firm.normal());
+                    R::near("T", free.friction(), firm.friction());
                 }
             }
         }
@@ -72,14 +72,14 @@ mod cases {
                     panic!("one contact: {frame:?}");
                 };
                 let normal = (depth - D * cos).max(0.0);
-                close("N", contact.normal, normal, R::ANALYTIC);
-                close("T", contact.friction, -way * mu * normal, R::ANALYTIC);
+                R::near("N", contact.normal, normal);
+                R::near("T", contact.friction, -way * mu * normal);
                 let along = if normal > 0.0 {
                     D * sin + mu * normal
                 } else {
                     (D * D - depth * depth).sqrt()
                 };
-                close("foot", contact.point[0], x - way * along, R::ANALYTIC);
+                R::near("foot", contact.point[0], x - way * along);
             }
         }
     }
@@ -97,11 +97,11 @@ mod cases {
                 let stretch = (1.0 - D / along.hypot(depth)).max(0.0);
                 let bears = depth > D * cos;
                 let force = if bears { stretch } else { 0.0 };
-                close("N", frame.normal(), force * depth, R::ANALYTIC);
-                close("T", frame.friction(), -way * force * along, R::ANALYTIC);
+                R::near("N", frame.normal(), force * depth);
+                R::near("T", frame.friction(), -way * force * along);
                 if bears {
                     let foot = frame.contacts[0].point[0];
-                    close("foot", foot, way * (D - along), R::ANALYTIC);
+                    R::near("foot", foot, way * (D - along));
                 }
             }
         }
@@ -122,10 +122,10 @@ mod cases {
                     continue;
                 };
                 let foot = contact.point[0];
-                close("foot", foot, way * 0.02, R::ANALYTIC);
+                R::near("foot", foot, way * 0.02);
                 let force = 1.0 - D / (x - foot).hypot(depth);
-                close("N", contact.normal, force * depth, R::ANALYTIC);
-                close("T", contact.friction, -force * (x - foot), R::ANALYTIC);
+                R::near("N", contact.normal, force * depth);
+                R::near("T", contact.friction, -force * (x - foot));
             }
             assert!(run.frame.normal() > 0.1, "{:?}", run.frame);
         }
@@ -139,12 +139,7 @@ mod cases {
             for [x, y] in [[0.7, -0.11], [0.2, -0.12], [0.25, -0.13], [-1.0, -0.14]] {
                 for frame in run.lead([way * x, y, 0.0], 7) {
                     assert_eq!(frame.status, Status::Ok, "{frame:?}");
-                    close(
-                        "the pull",
-                        frame.wrench[0].hypot(frame.wrench[1]),
-                        0.0,
-                        R::ANALYTIC,
-                    );
+                    R::near("the pull", frame.wrench[0].hypot(frame.wrench[1]), 0.0);
                     let Some(contact) = frame.contacts.first() else {
                         // A jump of the hand ends where the vertex bears no load, and leaves it there.
                         assert_eq!(evolution, Evolution::Frame, "{frame:?}");
@@ -152,7 +147,7 @@ mod cases {
                     };
                     let across = (D * D - frame.hand[1].powi(2)).sqrt();
                     let foot = frame.hand[0] - way * across;
-                    close("foot", contact.point[0], foot, R::ANALYTIC);
+                    R::near("foot", contact.point[0], foot);
                 }
             }
         }
@@ -196,14 +191,9 @@ mod cases {
                 } else {
                     (depth - D).max(0.0)
                 };
-                close("N", frame.normal(), normal, R::ANALYTIC);
+                R::near("N", frame.normal(), normal);
                 if normal > 0.0 {
-                    close(
-                        "foot",
-                        frame.contacts[0].point[0],
-                        frame.hand[0],
-                        R::ANALYTIC,
-                    );
+                    R::near("foot", frame.contacts[0].point[0], frame.hand[0]);
                 }
             }
         }

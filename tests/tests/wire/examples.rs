@@ -1,6 +1,6 @@
 //! The code sends and decodes the examples of FRAME.md.
 
-use crate::decoded_among;
+use crate::decoded;
 use crate::said::Said;
 use std::collections::BTreeSet;
 
@@ -26,8 +26,8 @@ pub(crate) fn examples() -> Vec<(Vec<u8>, Said)> {
 #[test]
 fn examples_of_the_specification_hold() {
     for (wire, said) in examples() {
-        let to_board = decoded_among(&wire, true, |received| received.is_ok());
-        decoded_among(&wire, to_board, |received| {
+        let to_board = decoded(&wire, true, |received| received.is_ok());
+        decoded(&wire, to_board, |received| {
             let frame = received.expect("an example is a frame");
             assert_eq!(Said::of(&frame), said);
             assert_eq!(frame.encoded(), wire);

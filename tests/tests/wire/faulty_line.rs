@@ -4,26 +4,10 @@
 use crate::random::{Random, pose};
 use crate::{encoded, times};
 use std::collections::HashSet;
+use stiction_tests::station::noise::{self, garbled};
 use stiction_wire::{Command, Decoder, Faults, Frame, Pose, Report, Sequence};
 
 const FRAMES: u32 = times(100_000);
-
-/// What a line does to a byte.
-fn garbled(random: &mut Random, bytes: &[u8], per_byte: u64, out: &mut Vec<u8>) -> bool {
-    let mut damaged = false;
-    for &byte in bytes {
-        let roll = random.bits() % per_byte;
-        damaged |= roll < 4;
-        match roll {
-            0 => out.push(byte ^ (1 << random.below(8))),
-            1 => {}
-            2 => out.extend([byte, byte]),
-            3 => out.extend([byte, random.byte()]),
-            _ => out.push(byte),
-        }
-    }
-    damaged
-}
 
 /// A frame with a pose that can be identified by its number.
 fn numbered(random: &mut Random, number: u32) -> Frame<Report<'static>> {
@@ -51,22 +35,21 @@ struct Tally {
 
 /// Sends numbered poses. Every accepted one must equal, bit for bit, the next one of those that were sent.
 fn run(seed: u64, per_byte: u64) -> Tally {
-    let mut random = Random(seed);
+    let (mut random, mut noise) = (Random(seed), noise::Random(seed));
     let mut tally = Tally {
         sent: FRAMES,
         ..Tally::default()
     };
     let (mut decoder, mut sequence) = (Decoder::<512>::new(), Sequence::new());
-    let (mut line, mut last) = (Vec::new(), None::<u32>);
+    let mut last = None::<u32>;
     let mut clean = HashSet::new();
     let mut sent = Vec::new();
     let mut accepted = HashSet::new();
     let mut delimited = true;
     for number in 0..FRAMES {
         let wire = encoded(&numbered(&mut random, number));
-        line.clear();
-        let damaged = garbled(&mut random, &wire, per_byte, &mut line);
-        if !damaged && delimited {
+        let line = garbled(&mut noise, &wire, per_byte);
+        if line == wire && delimited {
             clean.insert(number);
         }
         delimited = line.last() == Some(&0) || (line.is_empty() && delimited);

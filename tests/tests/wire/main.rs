@@ -12,7 +12,6 @@ mod other_client;
 mod random;
 mod round_trip;
 mod said;
-mod solver_bits;
 
 use stiction_wire::{
     Command, CommandAmong, Decoder, Fault, Frame, Message, Report, ReportAmong, frame_bytes,
@@ -35,12 +34,10 @@ fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
     all.step_by(if cfg!(miri) { of } else { 1 })
 }
 
-/// A frame in either direction, between peers with or without obstacles.
+/// A frame in either direction.
 enum Either<'a> {
-    Command(Frame<Command<'a>>),
-    Report(Frame<Report<'a>>),
-    CommandAmong(Frame<CommandAmong<'a>>),
-    ReportAmong(Frame<ReportAmong<'a>>),
+    Command(Frame<CommandAmong<'a>>),
+    Report(Frame<ReportAmong<'a>>),
 }
 
 impl Either<'_> {
@@ -48,14 +45,21 @@ impl Either<'_> {
         match self {
             Self::Command(frame) => encoded(frame),
             Self::Report(frame) => encoded(frame),
-            Self::CommandAmong(frame) => encoded(frame),
-            Self::ReportAmong(frame) => encoded(frame),
         }
     }
 
     /// Whether it goes to the board.
     fn to_board(&self) -> bool {
-        matches!(self, Self::Command(_) | Self::CommandAmong(_))
+        matches!(self, Self::Command(_))
+    }
+}
+
+/// A frame with a message, the first one of a line.
+const fn first<M>(message: M) -> Frame<M> {
+    Frame {
+        sequence: 0,
+        time: 0,
+        message,
     }
 }
 
@@ -65,40 +69,49 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
     frame.encode(&mut wire).expect("there is room").to_vec()
 }
 
-/// The result of `look` on the only frame in these bytes, received by a peer without obstacles.
-fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
-    heard(wire, (to_board, false), look)
+/// Header and payload of a frame.
+fn bare(wire: &[u8]) -> Vec<u8> {
+    let mut raw = wire[..wire.len() - 1].to_vec();
+    let length = cobs::decode_in_place(&mut raw).expect("COBS");
+    raw.truncate(length - 4);
+    raw
 }
 
-/// As [`decoded`], for a peer with obstacles.
-fn decoded_among<T>(
-    wire: &[u8],
-    to_board: bool,
-    look: impl FnOnce(Result<Either<'_>, Fault>) -> T,
-) -> T {
-    heard(wire, (to_board, true), look)
-}
-
-fn heard<T>(
-    wire: &[u8],
-    (to_board, among): (bool, bool),
-    look: impl FnOnce(Result<Either<'_>, Fault>) -> T,
-) -> T {
+/// A decoder that has received all but the last of these bytes, which end the only frame in them.
+fn almost(wire: &[u8]) -> (Decoder<LONGEST>, u8) {
     let (&last, bytes) = wire.split_last().expect("a frame has bytes");
-    let mut decoder = Decoder::<LONGEST>::new();
+    let mut decoder = Decoder::new();
     for &byte in bytes {
         assert!(
             decoder.push::<Command>(byte).is_none(),
             "a frame ends at its delimiter"
         );
     }
+    (decoder, last)
+}
+
+/// The result of `look` on the only frame in these bytes, received by a peer with room for obstacles.
+fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
+    let (mut decoder, last) = almost(wire);
     let end = "a delimiter ends a frame";
-    look(match (to_board, among) {
-        (true, false) => decoder.push(last).expect(end).map(Either::Command),
-        (false, false) => decoder.push(last).expect(end).map(Either::Report),
-        (true, true) => decoder.push(last).expect(end).map(Either::CommandAmong),
-        (false, true) => decoder.push(last).expect(end).map(Either::ReportAmong),
+    look(if to_board {
+        decoder.push(last).expect(end).map(Either::Command)
+    } else {
+        decoder.push(last).expect(end).map(Either::Report)
     })
+}
+
+/// The only frame in these bytes, as a peer without room for obstacles receives it and would send it on.
+fn without_obstacles(wire: &[u8], to_board: bool) -> Result<Vec<u8>, Fault> {
+    let (mut decoder, last) = almost(wire);
+    let end = "a delimiter ends a frame";
+    if to_board {
+        let frame = decoder.push::<Command>(last).expect(end);
+        frame.map(|frame| encoded(&frame))
+    } else {
+        let frame = decoder.push::<Report>(last).expect(end);
+        frame.map(|frame| encoded(&frame))
+    }
 }
 
 /// A raw frame: any header, any payload, a valid checksum.

@@ -1,10 +1,9 @@
-//! The meaning of single fields: the bits of events, a status of a later version, an optional memory length.
+//! The meaning of single fields: the bits of events, a status of a later version.
 
 use crate::random::Random;
-use crate::round_trip::{scene, to_board};
-use crate::{Either, decoded, encoded};
-use stiction_core::{Event, Status, SurfaceDescription};
-use stiction_wire::{Command, EventSet, Frame, List, Pose, Report, SceneCommand, VERSION};
+use crate::{Either, bare, decoded, encoded, first};
+use stiction_core::{Event, Status};
+use stiction_wire::{EventSet, Frame, Pose, Report, ReportAmong, VERSION};
 
 /// FRAME.md 5.1.
 #[test]
@@ -16,13 +15,7 @@ fn every_event_has_a_bit_of_its_own() {
             events,
             ..Pose::default()
         });
-        let mut bytes = encoded(&Frame {
-            sequence: 0,
-            time: 0,
-            message,
-        });
-        bytes.pop();
-        cobs::decode_in_place(&mut bytes).expect("COBS");
+        let bytes = bare(&encoded(&first(message)));
         let bits = u16::from_le_bytes([bytes[EVENTS], bytes[EVENTS + 1]]);
         assert_eq!(bits, 1 << bit, "{event:?}");
         for other in Event::ALL {
@@ -49,7 +42,7 @@ fn union_of_events_has_those_of_both() {
 }
 
 #[test]
-fn grasp_and_release_are_told_apart() {
+fn grasp_and_release_are_two_events() {
     let both = EventSet::of(&[Event::Release, Event::Grasp]);
     assert!(both.contains(Event::Grasp) && both.contains(Event::Release));
     let one = EventSet::of(&[Event::Touch, Event::Release]);
@@ -68,7 +61,7 @@ fn status_to_come_is_taken_for_ambiguous() {
         raw.extend([code | 1 << 4, 5, 0xe0, 8]);
         decoded(&crate::sealed(&raw), false, |received| {
             let Ok(Either::Report(Frame {
-                message: Report::Pose(pose),
+                message: ReportAmong::Common(Report::Pose(pose)),
                 ..
             })) = received
             else {
@@ -78,38 +71,5 @@ fn status_to_come_is_taken_for_ambiguous() {
             assert!(pose.held && !pose.force_off && pose.turns == 7);
             assert_eq!(pose.events, EventSet::of(&[Event::Touch, Event::Slip]));
         });
-    }
-}
-
-/// Only `None` means that there is no memory length; no number means that, not even an invalid one.
-#[test]
-fn memory_length_arrives_or_is_absent() {
-    for memory in [None, Some(0.0), Some(2e-5), Some(-1.0), Some(f32::INFINITY)] {
-        let wall = SurfaceDescription {
-            normal: [0.0, 1.0],
-            offset: 0.0,
-            friction_static: 0.5,
-            friction_dynamic: 0.3,
-            memory,
-        };
-        let surfaces = [wall; 2];
-        let sent = SceneCommand {
-            surfaces: List::from(&surfaces),
-            ..scene(&[[0.0; 2]])
-        };
-        decoded(
-            &encoded(&to_board(Command::Scene(sent))),
-            true,
-            |received| {
-                let Ok(Either::Command(Frame {
-                    message: Command::Scene(scene),
-                    ..
-                })) = received
-                else {
-                    panic!("no scene");
-                };
-                assert!(scene.surfaces.iter().eq(surfaces));
-            },
-        );
     }
 }

@@ -4,8 +4,7 @@ use std::fmt::Debug;
 
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_wire::{
-    Command, CommandAmong, Drive, FaultKind, Frame, NumberType, Reason, Report, ReportAmong, Reset,
-    Stepping,
+    CommandAmong, Drive, FaultKind, Frame, NumberType, Reason, ReportAmong, Reset, Stepping,
 };
 
 use crate::Either;
@@ -43,41 +42,20 @@ fn names_are_those_of_the_variants() {
 #[test]
 fn messages_are_named_by_what_they_are() {
     let mut random = Random(4);
-    for _ in 0..200 {
+    for _ in 0..400 {
         let store = Store::fill(&mut random, 3);
-        match store.frame(&mut random) {
-            Either::Command(Frame { message, .. }) => {
-                assert_eq!(Command::name(&message), hyphenated(&message));
-            }
-            Either::Report(Frame { message, .. }) => {
-                assert_eq!(Report::name(&message), hyphenated(&message));
-            }
-            among => panic!("{}", among.to_board()),
-        }
-    }
-}
-
-#[test]
-fn messages_about_obstacles_are_named_by_what_they_are() {
-    let mut random = Random(5);
-    for _ in 0..200 {
-        let store = Store::fill(&mut random, 3);
-        match store.frame_among(&mut random) {
-            Either::CommandAmong(Frame { message, .. }) => {
-                let named = match &message {
-                    CommandAmong::Common(command) => hyphenated(command),
-                    message => hyphenated(message),
-                };
-                assert_eq!(message.name(), named);
-            }
-            Either::ReportAmong(Frame { message, .. }) => {
-                let named = match &message {
-                    ReportAmong::Common(report) => hyphenated(report),
-                    message => hyphenated(message),
-                };
-                assert_eq!(message.name(), named);
-            }
-            common => panic!("{}", common.to_board()),
-        }
+        let (name, named) = match store.frame(&mut random) {
+            Either::Command(Frame { message, .. }) => match message {
+                CommandAmong::Common(command) => (command.name(), hyphenated(&command)),
+                CommandAmong::SceneAmong(_) => (message.name(), hyphenated(&message)),
+            },
+            Either::Report(Frame { message, .. }) => match message {
+                ReportAmong::Common(report) => (report.name(), hyphenated(&report)),
+                ReportAmong::Room(_) | ReportAmong::ForcesAmong(_) => {
+                    (message.name(), hyphenated(&message))
+                }
+            },
+        };
+        assert_eq!(name, named);
     }
 }

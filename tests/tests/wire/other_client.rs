@@ -1,9 +1,9 @@
 //! A client written from FRAME.md alone, `board_client.py`, and this crate understand each other.
 
-use crate::encoded;
 use crate::examples::examples;
 use crate::random::{Random, Store};
 use crate::said::Said;
+use crate::{bare, encoded};
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::Path;
@@ -152,10 +152,7 @@ fn frames() -> (Vec<String>, Vec<Said>) {
         .collect();
     for i in 0..4000 {
         let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
-        let frame = match i % 2 {
-            0 => store.frame(&mut random),
-            _ => store.frame_among(&mut random),
-        };
+        let frame = store.frame(&mut random);
         frames.push((hex(&frame.encoded()), Said::of(&frame)));
     }
     frames.into_iter().unzip()
@@ -203,12 +200,12 @@ fn client_finds_the_same_faults() {
     let mut faults = Vec::new();
     for i in 0..20_000 {
         let store = Store::fill(&mut random, 4);
-        let frame = store.frame_among(&mut random);
+        let frame = store.frame(&mut random);
         if frame.to_board() {
             continue;
         }
         let wire = frame.encoded();
-        let mut raw = cobs_undone(&wire);
+        let mut raw = bare(&wire);
         let place = random.below(raw.len());
         match i % 3 {
             0 => raw.truncate(place),
@@ -220,7 +217,7 @@ fn client_finds_the_same_faults() {
             continue;
         }
         let wire = crate::sealed(&raw);
-        let fault = crate::decoded_among(&wire, false, |received| {
+        let fault = crate::decoded(&wire, false, |received| {
             received.err().map(|fault| fault.kind.name())
         });
         lines.push(hex(&wire));
@@ -238,12 +235,4 @@ fn client_finds_the_same_faults() {
             .next();
         assert_eq!(found.map(String::as_str), fault, "{answer}");
     }
-}
-
-/// The header and payload of a frame.
-fn cobs_undone(wire: &[u8]) -> Vec<u8> {
-    let mut raw = wire[..wire.len() - 1].to_vec();
-    let length = cobs::decode_in_place(&mut raw).expect("COBS");
-    raw.truncate(length - 4);
-    raw
 }

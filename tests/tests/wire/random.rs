@@ -3,16 +3,15 @@
 mod among;
 
 use self::among::{contact_among, obstacles};
-use crate::Either;
 use stiction_core::{
     Angle, Axis, Contact, Event, Evolution, Hand, ObstacleDescription, Parameter, StateKind,
     Status, SurfaceDescription, TrackerSample, Wrench,
 };
 use stiction_wire::FaultKind;
 use stiction_wire::{
-    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List,
-    Mode, NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset,
-    SceneCommand, Stepping, Subject, Text,
+    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Health, Info, List, Mode,
+    NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand,
+    Stepping, Subject, Text,
 };
 
 /// Random numbers (splitmix64).
@@ -146,25 +145,6 @@ impl Store {
             text: (0..t)
                 .map(|_| char::from(b' ' + random.below(95) as u8))
                 .collect(),
-        }
-    }
-
-    pub(crate) fn frame(&self, random: &mut Random) -> Either<'_> {
-        let (sequence, time) = (random.byte(), random.word());
-        if random.flag() {
-            let message = self.command(random);
-            Either::Command(Frame {
-                sequence,
-                time,
-                message,
-            })
-        } else {
-            let message = self.report(random);
-            Either::Report(Frame {
-                sequence,
-                time,
-                message,
-            })
         }
     }
 

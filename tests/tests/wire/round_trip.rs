@@ -2,17 +2,19 @@
 
 use crate::random::{Random, Store};
 use crate::said::Said;
-use crate::{Either, decoded, encoded, sampled, times};
-use stiction_core::{Angle, Description, Hand, Scene, SurfaceDescription};
+use crate::{Either, bare, decoded, encoded, first, sampled, times, without_obstacles};
+use stiction_core::{Angle, Hand};
 use stiction_wire::{
-    Command, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text, scene_bytes,
-    wire_bytes,
+    Command, CommandAmong, Fault, FaultKind, Frame, List, Pose, Reason, Reference, Reply, Report,
+    ReportAmong, SceneCommand, Text, VERSION, VERSION_AMONG, scene_bytes, wire_bytes,
 };
 
+/// A peer without room for obstacles receives what is not about them as it was sent, too, and a fault for every message that it must not
+/// miss.
 #[test]
 fn random_messages_arrive_as_they_were_sent() {
     let mut random = Random(1);
-    for i in 0..times(20_000) {
+    for i in 0..times(40_000) {
         let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
         let sent = store.frame(&mut random);
         let (wire, to_board) = (sent.encoded(), sent.to_board());
@@ -24,12 +26,32 @@ fn random_messages_arrive_as_they_were_sent() {
         decoded(&wire, to_board, |received| {
             let received = received.expect("an undamaged frame");
             assert_eq!(Said::of(&received), Said::of(&sent));
-            assert_eq!(
-                received.encoded(),
-                wire,
-                "a received message can be sent on"
-            );
+            let again = received.encoded();
+            assert_eq!(again, wire, "a received message can be sent on");
         });
+        let [version, code, sequence] = bare(&wire)[..3] else {
+            unreachable!("three bytes")
+        };
+        let fault = |kind| Fault {
+            kind,
+            frame: Some(Reference { code, sequence }),
+        };
+        let expected = match &sent {
+            Either::Command(Frame {
+                message: CommandAmong::SceneAmong(_),
+                ..
+            }) => Err(fault(FaultKind::Version)),
+            // A peer without obstacles continues without them.
+            Either::Report(Frame {
+                message: ReportAmong::Room(_),
+                ..
+            }) => Err(fault(FaultKind::UnknownType)),
+            Either::Report(_) if version == VERSION_AMONG => Err(fault(FaultKind::Version)),
+            Either::Command(_) | Either::Report(_) => Ok(wire.clone()),
+        };
+        let is_newer = expected == Err(fault(FaultKind::Version));
+        assert_eq!(version, if is_newer { VERSION_AMONG } else { VERSION });
+        assert_eq!(without_obstacles(&wire, to_board), expected);
     }
 }
 
@@ -50,7 +72,7 @@ fn pose_takes_33_bytes_whatever_it_says() {
 #[test]
 fn hand_takes_34_bytes_and_a_tracker_sample_42() {
     assert_eq!(
-        encoded(&to_board(Command::Hand(Hand::new(0.1, 0.2, 0.3)))).len(),
+        encoded(&first(Command::Hand(Hand::new(0.1, 0.2, 0.3)))).len(),
         34
     );
     assert_eq!(wire_bytes(29), 42);
@@ -58,7 +80,7 @@ fn hand_takes_34_bytes_and_a_tracker_sample_42() {
 
 #[test]
 fn frame_that_does_not_fit_is_not_written() {
-    let frame = to_board(Command::Hand(Hand::new(0.1, 0.2, 0.3)));
+    let frame = first(Command::Hand(Hand::new(0.1, 0.2, 0.3)));
     for room in 0..34 {
         assert!(frame.encode(&mut vec![0; room]).is_none(), "{room} bytes");
     }
@@ -69,7 +91,7 @@ fn frame_that_does_not_fit_is_not_written() {
         ..scene(&[])
     };
     assert!(
-        to_board(Command::Scene(scene))
+        first(Command::Scene(scene))
             .encode(&mut [0; 9000])
             .is_none(),
         "256 vertices"
@@ -86,7 +108,7 @@ fn length_on_the_wire_has_its_bound() {
             vertices: List::from(&vertices[..n]),
             ..scene(&[])
         };
-        let wire = encoded(&to_board(Command::Scene(scene)));
+        let wire = encoded(&first(Command::Scene(scene)));
         assert!(
             wire.len() <= wire_bytes(scene_bytes(n, 0)),
             "{n} vertices: {}",
@@ -104,56 +126,6 @@ fn length_on_the_wire_has_its_bound() {
             wire.len()
         );
     }
-}
-
-#[test]
-fn scene_of_64_vertices_goes_through_in_one_frame() {
-    let corner = |i: i32| {
-        let angle = std::f32::consts::TAU * i as f32 / 64.0;
-        [0.05 * angle.cos(), 0.05 * angle.sin()]
-    };
-    let vertices: Vec<_> = (0..64).map(corner).collect();
-    let wall = SurfaceDescription {
-        normal: [0.0, 1.0],
-        offset: -0.1,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    };
-    let surfaces = [wall; 16];
-    let described = Description {
-        vertices: &vertices,
-        start: [0.0; 3],
-        weight: 0.0,
-        holding_point: Some([0.0, 0.02]),
-        reach: 0.0,
-        stiffness_translation: 500.0,
-        stiffness_rotation: 0.5,
-        surfaces: &surfaces,
-    };
-    let wire = encoded(&to_board(Command::Scene(SceneCommand::from(&described))));
-    assert!(wire.len() <= wire_bytes(scene_bytes(64, 16)));
-    decoded(&wire, true, |received| {
-        let Ok(Either::Command(Frame {
-            message: Command::Scene(scene),
-            ..
-        })) = received
-        else {
-            panic!("no scene");
-        };
-        let (mut v, mut s) = ([[0.0; 2]; 64], [wall; 16]);
-        let there = scene.description(&mut v, &mut s).expect("it fits");
-        assert_eq!(there, described);
-        Scene::<f32, 64, 16>::new(&there).expect("a scene");
-        let error = scene
-            .description(&mut v[..63], &mut s)
-            .expect_err("one too many");
-        assert_eq!(error.value, 64.0);
-        let error = scene
-            .description(&mut v, &mut s[..1])
-            .expect_err("15 too many");
-        assert_eq!(error.value, 16.0);
-    });
 }
 
 #[test]
@@ -195,16 +167,12 @@ fn frame_is_referred_to_by_its_type_and_number() {
     let mut random = Random(5);
     for _ in 0..200 {
         let store = Store::fill(&mut random, 3);
-        let frame = store.frame_among(&mut random);
+        let frame = store.frame(&mut random);
         let reference = match &frame {
             Either::Command(frame) => frame.reference(),
             Either::Report(frame) => frame.reference(),
-            Either::CommandAmong(frame) => frame.reference(),
-            Either::ReportAmong(frame) => frame.reference(),
         };
-        let mut bytes = frame.encoded();
-        bytes.pop();
-        cobs::decode_in_place(&mut bytes).expect("COBS");
+        let bytes = bare(&frame.encoded());
         assert_eq!([reference.code, reference.sequence], bytes[1..3]);
     }
 }
@@ -229,14 +197,6 @@ fn text_is_compared_by_its_characters() {
     assert_eq!(format!("{:?}", Text::new("more\n")), "\"more?\"");
     for other in ["", "more than", "more than 1", "more than 0 "] {
         assert!(Text::new("more than 0") != other, "{other}");
-    }
-}
-
-pub(crate) fn to_board(message: Command<'_>) -> Frame<Command<'_>> {
-    Frame {
-        sequence: 0,
-        time: 0,
-        message,
     }
 }
 

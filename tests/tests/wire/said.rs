@@ -34,17 +34,13 @@ impl Said {
         let (name, sequence, time) = match frame {
             Either::Command(f) => (f.message.name(), f.sequence, f.time),
             Either::Report(f) => (f.message.name(), f.sequence, f.time),
-            Either::CommandAmong(f) => (f.message.name(), f.sequence, f.time),
-            Either::ReportAmong(f) => (f.message.name(), f.sequence, f.time),
         };
         said.text("type", name)
             .int("sequence", sequence)
             .int("time", time);
         match frame {
-            Either::Command(f) => said.command(&f.message),
-            Either::Report(f) => said.report(&f.message),
-            Either::CommandAmong(f) => said.command_among(&f.message),
-            Either::ReportAmong(f) => said.report_among(&f.message),
+            Either::Command(f) => said.command_among(&f.message),
+            Either::Report(f) => said.report_among(&f.message),
         }
         said
     }

@@ -47,23 +47,6 @@ fn point_is_as_large_as_its_springs_ask_for() {
     }
 }
 
-/// The first parameter that is refused, and what is allowed.
-fn refused(change: impl Fn(&mut Description<'_, f32>)) -> Option<(Parameter, &'static str)> {
-    let mut description = Description {
-        vertices: &[],
-        start: [0.0; 3],
-        weight: 0.0,
-        holding_point: None,
-        reach: 0.0,
-        stiffness_translation: 1.0,
-        stiffness_rotation: 0.0,
-        surfaces: &[],
-    };
-    change(&mut description);
-    let error = check_numbers(&description).err()?;
-    Some((error.parameter, error.allowed))
-}
-
 /// Whether a polygon is convex does not depend on its size; a corner on a straight side is not convex.
 #[test]
 fn convexity_is_that_of_the_shape() {
@@ -80,13 +63,4 @@ fn convexity_is_that_of_the_shape() {
             assert!(matches!(error, Err(Parameter::Vertex(_))), "{scale}");
         }
     }
-}
-
-#[test]
-fn zero_is_allowed_where_the_text_says_so() {
-    assert_eq!(refused(|_| ()), None);
-    let k_h = refused(|d| d.stiffness_translation = 0.0);
-    assert_eq!(k_h, Some((Parameter::StiffnessTranslation, "more than 0")));
-    let k_theta = refused(|d| d.stiffness_rotation = -1e-30);
-    assert_eq!(k_theta, Some((Parameter::StiffnessRotation, "0 or more")));
 }

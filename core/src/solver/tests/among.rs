@@ -25,8 +25,6 @@ pub(super) struct Setting {
     /// N·m
     pub(super) stiffness: f64,
     pub(super) obstacles: Vec<Vec<[f64; 2]>>,
-    /// Instead of obstacles: the floor.
-    pub(super) floor: bool,
     /// mu_s, mu_d
     pub(super) friction: [f64; 2],
 }
@@ -67,10 +65,10 @@ impl Setting {
             memory: None,
         };
         let obstacles: Vec<_> = lists.iter().map(|list| obstacle(list)).collect();
-        // Without a floor nothing reaches it.
+        // Nothing reaches it.
         let surface = SurfaceDescription {
             normal: [si(0.0), si(1.0)],
-            offset: si(if self.floor { 0.0 } else { -8.0 }),
+            offset: si(-8.0),
             friction_static,
             friction_dynamic,
             memory: None,

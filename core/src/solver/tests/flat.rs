@@ -5,13 +5,9 @@ extern crate std;
 use super::among::{Run, Setting, box_of, post, table};
 use crate::contact::Pair;
 use crate::event::{StateKind, Status};
-use crate::fixtures::Random;
 use crate::real::{Fixed, Real};
 use crate::solver::Evolution;
 use std::vec;
-use std::vec::Vec;
-
-mod laws;
 
 /// The indices of the obstacles' corners and sides begin here, after one half-plane.
 const FIRST: u8 = 1;
@@ -34,66 +30,12 @@ fn setting() -> Setting {
         held_at: [0.0, 0.0],
         stiffness: 1.0,
         obstacles: vec![table([-4.0, 0.25])],
-        floor: false,
         friction: [0.5, 0.25],
     }
 }
 
 fn same(is: f64, should: f64, tolerance: f64) {
     assert!((is - should).abs() <= tolerance, "{is} {should}");
-}
-
-/// W (w/2) + F (w - o + x) over w - o at the table's edge, the rest at the box's left vertex; it tips where W (w/2 - o) = F x.
-#[test]
-fn box_beyond_the_edge_of_a_table_shares_its_load() {
-    fn shares<R: Real>(tolerance: f64)
-    where
-        R::Si: From<f32> + Into<f64>,
-    {
-        let (width, weight) = (1.0, 0.5);
-        for evolution in Evolution::ALL {
-            for over in [0.125, 0.25, 0.375] {
-                for out in [0.0625, 0.125] {
-                    let edge = 0.5 - over;
-                    let setting = Setting {
-                        obstacles: vec![table([-4.0, edge])],
-                        weight,
-                        held_at: [edge + out, 0.0],
-                        // So stiff that only the force acts.
-                        ..setting()
-                    };
-                    let hand = |force: f64| [edge + out, 0.25 - force, 0.0];
-                    let mut run = Run::<R>::start(&setting, evolution, hand(0.0));
-                    let tips = weight * (width / 2.0 - over) / out;
-                    let mut last = hand(0.0);
-                    for part in [0.25, 0.5, 0.96875, 1.03125] {
-                        let force = tips * part;
-                        run.go([last, hand(force)], 4);
-                        last = hand(force);
-                        assert_eq!(run.output.status, Status::Ok);
-                        if part > 1.0 {
-                            assert_eq!(run.contacts(), [corner(2)], "{over} {out} {part}");
-                            assert!(run.pose()[2] < 0.0);
-                            continue;
-                        }
-                        assert_eq!(run.output.state, StateKind::Edge);
-                        let far = width - over;
-                        let at_edge = (weight * width / 2.0 + force * (far + out)) / far;
-                        let [left, right] = run.reactions()[..] else {
-                            panic!("{:?}", run.contacts())
-                        };
-                        same(left[0], -0.5, tolerance);
-                        same(right[0], edge, tolerance);
-                        same(right[1], at_edge, tolerance * (1.0 + force));
-                        same(left[1], weight + force - at_edge, tolerance * (1.0 + force));
-                    }
-                }
-            }
-        }
-    }
-    shares::<f64>(1e-12);
-    shares::<f32>(4e-6);
-    shares::<Fixed>(4e-6);
 }
 
 /// A body that is turned down about one contact lands on the other one, and the loads are then the same as on the floor where it is borne
@@ -186,138 +128,4 @@ fn body_that_is_turned_down_lands_on_both_ends() {
     lands::<f64>(1e-9);
     lands::<f32>(4e-6);
     lands::<Fixed>(8e-6);
-}
-
-/// On a block that is wider than all its displacements a box behaves as on the floor.
-#[test]
-fn wide_block_is_a_floor() {
-    for seed in 0..40 {
-        let mut random = Random(seed);
-        let mut number = || (random.next() * 64.0).round() / 64.0;
-        let over = Setting {
-            start: [0.0, 1.0, 0.0],
-            held_at: [0.25 * number(), 0.125],
-            weight: 0.25 + 0.25 * number(),
-            friction: [0.5, if seed % 2 == 0 { 0.5 } else { 0.25 }],
-            obstacles: vec![table([-16.0, 16.0])],
-            ..setting()
-        };
-        let floor = Setting {
-            obstacles: vec![],
-            floor: true,
-            ..over.clone()
-        };
-        let evolution = Evolution::ALL[seed as usize % 2];
-        let begin = [over.held_at[0], 1.25, 0.0];
-        let [mut block, mut plane] =
-            [&over, &floor].map(|s| Run::<f64>::start(s, evolution, begin));
-        let mut last = begin;
-        for _ in 0..8 {
-            let next = [2.0 * number(), 0.25 + 0.5 * number(), 0.5 * number()];
-            block.go([last, next], 8);
-            plane.go([last, next], 8);
-            last = next;
-            assert_eq!(block.output.state, plane.output.state, "{seed}");
-            let pair = block.pose().into_iter().zip(plane.pose());
-            for (is, should) in pair {
-                same(is, should, 1e-9);
-            }
-            let pairs = block.reactions().into_iter().zip(plane.reactions());
-            for (is, should) in pairs {
-                for k in 0..3 {
-                    same(is[k], should[k], 1e-8);
-                }
-            }
-        }
-    }
-}
-
-/// A box that is pushed over a block that is narrower than it ends first at its own vertices, then at the block's corners, and finally
-/// tips; in the opposite direction it is the mirror image.
-#[test]
-fn box_is_pushed_over_a_narrow_block() {
-    fn pushed<R: Real>(tolerance: f64)
-    where
-        R::Si: From<f32> + Into<f64>,
-    {
-        for evolution in Evolution::ALL {
-            let runs = [1.0, -1.0].map(|side| {
-                let setting = Setting {
-                    start: [-0.25 * side, 0.25, 0.0],
-                    weight: 0.25,
-                    obstacles: vec![table([-0.375, 0.375])],
-                    ..setting()
-                };
-                let at = |x: f64| [side * x, 0.125, 0.0];
-                let mut run = Run::<R>::start(&setting, evolution, at(-0.25));
-                let mut seen: Vec<Vec<Pair>> = vec![run.contacts()];
-                let mut shares = vec![];
-                for i in 0..=90 {
-                    run.step(at(-0.25 + f64::from(i) / 128.0));
-                    assert_eq!(run.output.status, Status::Ok, "{i}");
-                    assert!(run.is_outside(tolerance));
-                    for left in run.unbalanced() {
-                        same(left, 0.0, tolerance);
-                    }
-                    let mut contacts = run.contacts();
-                    contacts.sort_by_key(|pair| (pair.surface, pair.vertex));
-                    if seen.last() != Some(&contacts) {
-                        seen.push(contacts);
-                    }
-                    if run.output.state == StateKind::Edge {
-                        shares.push(run.reactions());
-                    }
-                }
-                (seen, shares)
-            });
-            let [right, left] = &runs;
-            let mut ends = [
-                vec![corner(3), vertex(1, 2)],
-                vec![corner(2), corner(3)],
-                vec![vertex(0, 2), corner(2)],
-                vec![corner(2)],
-            ];
-            for list in &mut ends {
-                list.sort_by_key(|pair| (pair.surface, pair.vertex));
-            }
-            let mut seen = right.0.clone();
-            seen[0].sort_by_key(|pair| (pair.surface, pair.vertex));
-            seen.dedup();
-            assert_eq!(seen[..4], ends);
-            for (one, other) in right.1.iter().zip(&left.1) {
-                for (a, b) in one.iter().zip(other.iter().rev()) {
-                    same(a[0], -b[0], tolerance);
-                    same(a[1], b[1], tolerance);
-                    same(a[2], -b[2], tolerance);
-                }
-            }
-        }
-    }
-    pushed::<f64>(1e-9);
-    pushed::<f32>(8e-6);
-    pushed::<Fixed>(8e-6);
-}
-
-/// A short side of the body on a long one of an obstacle bears loads as a long one on a short one does.
-#[test]
-fn body_and_obstacle_are_exchanged() {
-    for i in -2..=2 {
-        let turn = f64::from(i) / 64.0;
-        let [short, long] = [(0.75, 8.0), (8.0, 0.75)].map(|(body, block)| {
-            let setting = Setting {
-                body: box_of([body, 0.5]),
-                obstacles: vec![table([-block / 2.0, block / 2.0])],
-                ..setting()
-            };
-            let mut run = Run::<f64>::start(&setting, Evolution::Path, [0.0, 0.25, 0.0]);
-            run.go([[0.0, 0.25, 0.0], [turn, 0.125, turn]], 8);
-            assert_eq!(run.output.state, StateKind::Edge);
-            run.reactions()
-        });
-        for (a, b) in short.iter().zip(&long) {
-            for k in 0..3 {
-                same(a[k], b[k], 1e-12);
-            }
-        }
-    }
 }

@@ -40,7 +40,6 @@ fn tip_that_slides_into_a_seam_is_in_both_contacts() {
                             [wall, 2.0],
                         ],
                     ],
-                    floor: false,
                     friction: [0.25, 0.125],
                 };
                 let (left, right) = (wall - 1.0, wall - 0.25);
@@ -81,7 +80,6 @@ fn rod(start: [f64; 3], obstacles: Vec<Vec<[f64; 2]>>) -> Setting {
         held_at: [0.0, 0.0],
         stiffness: 8.0,
         obstacles,
-        floor: false,
         friction: [0.25, 0.125],
     }
 }

@@ -15,7 +15,6 @@ fn over_post(stiffness: f64, friction: f64) -> Setting {
         held_at: [0.0, -0.1875],
         stiffness,
         obstacles: [post(0.125)].into(),
-        floor: false,
         friction: [friction; 2],
     }
 }
@@ -91,7 +90,6 @@ where
             held_at: [random.next() / 4.0, random.next() / 8.0],
             stiffness,
             obstacles: [table([-2.0, 0.5]), wall.into()].into(),
-            floor: false,
             friction: [0.0; 2],
         };
         let mut from = [-0.5, 1.0, 0.0];

@@ -3,9 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, Touch, law};
+use stiction_judge::{Contact, Event, Frame, Scene, State, Touch, law};
 
-use crate::write::{broken, frame, scene};
+use stiction_tests::change;
+
+use crate::write::{frame, laws, only, scene};
 
 const K: f64 = 500.0;
 const K_THETA: f64 = 8.0;
@@ -68,36 +70,11 @@ fn lying(hand: [f64; 3], theta: f64, lever: f64, sliding: i8) -> Frame {
     }
 }
 
-/// The zero of a function between two points.
-fn zero(f: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    let sign = f(from).signum();
-    assert_ne!(sign, f(to).signum());
-    for _ in 0..100 {
-        let middle = f64::midpoint(from, to);
-        if f(middle).signum() == sign {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    f64::midpoint(from, to)
-}
-
 /// The angle at which the moments balance while the pin sticks.
 fn stuck(hand: [f64; 3], lever: f64) -> f64 {
-    zero(
-        |theta| balanced(hand, theta) - lever,
-        hand[2] - 0.5,
-        hand[2] + 0.5,
-    )
-}
-
-/// The laws that frames break, one second apart.
-fn laws(scene: &Scene, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
-    for (i, frame) in frames.iter_mut().enumerate() {
-        frame.t = i as f64;
-    }
-    broken(scene, Evolution::Path, &frames)
+    change(hand[2] - 0.5, hand[2] + 0.5, |theta| {
+        balanced(hand, theta) > lever
+    })
 }
 
 /// The hand turns and moves along: the bar turns about the pin, which sticks to it except for `creep` (m) per frame.
@@ -121,7 +98,7 @@ fn bar_that_turns_about_a_pin_is_lawful() {
 fn corner_that_creeps_along_a_body_is_found() {
     for creep in [-2e-7, 2e-7] {
         let broken = laws(&on_pin([0.9, 0.9]), turning(creep));
-        assert_eq!(broken, BTreeSet::from([law::STICKS]));
+        assert_eq!(broken, only(law::STICKS));
     }
 }
 
@@ -130,7 +107,7 @@ fn direction_that_stays_behind_is_found() {
     let mut frames = turning(0.0);
     frames[8].contacts[0].direction = frames[7].contacts[0].direction;
     let broken = laws(&on_pin([0.9, 0.9]), frames);
-    assert_eq!(broken, BTreeSet::from([law::DIRECTION]));
+    assert_eq!(broken, only(law::DIRECTION));
 }
 
 const FROZEN: [f64; 3] = [0.004, 0.02, 0.1];
@@ -167,7 +144,7 @@ fn ends() -> [f64; 2] {
     };
     let end = [1.0, -1.0].map(|sign| way(sign).find(|&theta| driven(theta) <= 0.0));
     let end = end.into_iter().flatten().next().expect("an end");
-    [begin, zero(driven, begin, end)]
+    [begin, change(begin, end, |theta| driven(theta) > 0.0)]
 }
 
 #[test]
@@ -191,7 +168,7 @@ fn sliding() -> Vec<Frame> {
             let [normal, friction] = reaction(hand, theta, balanced(hand, theta));
             friction + mu * normal
         };
-        let theta = zero(excess, -0.3, 0.3);
+        let theta = change(-0.3, 0.3, |theta| excess(theta) > 0.0);
         lying(hand, theta, balanced(hand, theta), 1)
     };
     (0..10).map(at).collect()
@@ -203,7 +180,7 @@ fn slide_of_a_corner_goes_forward_at_dynamic_friction() {
     assert_eq!(laws(&scene, sliding()), NONE);
     let mut back = sliding();
     back.reverse();
-    assert_eq!(laws(&scene, back), BTreeSet::from([law::FORWARD]));
+    assert_eq!(laws(&scene, back), only(law::FORWARD));
     let mut wrong = sliding();
     wrong[4].contacts[0].sliding = Some(-1);
     assert!(laws(&scene, wrong).contains(law::SLIDES));

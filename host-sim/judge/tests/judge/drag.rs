@@ -14,6 +14,8 @@ const CENTROID: f64 = 0.03;
 const GRIP: f64 = 0.05;
 const STATIC: f64 = 0.5;
 const DYNAMIC: f64 = 0.3;
+/// The hand's displacement per frame (m).
+const STRIDE: f64 = 0.0007;
 
 pub(crate) const SCENE: &str = r#"
 [body]
@@ -47,24 +49,6 @@ pub(crate) fn drag_scene() -> Scene {
     scene(SCENE)
 }
 
-/// The hand's lead at which the box breaks away, and the length of the slip, relative to the correct values.
-#[derive(Clone, Copy)]
-pub(crate) struct Drag {
-    pub(crate) breaks_at: f64,
-    pub(crate) slides: f64,
-    /// The hand's displacement per frame (m).
-    pub(crate) stride: f64,
-    /// Whether the hand jumps.
-    pub(crate) jumps: bool,
-}
-
-pub(crate) const LAWFUL: Drag = Drag {
-    breaks_at: 1.0,
-    slides: 1.0,
-    stride: 0.0007,
-    jumps: false,
-};
-
 /// A frame with the box at `x` and the hand at `hand`, holding it at `grip` (body frame).
 pub(crate) fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
     let force = [K * (hand[0] - x - grip[0]), K * (hand[1] - grip[1])];
@@ -88,10 +72,10 @@ pub(crate) fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
     }
 }
 
-/// The whole trace.
-pub(crate) fn drag(how: Drag) -> Vec<Frame> {
+/// The whole trace; `jumps`: the hand jumps from frame to frame.
+pub(crate) fn drag(jumps: bool) -> Vec<Frame> {
     let normal = WEIGHT + K * 0.01;
-    let lead = how.breaks_at * STATIC * normal / K;
+    let lead = STATIC * normal / K;
     let (mut x, mut t) = (0.0, 1.0);
     let mut frames = vec![
         pressed(0.0, [0.0, GRIP, 0.0], x, [0.0, GRIP]),
@@ -99,12 +83,12 @@ pub(crate) fn drag(how: Drag) -> Vec<Frame> {
     ];
     for i in 1..=40 {
         t += 1.0;
-        let hand = [how.stride * f64::from(i), GRIP - 0.01, 0.0];
+        let hand = [STRIDE * f64::from(i), GRIP - 0.01, 0.0];
         let slips = hand[0] - x > lead;
         if slips {
             let least = DYNAMIC * normal / K;
-            let before = if how.jumps { hand[0] - x } else { lead };
-            x += how.slides * (before - least);
+            let before = if jumps { hand[0] - x } else { lead };
+            x += before - least;
         }
         let mut frame = pressed(t, hand, x, [0.0, GRIP]);
         if slips {

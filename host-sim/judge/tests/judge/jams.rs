@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, Status, law};
 
-use crate::write::{broken, frame, on, scene};
+use crate::write::{a_second_apart, broken, frame, on, only, scene};
 
 /// k_h = k_theta = 1, mu 0.5 / 0.3, held in the middle.
 fn wedge(slope: f64) -> Scene {
@@ -61,18 +61,11 @@ fn let_go(last: &Frame) -> Frame {
 }
 
 fn laws(scene: &Scene, frames: impl IntoIterator<Item = Frame>) -> BTreeSet<&'static str> {
-    let mut frames: Vec<Frame> = frames.into_iter().collect();
-    for (i, frame) in frames.iter_mut().enumerate() {
-        frame.t = i as f64;
-    }
+    let frames = a_second_apart(frames);
     let [path, jump] =
         [Evolution::Path, Evolution::Frame].map(|evolution| broken(scene, evolution, &frames));
     assert_eq!(path, jump);
     path
-}
-
-fn only(law: &'static str) -> BTreeSet<&'static str> {
-    BTreeSet::from([law])
 }
 
 const REPORTED: [Option<i8>; 2] = [None, Some(0)];

@@ -4,10 +4,10 @@
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 
-use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
+use stiction_judge::{Contact, Event, Frame, Scene, State, law};
 
 use crate::drag::{SCENE, pressed};
-use crate::write::{broken, frame, on, scene};
+use crate::write::{self, frame, on, only};
 
 const K: f64 = 500.0;
 const DYNAMIC: f64 = 0.3;
@@ -76,18 +76,13 @@ fn tour() -> Vec<Frame> {
     ]
 }
 
-/// Frames in the tour: where it slides, turns back, rests, slides again, slips and slips again.
+/// Frames in the tour: where it slides, turns back, and slips and slides on.
 const SLIDES: usize = 2;
 const TURNS: usize = 4;
-const RESTS: usize = 5;
-const BEGINS: usize = 6;
 const SLIPS_ON: usize = 11;
 
-fn laws(scene: &str, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
-    for (i, frame) in frames.iter_mut().enumerate() {
-        frame.t = i as f64;
-    }
-    broken(&self::scene(scene), Evolution::Path, &frames)
+fn laws(scene: &str, frames: Vec<Frame>) -> BTreeSet<&'static str> {
+    write::laws(&write::scene(scene), frames)
 }
 
 fn after(place: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
@@ -96,22 +91,9 @@ fn after(place: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str>
     laws(TOOL, frames)
 }
 
-fn only(law: &'static str) -> BTreeSet<&'static str> {
-    BTreeSet::from([law])
-}
-
 #[test]
 fn tool_that_slides_sticks_and_slips_is_lawful() {
     assert_eq!(laws(TOOL, tour()), BTreeSet::new());
-}
-
-/// A slide is reported, whatever led to it.
-#[test]
-fn slide_that_begins_unreported_beside_another_event_is_found() {
-    let touched = after(1, |frame| frame.events = vec![Event::Touch]);
-    assert_eq!(touched, only(law::COME_AND_GO));
-    let slipped = after(SLIPS_ON, |frame| frame.events = vec![Event::Slip]);
-    assert_eq!(slipped, only(law::COME_AND_GO));
 }
 
 #[test]
@@ -139,33 +121,6 @@ fn slide_that_goes_back_is_found() {
     frames.truncate(TURNS);
     frames.extend((0..40).map(|i| sliding([0.04 - 1e-7 * f64::from(i), -0.01], 1)));
     assert_eq!(laws(TOOL, frames), only(law::FORWARD));
-}
-
-#[test]
-fn slide_and_stop_that_are_not_reported_are_found() {
-    for place in [TURNS, BEGINS] {
-        let silent = after(place, |frame| frame.events.clear());
-        assert!(silent.contains(law::SLIDE_REPORTED), "{place}");
-    }
-    for event in [Event::Slide, Event::Stop] {
-        let idle = after(RESTS, |frame| frame.events = vec![event]);
-        assert!(idle.contains(law::SLIDE_REPORTED), "{event:?}");
-    }
-    let ended = after(BEGINS, |frame| {
-        frame.events = vec![Event::Slide, Event::Stop];
-    });
-    // Nor do such events lead to the actual state.
-    let both = BTreeSet::from([law::SLIDE_REPORTED, law::COME_AND_GO]);
-    assert_eq!(ended, both);
-    // From one direction to the other in one frame: both events.
-    let turned = |events: &[Event]| {
-        let mut frames = tour();
-        frames.truncate(TURNS);
-        frames.push(with(events, sliding([0.03, -0.01], -1)));
-        laws(TOOL, frames)
-    };
-    assert_eq!(turned(&[Event::Stop, Event::Slide]), BTreeSet::new());
-    assert_eq!(turned(&[Event::Slide]), both);
 }
 
 #[test]
@@ -273,7 +228,7 @@ fn thresholds_of_memory_lengths() {
         (own, 71.25),
     ] {
         let normal = |part: f64, x: f64| {
-            let parsed = self::scene(&scene);
+            let parsed = write::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
             // Without the weight of 1 N and its friction.
             lighten(&parsed, &mut frame, part * threshold);

@@ -1,9 +1,9 @@
 //! Frames as the text of a trace, and the judge's answer to it.
 
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
+use serde_json::{Value, json};
 use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Status};
 use stiction_judge::{InputError, Source, Survey, Touch, Trace};
 use tempfile::TempDir;
@@ -39,202 +39,150 @@ pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
     }
 }
 
-/// A number in JSON: one that is not finite is null.
-fn digits(x: f64) -> String {
-    if x.is_finite() {
-        format!("{x:?}")
-    } else {
-        "null".to_owned()
-    }
-}
-
-fn list(numbers: &[f64]) -> String {
-    let numbers: Vec<_> = numbers.iter().map(|&x| digits(x)).collect();
-    format!("[{}]", numbers.join(","))
-}
-
-/// The touching features, by JSON key and in the order of the CSV columns.
-fn reported(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
-    let index = |index: usize| Some(index.to_string());
-    let (mut vertex, mut surface, mut obstacle) = (None, None, None);
-    let (mut side, mut corner, mut body_side) = (None, None, None);
-    match touch {
-        Touch::Surface {
-            vertex: v,
-            surface: s,
-        } => {
-            vertex = index(v);
-            surface = Some(scene.surfaces[s].name.clone());
+/// A contact as in JSON.
+fn contact(scene: &Scene, c: &Contact) -> Value {
+    let mut contact = match c.touch {
+        Touch::Surface { vertex, surface } => {
+            json!({ "vertex": vertex, "surface": scene.surfaces[surface].name })
         }
         Touch::Side {
-            vertex: v,
-            obstacle: o,
-            side: e,
-        } => {
-            vertex = index(v);
-            obstacle = Some(scene.obstacles[o].name.clone());
-            side = index(e);
-        }
+            vertex,
+            obstacle,
+            side,
+        } => json!({ "vertex": vertex, "obstacle": scene.obstacles[obstacle].name, "side": side }),
         Touch::Corner {
-            obstacle: o,
-            corner: k,
-            body_side: j,
+            obstacle,
+            corner,
+            body_side,
         } => {
-            obstacle = Some(scene.obstacles[o].name.clone());
-            (corner, body_side) = (index(k), index(j));
+            let obstacle = &scene.obstacles[obstacle].name;
+            json!({ "obstacle": obstacle, "corner": corner, "body_side": body_side })
         }
-    }
-    [
-        ("vertex", vertex),
-        ("surface", surface),
-        ("obstacle", obstacle),
-        ("side", side),
-        ("corner", corner),
-        ("body_side", body_side),
-    ]
-}
-
-fn object(scene: &Scene, frame: &Frame) -> String {
-    let contact = |c: &Contact| {
-        let is_name = |key: &str| matches!(key, "surface" | "obstacle");
-        let keys: Vec<_> = (reported(scene, c.touch).into_iter())
-            .filter_map(|(key, value)| value.map(|value| (key, value)))
-            .map(|(key, value)| match is_name(key) {
-                true => format!(r#""{key}":{value:?}"#),
-                false => format!(r#""{key}":{value}"#),
-            })
-            .collect();
-        let sliding = c.sliding.map(|sign| format!(r#","sliding":{sign}"#));
-        let direction = c.direction.map(|n| format!(r#","direction":{}"#, list(&n)));
-        format!(
-            r#"{{{},"point":{},"normal":{},"friction":{}{}{}}}"#,
-            keys.join(","),
-            list(&c.point),
-            digits(c.normal),
-            digits(c.friction),
-            sliding.unwrap_or_default(),
-            direction.unwrap_or_default()
-        )
     };
-    let contacts: Vec<_> = frame.contacts.iter().map(contact).collect();
-    let behind = (frame.behind).map(|part| format!(r#","behind":{}"#, digits(part)));
-    let events: Vec<_> = frame
-        .events
-        .iter()
-        .map(|&e| format!("{:?}", e.name()))
-        .collect();
-    format!(
-        r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?}{},"more":1}}"#,
-        digits(frame.t),
-        list(&frame.hand),
-        frame.held,
-        list(&frame.pose),
-        digits(frame.depth),
-        frame.state.name(),
-        contacts.join(","),
-        list(&frame.wrench),
-        frame.slips,
-        events.join(","),
-        frame.status.name(),
-        behind.unwrap_or_default()
-    )
-}
-
-fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
-    let numbers = |list: &[f64]| {
-        list.iter()
-            .map(|x| format!("{x:?}"))
-            .collect::<Vec<_>>()
-            .join(",")
-    };
-    let events: Vec<_> = frame.events.iter().map(|e| e.name()).collect();
-    let mut row = format!(
-        "{:?},{},{},{},{:?},{},{},{},{},{}",
-        frame.t,
-        numbers(&frame.hand),
-        frame.held,
-        numbers(&frame.pose),
-        frame.depth,
-        frame.state.name(),
-        numbers(&frame.wrench),
-        frame.slips,
-        events.join(" "),
-        frame.status.name()
-    );
-    let behind = frame.behind.map(digits).unwrap_or_default();
-    write!(row, ",{behind}").expect("a string");
-    for k in 0..4 {
-        for &column in columns {
-            let field = |c: &Contact| field(scene, c, column);
-            let field = frame.contacts.get(k).map(field).unwrap_or_default();
-            write!(row, ",{field}").expect("a string");
-        }
+    contact["point"] = json!(c.point);
+    contact["normal"] = json!(c.normal);
+    contact["friction"] = json!(c.friction);
+    if let Some(sliding) = c.sliding {
+        contact["sliding"] = json!(sliding);
     }
-    row
-}
-
-fn field(scene: &Scene, c: &Contact, column: &str) -> String {
-    match column {
-        "x" => format!("{:?}", c.point[0]),
-        "y" => format!("{:?}", c.point[1]),
-        "normal" => format!("{:?}", c.normal),
-        "friction" => format!("{:?}", c.friction),
-        "sliding" => c.sliding.map(|sign| sign.to_string()).unwrap_or_default(),
-        "direction_x" => c
-            .direction
-            .map(|n| format!("{:?}", n[0]))
-            .unwrap_or_default(),
-        "direction_y" => c
-            .direction
-            .map(|n| format!("{:?}", n[1]))
-            .unwrap_or_default(),
-        _ => {
-            let reported = reported(scene, c.touch)
-                .into_iter()
-                .find(|(key, _)| *key == column);
-            reported.and_then(|(_, value)| value).unwrap_or_default()
-        }
+    if let Some(direction) = c.direction {
+        contact["direction"] = json!(direction);
     }
+    contact
 }
 
-fn header(columns: &[&str]) -> String {
-    let mut header = "t,hand_x,hand_y,hand_phi,held,pose_x,pose_y,pose_theta,depth,state,wrench_x,wrench_y,wrench_moment,\
-                      slips,events,status,behind"
-        .to_owned();
-    for k in 0..4 {
-        for column in columns {
-            write!(header, ",c{k}_{column}").expect("a string");
-        }
+/// A frame as in JSON, with a key that nobody knows.
+fn record(scene: &Scene, frame: &Frame) -> Value {
+    let contacts = frame.contacts.iter().map(|c| contact(scene, c));
+    let mut record = json!({
+        "t": frame.t,
+        "hand": frame.hand,
+        "held": frame.held,
+        "pose": frame.pose,
+        "depth": frame.depth,
+        "state": frame.state.name(),
+        "contacts": contacts.collect::<Vec<_>>(),
+        "wrench": frame.wrench,
+        "slips": frame.slips,
+        "events": frame.events.iter().map(|e| e.name()).collect::<Vec<_>>(),
+        "status": frame.status.name(),
+        "more": 1,
+    });
+    if let Some(behind) = frame.behind {
+        record["behind"] = json!(behind);
     }
-    header
+    record
 }
 
-/// The columns of a contact that the frames need.
-fn columns(scene: &Scene, frames: &[Frame]) -> Vec<&'static str> {
+/// The columns of a table, each with its place in JSON.
+const COLUMNS: [(&str, &str); 17] = [
+    ("t", "/t"),
+    ("hand_x", "/hand/0"),
+    ("hand_y", "/hand/1"),
+    ("hand_phi", "/hand/2"),
+    ("held", "/held"),
+    ("pose_x", "/pose/0"),
+    ("pose_y", "/pose/1"),
+    ("pose_theta", "/pose/2"),
+    ("depth", "/depth"),
+    ("state", "/state"),
+    ("wrench_x", "/wrench/0"),
+    ("wrench_y", "/wrench/1"),
+    ("wrench_moment", "/wrench/2"),
+    ("slips", "/slips"),
+    ("events", "/events"),
+    ("status", "/status"),
+    ("behind", "/behind"),
+];
+const FEATURES: [(&str, &str); 2] = [("vertex", "vertex"), ("surface", "surface")];
+const OF_OBSTACLES: [(&str, &str); 4] = [
+    ("obstacle", "obstacle"),
+    ("side", "side"),
+    ("corner", "corner"),
+    ("body_side", "body_side"),
+];
+const NUMBERS: [(&str, &str); 4] = [
+    ("x", "point/0"),
+    ("y", "point/1"),
+    ("normal", "normal"),
+    ("friction", "friction"),
+];
+const DIRECTIONS: [(&str, &str); 2] = [
+    ("direction_x", "direction/0"),
+    ("direction_y", "direction/1"),
+];
+
+/// All columns that the frames need: those of four contacts after the others.
+fn columns(scene: &Scene, frames: &[Frame]) -> Vec<(String, String)> {
     let contacts = || frames.iter().flat_map(|frame| &frame.contacts);
-    let mut columns = vec!["vertex", "surface"];
+    let mut of_contact = FEATURES.to_vec();
     if !scene.obstacles.is_empty() {
-        columns.extend(["obstacle", "side", "corner", "body_side"]);
+        of_contact.extend(OF_OBSTACLES);
     }
-    columns.extend(["x", "y", "normal", "friction"]);
+    of_contact.extend(NUMBERS);
     if contacts().any(|contact| contact.sliding.is_some()) {
-        columns.push("sliding");
+        of_contact.push(("sliding", "sliding"));
     }
     if contacts().any(|contact| contact.direction.is_some()) {
-        columns.extend(["direction_x", "direction_y"]);
+        of_contact.extend(DIRECTIONS);
+    }
+    let mut columns: Vec<_> = COLUMNS.map(|(n, p)| (n.to_owned(), p.to_owned())).to_vec();
+    for k in 0..4 {
+        let column = |(name, place): &(&str, &str)| {
+            (format!("c{k}_{name}"), format!("/contacts/{k}/{place}"))
+        };
+        columns.extend(of_contact.iter().map(column));
     }
     columns
 }
 
+/// A value in a row.
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(names) => names.iter().map(cell).collect::<Vec<_>>().join(" "),
+        Value::Bool(_) | Value::Number(_) | Value::Object(_) => value.to_string(),
+    }
+}
+
 /// The lines of a trace; in CSV the first one is the header.
 pub(crate) fn lines(format: &str, scene: &Scene, frames: &[Frame]) -> Vec<String> {
-    let columns = columns(scene, frames);
-    match format {
-        "csv" => std::iter::once(header(&columns))
-            .chain(frames.iter().map(|frame| row(scene, frame, &columns)))
-            .collect(),
-        _ => frames.iter().map(|frame| object(scene, frame)).collect(),
+    let records = frames.iter().map(|frame| record(scene, frame));
+    if format == "jsonl" {
+        return records.map(|record| record.to_string()).collect();
     }
+    let (names, places): (Vec<_>, Vec<_>) = columns(scene, frames).into_iter().unzip();
+    let row = |record: Value| {
+        let cells = places.iter().map(|place| record.pointer(place).map(cell));
+        cells
+            .map(Option::unwrap_or_default)
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    std::iter::once(names.join(","))
+        .chain(records.map(row))
+        .collect()
 }
 
 /// A file in a temporary folder, which lives as long as the returned handle.
@@ -277,4 +225,26 @@ pub(crate) fn broken(
     });
     assert_eq!(json, csv);
     json
+}
+
+/// The laws that frames one second apart break along the path.
+pub(crate) fn laws(
+    scene: &Scene,
+    frames: impl IntoIterator<Item = Frame>,
+) -> BTreeSet<&'static str> {
+    broken(scene, Evolution::Path, &a_second_apart(frames))
+}
+
+/// Frames at 0, 1, 2 .. s.
+pub(crate) fn a_second_apart(frames: impl IntoIterator<Item = Frame>) -> Vec<Frame> {
+    let at = |(i, frame): (usize, Frame)| Frame {
+        t: i as f64,
+        ..frame
+    };
+    frames.into_iter().enumerate().map(at).collect()
+}
+
+/// A single law.
+pub(crate) fn only(law: &'static str) -> BTreeSet<&'static str> {
+    BTreeSet::from([law])
 }

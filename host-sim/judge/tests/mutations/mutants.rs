@@ -40,6 +40,7 @@ const PLACES: usize = 2;
 pub(crate) fn mutants(truth: &Truth) -> Vec<Mutant> {
     let mut maker = Maker {
         truth,
+        of: Of::Events,
         made: Vec::new(),
     };
     maker.events();
@@ -50,6 +51,8 @@ pub(crate) fn mutants(truth: &Truth) -> Vec<Mutant> {
 
 struct Maker<'a> {
     truth: &'a Truth,
+    /// The category of the faults that are made now.
+    of: Of,
     made: Vec<Mutant>,
 }
 
@@ -68,13 +71,13 @@ impl Maker<'_> {
     }
 
     /// The frames from `at` on, with that frame changed.
-    fn add(&mut self, of: Of, kind: &str, at: usize, change: impl FnOnce(&mut Vec<Frame>)) {
+    fn add(&mut self, kind: &str, at: usize, change: impl FnOnce(&mut Vec<Frame>)) {
         let frames = &self.truth.frames;
         let mut tail = frames[at..frames.len().min(at + TAIL)].to_vec();
         change(&mut tail);
         if tail[..] != frames[at..frames.len().min(at + TAIL)] {
             self.made.push(Mutant {
-                of,
+                of: self.of,
                 kind: kind.to_owned(),
                 from: at,
                 frames: tail,

@@ -1,6 +1,7 @@
 //! Frames with a displaced body and consistent springs and reactions, so that only the position is wrong.
 
 use stiction_judge::{Contact, Frame, State, Touch, centroid};
+use stiction_tests::obstacles::shape::{dot, placed, sub};
 
 use crate::truth::Truth;
 
@@ -8,15 +9,6 @@ type Vec2 = [f64; 2];
 
 fn cross(a: Vec2, b: Vec2) -> f64 {
     a[0] * b[1] - a[1] * b[0]
-}
-
-fn dot(a: Vec2, b: Vec2) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
-    let (sin, cos) = theta.sin_cos();
-    [cos * x - sin * y, sin * x + cos * y]
 }
 
 /// n at the contact of a vertex.
@@ -62,16 +54,13 @@ pub(crate) fn loaded(truth: &Truth, frame: &Frame) -> Frame {
         return frame.clone();
     };
     let mut frame = frame.clone();
-    let arm = turned(grip, frame.pose[2]);
-    let holding = [frame.pose[0] + arm[0], frame.pose[1] + arm[1]];
+    let [holding, heavy] = [grip, centroid(&scene.vertices)].map(|p| placed(&[p], frame.pose)[0]);
     let k = scene.stiffness_translation;
     let force = [0, 1].map(|i| k * (frame.hand[i] - holding[i]));
     let moment = scene.stiffness_rotation * (frame.hand[2] - frame.pose[2]);
     frame.wrench = [force[0], force[1], moment];
     let load = [force[0], force[1] - scene.weight];
-    let heavy = turned(centroid(&scene.vertices), frame.pose[2]);
-    let lever = [heavy[0] - arm[0], heavy[1] - arm[1]];
-    let moment = moment + cross(lever, [0.0, -scene.weight]);
+    let moment = moment + cross(sub(heavy, holding), [0.0, -scene.weight]);
     let Some(first) = frame.contacts.first().copied() else {
         return frame;
     };
@@ -80,10 +69,8 @@ pub(crate) fn loaded(truth: &Truth, frame: &Frame) -> Frame {
     match (frame.state, frame.contacts.as_mut_slice()) {
         (State::SingleVertex, [one]) => (one.normal, one.friction) = (all, along),
         (State::Edge, [a, b]) => {
-            let to = |point: Vec2| [point[0] - holding[0], point[1] - holding[1]];
-            let about = moment - cross(to(a.point), load);
-            let apart = [b.point[0] - a.point[0], b.point[1] - a.point[1]];
-            b.normal = -about / cross(apart, n);
+            let about = moment - cross(sub(a.point, holding), load);
+            b.normal = -about / cross(sub(b.point, a.point), n);
             a.normal = all - b.normal;
             for contact in [a, b] {
                 contact.friction = along * contact.normal / all;

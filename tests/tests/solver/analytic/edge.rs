@@ -38,11 +38,11 @@ mod cases {
         path.lead([0.0, 0.3, 0.0], 10);
 
         let first = path.onset([2.0, 0.3, 0.0], slipped);
-        close("first slip", first.hand[0], 0.1, R::ANALYTIC);
-        close("slip", path.frame.pose[0], 0.04, R::ANALYTIC);
-        close("slip reported", path.frame.longest_slip, 0.04, R::ANALYTIC);
+        R::near("first slip", first.hand[0], 0.1);
+        R::near("slip", path.frame.pose[0], 0.04);
+        R::near("slip reported", path.frame.longest_slip, 0.04);
         let second = path.onset([2.0, 0.3, 0.0], slipped);
-        close("period", second.hand[0] - first.hand[0], 0.04, R::ANALYTIC);
+        R::near("period", second.hand[0] - first.hand[0], 0.04);
 
         let (frames, late) = match evolution {
             Evolution::Path => (100, R::ANALYTIC),
@@ -67,8 +67,8 @@ mod cases {
         run.lead([0.0, 0.49, 0.0], 10);
         let target = [-0.1, 0.49, 0.0];
         let first = run.onset(target, slipped);
-        close("first slip", first.hand[0], -0.02, R::ANALYTIC);
-        close("slip", run.frame.pose[0], -0.01125, R::ANALYTIC);
+        R::near("first slip", first.hand[0], -0.02);
+        R::near("slip", run.frame.pose[0], -0.01125);
 
         let (frames, late) = match evolution {
             Evolution::Path => (10, R::ANALYTIC),
@@ -85,11 +85,11 @@ mod cases {
         let setup = Setup::block(1.0, 1.6).held_at([0.0, 0.8]).floor([0.6, 0.4]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.6, 0.0]);
         let trigger = run.onset([0.16, 0.6, 0.0], slipped);
-        close("first slip", trigger.hand[0], 0.12, R::ANALYTIC);
-        close("slip", run.frame.longest_slip, 0.04, R::ANALYTIC);
+        R::near("first slip", trigger.hand[0], 0.12);
+        R::near("slip", run.frame.longest_slip, 0.04);
         run.lead([0.1599, 0.6, 0.0], 10);
         assert_eq!(run.frame.state, StateKind::Edge);
-        close("end", run.frame.pose[0], 0.04, R::ANALYTIC);
+        R::near("end", run.frame.pose[0], 0.04);
     }
 
     /// Case 6b, mu_s above w / 2 y_g.
@@ -99,17 +99,12 @@ mod cases {
             .floor([0.65, 0.4]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.6, 0.0]);
         let trigger = run.onset([0.1251, 0.6, 0.0], |f| f.state != StateKind::Edge);
-        close("tips", trigger.hand[0], 0.125, R::ANALYTIC);
+        R::near("tips", trigger.hand[0], 0.125);
         assert!(run.frame.saw(Event::Tip), "{:?}", run.frame);
         run.lead([0.1251, 0.6, 0.0], 1);
         assert_eq!(run.frame.state, StateKind::SingleVertex);
-        close(
-            "angle",
-            run.frame.pose[2],
-            -4.797_745_055_04e-5,
-            R::ANALYTIC,
-        );
-        close("pivot", run.frame.contacts[0].point[0], 0.5, R::ANALYTIC);
+        R::near("angle", run.frame.pose[2], -4.797_745_055_04e-5);
+        R::near("pivot", run.frame.contacts[0].point[0], 0.5);
     }
 
     /// Case 10.
@@ -118,10 +113,10 @@ mod cases {
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
         assert_eq!(run.frame.state, StateKind::Edge);
         let lift = run.onset([0.0, 0.9, 0.0], |f| f.state == StateKind::NonContact);
-        close("lift-off", lift.hand[1], 0.8, R::ANALYTIC);
+        R::near("lift-off", lift.hand[1], 0.8);
         run.lead([0.0, 0.9, 0.0], 10);
         assert_eq!(run.frame.state, StateKind::NonContact);
-        close("height", run.frame.pose[1], 0.1, R::ANALYTIC);
+        R::near("height", run.frame.pose[1], 0.1);
     }
 
     /// A block that rises at 45 degrees slips infinitely often; each slip is (1 + mu_d) / (1 + mu_s) of the last one.
@@ -133,13 +128,13 @@ mod cases {
             run.onset([x + ahead, y + ahead, phi], slipped);
             let slip = run.frame.longest_slip;
             if let Some(last) = last {
-                close("ratio", slip / last, 0.866_666_667, R::ANALYTIC);
+                R::near("ratio", slip / last, 0.866_666_667);
             }
             last = Some(slip);
         }
         run.lead([0.4, 0.7, 0.0], 1);
         assert_eq!(run.frame.state, StateKind::NonContact);
-        close("height", run.frame.pose[1], 0.2, R::ANALYTIC);
+        R::near("height", run.frame.pose[1], 0.2);
         let limited = matches!(run.frame.status, Status::Ok | Status::EventLimit);
         assert!(limited, "{:?}", run.frame);
     }
@@ -150,16 +145,11 @@ mod cases {
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
         run.lead([1.5, 0.3, 0.0], 1_500);
         assert_eq!(run.frame.state, StateKind::Locked);
-        close("at the wall", run.frame.pose[0], 0.5, R::ANALYTIC);
+        R::near("at the wall", run.frame.pose[0], 0.5);
         run.lead([0.45, 0.3, 0.0], 10);
         let release = run.onset([0.35, 0.3, 0.0], slipped);
-        close("release", release.hand[0], 0.4, R::ANALYTIC);
-        close(
-            "slip",
-            release.before.pose[0] - run.frame.pose[0],
-            0.04,
-            R::ANALYTIC,
-        );
+        R::near("release", release.hand[0], 0.4);
+        R::near("slip", release.before.pose[0] - run.frame.pose[0], 0.04);
         run.lead([-0.2, 0.3, 0.0], 300);
         assert_eq!(
             (run.frame.state, run.frame.status),
@@ -172,9 +162,9 @@ mod cases {
         let setup = block([0.5, 0.1]).wall(1.03, [0.5, 0.1]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
         let trigger = run.onset([0.11, 0.3, 0.0], |f| f.state != StateKind::Edge);
-        close("trigger", trigger.hand[0], 0.1, R::ANALYTIC);
+        R::near("trigger", trigger.hand[0], 0.1);
         assert_eq!(run.frame.state, StateKind::Locked);
-        close("end", run.frame.pose[0], 0.03, R::ANALYTIC);
+        R::near("end", run.frame.pose[0], 0.03);
     }
 
     /// Held at the contact itself, at depth e: lag mu_s e before a slip, mu_d e after it, period (mu_s - mu_d) e.
@@ -187,24 +177,9 @@ mod cases {
         );
         let target = [1.0, -e, 0.0];
         let first = run.onset(target, slipped);
-        close(
-            "lag before",
-            first.hand[0] - first.before.pose[0],
-            mu_s * e,
-            R::ANALYTIC,
-        );
-        close(
-            "lag after",
-            first.hand[0] - run.frame.pose[0],
-            mu_d * e,
-            R::ANALYTIC,
-        );
+        R::near("lag before", first.hand[0] - first.before.pose[0], mu_s * e);
+        R::near("lag after", first.hand[0] - run.frame.pose[0], mu_d * e);
         let second = run.onset(target, slipped);
-        close(
-            "period",
-            second.hand[0] - first.hand[0],
-            (mu_s - mu_d) * e,
-            R::ANALYTIC,
-        );
+        R::near("period", second.hand[0] - first.hand[0], (mu_s - mu_d) * e);
     }
 }

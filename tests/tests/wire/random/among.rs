@@ -52,30 +52,30 @@ impl Random {
 }
 
 impl Store {
-    /// A frame between peers with capacity for obstacles.
-    pub(crate) fn frame_among(&self, random: &mut Random) -> Either<'_> {
+    /// Of every type; those about obstacles are the most frequent ones.
+    pub(crate) fn frame(&self, random: &mut Random) -> Either<'_> {
         let (sequence, time) = (random.byte(), random.word());
         if random.flag() {
             let message = match random.below(4) {
-                0 => CommandAmong::Common(self.command(random)),
+                0..2 => CommandAmong::Common(self.command(random)),
                 _ => CommandAmong::SceneAmong(SceneAmong {
                     scene: self.scene(random),
                     obstacles: ObstacleList::from(self.obstacles.as_slice()),
                 }),
             };
-            return Either::CommandAmong(Frame {
+            return Either::Command(Frame {
                 sequence,
                 time,
                 message,
             });
         }
-        let message = match random.below(4) {
-            0 => ReportAmong::Common(self.report(random)),
-            1 => ReportAmong::Room(Room {
+        let message = match random.below(6) {
+            0..3 => ReportAmong::Common(self.report(random)),
+            3 => ReportAmong::Room(Room {
                 obstacles: random.byte(),
                 corners: random.byte(),
             }),
-            2 => ReportAmong::Common(Report::Reply(Reply {
+            4 => ReportAmong::Common(Report::Reply(Reply {
                 subject: random.subject_among(),
                 ..self.reply(random)
             })),
@@ -86,7 +86,7 @@ impl Store {
                 contacts: List::from(self.contacts_among.as_slice()),
             }),
         };
-        Either::ReportAmong(Frame {
+        Either::Report(Frame {
             sequence,
             time,
             message,

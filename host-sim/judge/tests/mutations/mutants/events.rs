@@ -18,6 +18,7 @@ const EVENTS: [Event; 9] = [
 
 impl Maker<'_> {
     pub(super) fn events(&mut self) {
+        self.of = Of::Events;
         for state in [
             State::NonContact,
             State::SingleVertex,
@@ -47,14 +48,9 @@ impl Maker<'_> {
             let alone = self.truth.frames[at].events.len() == 1;
             let beside = if alone { "" } else { BESIDE };
             for by in [-1_i32, 1] {
-                self.add(
-                    Of::Events,
-                    &format!("{by:+} slips of several{beside}"),
-                    at,
-                    |tail| {
-                        tail[0].slips = tail[0].slips.saturating_add_signed(by);
-                    },
-                );
+                self.add(&format!("{by:+} slips of several{beside}"), at, |tail| {
+                    tail[0].slips = tail[0].slips.saturating_add_signed(by);
+                });
             }
         }
     }
@@ -64,7 +60,6 @@ impl Maker<'_> {
         let how = if slides { "sliding " } else { "" };
         for event in EVENTS {
             self.add(
-                Of::Events,
                 &format!("invented {event:?} in {how}{state:?}"),
                 at,
                 |tail| {
@@ -73,23 +68,13 @@ impl Maker<'_> {
                 },
             );
         }
-        self.add(
-            Of::Events,
-            &format!("a slip counted in {how}{state:?}"),
-            at,
-            |tail| {
-                tail[0].slips = 1;
-            },
-        );
-        self.add(
-            Of::Events,
-            &format!("a contact gone in {how}{state:?}"),
-            at,
-            |tail| {
-                tail[0].contacts.pop();
-                tail[0].state = by_count(&tail[0]);
-            },
-        );
+        self.add(&format!("a slip counted in {how}{state:?}"), at, |tail| {
+            tail[0].slips = 1;
+        });
+        self.add(&format!("a contact gone in {how}{state:?}"), at, |tail| {
+            tail[0].contacts.pop();
+            tail[0].state = by_count(&tail[0]);
+        });
     }
 
     /// An event is reported differently.
@@ -97,14 +82,13 @@ impl Maker<'_> {
         let alone = self.truth.frames[at].events.len() == 1;
         let beside = if alone { "" } else { BESIDE };
         let name = format!("{event:?}{beside}");
-        self.add(Of::Events, &format!("{name} not reported"), at, |tail| {
+        self.add(&format!("{name} not reported"), at, |tail| {
             tail[0].events.retain(|&reported| reported != event);
             if event == Event::Slip {
                 tail[0].slips = 0;
             }
         });
         self.add(
-            Of::Events,
             &format!("frame of {name} repeated 1 ns later"),
             at,
             |tail| {
@@ -124,42 +108,29 @@ impl Maker<'_> {
             Event::Snap => Event::Tip,
             _ => return,
         };
-        self.add(
-            Of::Events,
-            &format!("{name} called {other:?}"),
-            at,
-            |tail| {
-                for reported in tail[0]
-                    .events
-                    .iter_mut()
-                    .filter(|reported| **reported == event)
-                {
-                    *reported = other;
-                }
-            },
-        );
+        self.add(&format!("{name} called {other:?}"), at, |tail| {
+            for reported in tail[0]
+                .events
+                .iter_mut()
+                .filter(|reported| **reported == event)
+            {
+                *reported = other;
+            }
+        });
         if event == Event::Slip {
-            self.add(Of::Events, "slips not counted", at, |tail| {
-                tail[0].slips = 0
-            });
+            self.add("slips not counted", at, |tail| tail[0].slips = 0);
         }
     }
 
     /// The only event of a frame is reported at another time, or counted differently.
     fn moved_event(&mut self, at: usize, event: Event) {
+        self.add(&format!("{event:?} reported a frame late"), at, |tail| {
+            let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
+            tail[0].slips = 0;
+            tail[1].events.splice(0..0, events);
+            tail[1].slips += slips;
+        });
         self.add(
-            Of::Events,
-            &format!("{event:?} reported a frame late"),
-            at,
-            |tail| {
-                let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
-                tail[0].slips = 0;
-                tail[1].events.splice(0..0, events);
-                tail[1].slips += slips;
-            },
-        );
-        self.add(
-            Of::Events,
             &format!("{event:?} reported a frame early"),
             at - 1,
             |tail| {
@@ -171,16 +142,11 @@ impl Maker<'_> {
         );
         if event == Event::Slip && self.truth.frames[at].slips == 1 {
             for count in [2, 3] {
-                self.add(
-                    Of::Events,
-                    &format!("1 slip counted as {count}"),
-                    at,
-                    |tail| {
-                        tail[0].slips = count;
-                    },
-                );
+                self.add(&format!("1 slip counted as {count}"), at, |tail| {
+                    tail[0].slips = count;
+                });
             }
-            self.add(Of::Events, "slip called a slide", at, |tail| {
+            self.add("slip called a slide", at, |tail| {
                 (tail[0].slips, tail[0].events) = (0, vec![Event::Slide, Event::Stop]);
             });
         }

@@ -11,6 +11,7 @@ type Fault<'a> = &'a dyn Fn(&mut Frame);
 
 impl Maker<'_> {
     pub(super) fn laws(&mut self) {
+        self.of = Of::Laws;
         let is_pressed = |frames: &[Frame], i: usize| {
             let most = |frame: &Frame| {
                 let normals = frame.contacts.iter().map(|c| c.normal);
@@ -94,14 +95,12 @@ impl Maker<'_> {
             ("a number missing", &|frame| frame.wrench[1] = f64::NAN),
         ];
         for (name, change) in faults {
-            self.add(Of::Laws, name, at, |tail| change(&mut tail[0]));
+            self.add(name, at, |tail| change(&mut tail[0]));
         }
-        self.add(Of::Laws, "all forces + 0.1 %", at, |tail| {
+        self.add("all forces + 0.1 %", at, |tail| {
             tail.iter_mut().for_each(|frame| all(frame, 1.001));
         });
-        self.add(Of::Laws, "two frames changed places", at, |tail| {
-            tail.swap(0, 1)
-        });
+        self.add("two frames changed places", at, |tail| tail.swap(0, 1));
     }
 
     /// A sticking contact moves with the hand, by some roundings per frame, so that its springs are deflected no more than before.
@@ -117,7 +116,7 @@ impl Maker<'_> {
             ("creep by 10⁻⁷ L a frame", 1e-7),
         ] {
             let truth = self.truth;
-            self.add(Of::Laws, name, at, |tail| {
+            self.add(name, at, |tail| {
                 let quiet = tail
                     .iter()
                     .take_while(|frame| frame.events.is_empty())
@@ -162,29 +161,24 @@ impl Maker<'_> {
             if force.abs() < reported {
                 continue;
             }
-            self.add(Of::Laws, &format!("a slip {name}"), at, |tail| {
+            self.add(&format!("a slip {name}"), at, |tail| {
                 tail[0] = moved(truth, &tail[0], part * length);
                 tail.truncate(1);
             });
-            self.add(
-                Of::Laws,
-                &format!("a slip {name}, and all after it"),
-                at,
-                |tail| {
-                    let quiet = tail[1..]
-                        .iter()
-                        .take_while(|frame| frame.events.is_empty())
-                        .count();
-                    tail.truncate(1 + quiet);
-                    for frame in tail.iter_mut() {
-                        *frame = moved(truth, frame, part * length);
-                    }
-                },
-            );
+            self.add(&format!("a slip {name}, and all after it"), at, |tail| {
+                let quiet = tail[1..]
+                    .iter()
+                    .take_while(|frame| frame.events.is_empty())
+                    .count();
+                tail.truncate(1 + quiet);
+                for frame in tail.iter_mut() {
+                    *frame = moved(truth, frame, part * length);
+                }
+            });
         }
         let is_next_quiet = truth.frames[at + 1].events.is_empty();
         if is_next_quiet {
-            self.add(Of::Laws, "a slip a frame late", at, |tail| {
+            self.add("a slip a frame late", at, |tail| {
                 let mut late = loaded(truth, &frozen(last, next));
                 (late.events, late.slips) = (Vec::new(), 0);
                 (tail[1].events, tail[1].slips) = (tail[0].events.clone(), 1);
@@ -192,7 +186,7 @@ impl Maker<'_> {
             });
         }
         if truth.frames[at - 1].events.is_empty() && at > 2 {
-            self.add(Of::Laws, "a slip a frame early", at - 1, |tail| {
+            self.add("a slip a frame early", at - 1, |tail| {
                 let mut early = loaded(truth, &frozen(&tail[1], &tail[0]));
                 (early.events, early.slips) = (tail[1].events.clone(), 1);
                 (tail[1].events, tail[1].slips) = (Vec::new(), 0);

@@ -7,6 +7,7 @@ use crate::physics::{frozen, loaded};
 
 impl Maker<'_> {
     pub(super) fn statuses(&mut self) {
+        self.of = Of::Statuses;
         let busy = |frames: &[Frame], i: usize| {
             let ahead = &frames[i..frames.len().min(i + TAIL / 2)];
             is_quiet(frames, i)
@@ -30,15 +31,10 @@ impl Maker<'_> {
                 self.excused(at, status);
             }
             for at in self.places(|frames, i| !frames[i].events.is_empty() && frames[i].held) {
-                self.add(
-                    Of::Statuses,
-                    &format!("{status:?}: nothing reported"),
-                    at,
-                    |tail| {
-                        tail[0].status = status;
-                        (tail[0].events, tail[0].slips) = (Vec::new(), 0);
-                    },
-                );
+                self.add(&format!("{status:?}: nothing reported"), at, |tail| {
+                    tail[0].status = status;
+                    (tail[0].events, tail[0].slips) = (Vec::new(), 0);
+                });
             }
         }
     }
@@ -63,29 +59,19 @@ impl Maker<'_> {
         };
         let moves = distance(last, &truth.frames[at..truth.frames.len().min(at + TAIL)]);
         if moves > 1e-3 * size(&truth.scene) {
-            self.add(Of::Statuses, &format!("{status:?}: frozen"), at, |tail| {
+            self.add(&format!("{status:?}: frozen"), at, |tail| {
                 stays(tail, false)
             });
-            self.add(
-                Of::Statuses,
-                &format!("{status:?}: frozen, with springs"),
-                at,
-                |tail| {
-                    stays(tail, true);
-                },
-            );
+            self.add(&format!("{status:?}: frozen, with springs"), at, |tail| {
+                stays(tail, true);
+            });
         }
         if !truth.frames[at].contacts.is_empty() {
-            self.add(
-                Of::Statuses,
-                &format!("{status:?}: out of balance"),
-                at,
-                |tail| {
-                    tail[0].status = status;
-                    let unit = size(&truth.scene) * truth.scene.stiffness_translation;
-                    tail[0].contacts[0].normal += 0.01 * unit;
-                },
-            );
+            self.add(&format!("{status:?}: out of balance"), at, |tail| {
+                tail[0].status = status;
+                let unit = size(&truth.scene) * truth.scene.stiffness_translation;
+                tail[0].contacts[0].normal += 0.01 * unit;
+            });
         }
     }
 }
