@@ -29,37 +29,33 @@ pub(crate) struct View {
 
 impl View {
     /// `stiction view` with these arguments, on a free port.
-    pub(crate) fn start(arguments: &[&str]) -> Self {
-        Self::in_folder(Folder::new(), arguments)
+    pub(crate) fn start(line: &str) -> Self {
+        Self::in_folder(Folder::new(), line)
     }
 
-    pub(crate) fn in_folder(folder: Folder, arguments: &[&str]) -> Self {
-        Self::by(
-            Command::new(env!("CARGO_BIN_EXE_stiction")),
-            folder,
-            arguments,
-        )
+    pub(crate) fn in_folder(folder: Folder, line: &str) -> Self {
+        let program = Command::new(env!("CARGO_BIN_EXE_stiction"));
+        Self::by(program, folder, line)
     }
 
     /// Its files may be so long (blocks of 512 bytes): then the system takes no more, as where a disk is full.
     #[cfg(unix)]
-    pub(crate) fn with_room(blocks: u32, folder: Folder, arguments: &[&str]) -> Self {
+    pub(crate) fn with_room(blocks: u32, folder: Folder, line: &str) -> Self {
         let mut shell = Command::new("sh");
         let limit = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
         shell.args(["-c", &limit, env!("CARGO_BIN_EXE_stiction")]);
-        Self::by(shell, folder, arguments)
+        Self::by(shell, folder, line)
     }
 
-    fn by(mut program: Command, folder: Folder, arguments: &[&str]) -> Self {
+    fn by(mut program: Command, folder: Folder, line: &str) -> Self {
         // Not among those of whoever runs the tests.
-        let recordings: &[&str] = match arguments.contains(&"--recordings") {
-            true => &[],
-            false => &["--recordings", "recordings"],
+        let own = if line.contains("--recordings") {
+            ""
+        } else {
+            "--recordings recordings"
         };
         let mut child = program
-            .args(["view", "--listen", "127.0.0.1:0"])
-            .args(recordings)
-            .args(arguments)
+            .args(format!("view --listen 127.0.0.1:0 {own} {line}").split_whitespace())
             .current_dir(folder.file(""))
             .stdout(Stdio::piped())
             .spawn()
