@@ -1,5 +1,6 @@
 //! A folder of its own for every test, and the program run in it.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output};
@@ -166,6 +167,13 @@ pub(crate) fn send(signal: Signal, to: &Child) {
 pub(crate) fn records(trace: &str) -> Vec<Value> {
     let record = |line| serde_json::from_str(line).expect("a JSON object per line");
     trace.lines().map(record).collect()
+}
+
+/// The rows of a table, by the names of the columns.
+pub(crate) fn rows(table: &str) -> Vec<HashMap<String, String>> {
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let rows = reader.deserialize();
+    rows.map(|row| row.expect("a row")).collect()
 }
 
 /// Text that a program wrote.

@@ -7,6 +7,7 @@ mod rows;
 
 use std::collections::HashMap;
 
+pub(crate) use crate::common::rows;
 use crate::common::{Folder, SCENE, said};
 
 /// A folder with [`SCENE`] as `scene.toml` and this text as `sweep.toml`.
@@ -26,13 +27,6 @@ fn table(folder: &Folder, out: &str, options: &str) -> String {
         said(&output)
     );
     folder.read(out)
-}
-
-/// The rows of a table, by the names of the columns.
-fn rows(table: &str) -> Vec<HashMap<String, String>> {
-    let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let rows = reader.deserialize();
-    rows.map(|row| row.expect("a row")).collect()
 }
 
 /// A column as numbers.

@@ -1,6 +1,8 @@
 //! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, the costs on chips.
 
-use crate::common::{Folder, assert_error, text};
+use std::collections::HashMap;
+
+use crate::common::{Folder, assert_error, rows, text};
 use serde_json::Value;
 use stiction_host_sim::trade::counts::counted;
 use stiction_host_sim::trade::{Memory, RATES, Setting};
@@ -8,18 +10,11 @@ use stiction_host_sim::trade::{Memory, RATES, Setting};
 /// Three number types, two evolutions, and all scenes with their three groups.
 const ROWS: usize = 3 * 2 * Memory::ALL.len() * RATES.len() * 4;
 
-/// The cells of a column.
-fn column(rows: &[csv::StringRecord], header: &csv::StringRecord, name: &str) -> Vec<String> {
-    let place = header.iter().position(|column| column == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}"));
-    rows.iter().map(|row| row[place].to_owned()).collect()
-}
-
 #[test]
 fn every_combination_is_measured_against_a_reference_without_error() {
     let folder = Folder::new();
     let printed = folder.done("trade --quick --table --out figures/trade");
-    rows(&folder);
+    table(&folder);
     report(&folder);
     pictures(&folder);
     // First what to take, in a few lines; then the table that was asked for.
@@ -36,72 +31,55 @@ fn every_combination_is_measured_against_a_reference_without_error() {
     assert_eq!(files, ["host.png", "host.svg", "trade.csv", "trade.json"]);
 }
 
-fn rows(folder: &Folder) {
-    let csv = folder.read("figures/trade/trade.csv");
-    let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let header = reader.headers().expect("a header").clone();
-    let rows: Vec<_> = reader.records().map(|row| row.expect("a row")).collect();
-    let cells = |name| column(&rows, &header, name);
-    let names: Vec<_> = ["number", "evolution", "memory", "rate_hz", "scenes"]
-        .map(cells)
-        .to_vec();
-    let key = |i: usize| {
-        names
-            .iter()
-            .map(|cells| cells[i].as_str())
-            .collect::<Vec<_>>()
+fn table(folder: &Folder) {
+    let rows = rows(&folder.read("figures/trade/trade.csv"));
+    let key = |row: &HashMap<String, String>| {
+        ["number", "evolution", "memory", "rate_hz", "scenes"].map(|name| row[name].clone())
     };
-    let mut count = 0;
+    let mut expected = Vec::new();
     for setting in Setting::all() {
         for rate in RATES {
             for scenes in ["all", "bundled", "random", "hand"] {
-                let (rate, memory) = (format!("{rate:?}"), setting.memory.name);
-                let wanted = [
-                    setting.number.name(),
-                    setting.evolution.name(),
-                    memory,
-                    &rate,
+                let (number, evolution) = (setting.number.name(), setting.evolution.name());
+                let names = [
+                    number,
+                    evolution,
+                    setting.memory.name,
+                    &format!("{rate:?}"),
                     scenes,
                 ];
-                let found = (0..rows.len()).filter(|&i| key(i) == wanted).count();
-                assert_eq!(found, 1, "{wanted:?}");
-                count += 1;
+                expected.push(names.map(str::to_owned));
             }
         }
     }
-    assert_eq!(rows.len(), count);
-    assert_eq!(count, ROWS);
-    let errors = [
-        "position_p50_um",
-        "position_p90_um",
-        "position_p99_um",
-        "position_max_um",
-        "angle_p50_mrad",
-        "angle_p90_mrad",
-        "angle_p99_mrad",
-        "angle_max_mrad",
-    ];
-    for i in 0..rows.len() {
-        let values = errors.map(|name| cells(name)[i].parse::<f64>().expect("a number"));
-        assert!(values.iter().all(|value| value.is_finite()), "{:?}", key(i));
-        assert!(values[..4].is_sorted() && values[4..].is_sorted());
-        let is_reference = key(i)[..2] == ["f64", "path"] && key(i)[3] == "1000.0";
-        if is_reference {
-            assert_eq!(values, [0.0; 8]);
-        }
-        let count = |name| cells(name)[i].parse::<u64>().expect("a count");
-        if is_reference {
-            assert_eq!(
-                ["other_state", "slips_too_many", "slips_too_few"].map(count),
-                [0; 3]
+    let mut found: Vec<_> = rows.iter().map(key).collect();
+    expected.sort();
+    found.sort();
+    assert_eq!(found, expected);
+    assert_eq!(rows.len(), ROWS);
+    for row in &rows {
+        let number = |name: &str| row[name].parse::<f64>().expect(name);
+        let spread =
+            |of: &str| ["p50", "p90", "p99", "max"].map(|part| number(&of.replace('*', part)));
+        let errors = [spread("position_*_um"), spread("angle_*_mrad")];
+        for error in errors {
+            assert!(
+                error.iter().all(|value| value.is_finite()) && error.is_sorted(),
+                "{row:?}"
             );
         }
-        assert!(count("frames") > 0);
-        let time: f64 = cells("host_ns")[i].parse().expect("a time");
-        assert!(time > 0.0);
-        let residual: f64 = cells("worst_residual")[i].parse().expect("a residual");
-        let bound = if key(i)[0] == "f64" { 1e-9 } else { 2e-3 };
-        assert!(residual < bound, "{:?} {residual}", key(i));
+        let is_reference =
+            ["number", "evolution", "rate_hz"].map(|name| &*row[name]) == ["f64", "path", "1000.0"];
+        if is_reference {
+            assert_eq!(errors, [[0.0; 4]; 2]);
+            assert_eq!(
+                ["other_state", "slips_too_many", "slips_too_few"].map(|name| &*row[name]),
+                ["0"; 3]
+            );
+        }
+        assert!(number("frames") > 0.0 && number("host_ns") > 0.0, "{row:?}");
+        let bound = if row["number"] == "f64" { 1e-9 } else { 2e-3 };
+        assert!(number("worst_residual") < bound, "{row:?}");
     }
 }
 

@@ -25,8 +25,8 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The bundled scene `file`, at most `frames` long after the first leg.
-    pub(crate) fn new(name: &'static str, file: &str, frames: usize) -> Self {
+    /// The bundled scene `file`.
+    pub(crate) fn new(name: &'static str, file: &str) -> Self {
         let source = scenes::find(Path::new(file)).expect("the scene is bundled");
         let scene =
             SceneFile::parse(source, Number::F32.limit()).expect("a bundled scene is sound");
@@ -36,10 +36,9 @@ impl Case {
         let rate = scene.hand.rate.expect("keyframes have a rate");
         let legs: Vec<_> = path.frames(None).collect();
         let pressed = legs[1].t + 0.5 / rate;
-        let (press, mut drag): (Vec<_>, Vec<_>) = path
+        let (press, drag): (Vec<_>, Vec<_>) = path
             .frames(Some(rate))
             .partition(|sample| sample.t < pressed);
-        drag.truncate(frames);
         Self {
             name,
             scene,

@@ -42,6 +42,19 @@ impl Counted {
         self.frames.get(1..).unwrap_or_default()
     }
 
+    /// Instructions or cycles of a step, on average; 0 without one.
+    pub fn mean(&self) -> f64 {
+        let steps = self.steps();
+        let sum: f64 = steps.iter().map(|step| f64::from(step.instructions)).sum();
+        sum / steps.len().max(1) as f64
+    }
+
+    /// Instructions or cycles of the longest step; 0 without one.
+    pub fn worst(&self) -> u32 {
+        let instructions = self.steps().iter().map(|step| step.instructions);
+        instructions.max().unwrap_or(0)
+    }
+
     /// From the reports of a board, and the totals that it prints.
     fn read(reports: &[u8], printed: &str) -> Result<Self, EmulatorError> {
         let unread =
