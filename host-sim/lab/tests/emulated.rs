@@ -6,7 +6,7 @@ use stiction_firmware::bits::{Among, Walk, of_walk};
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_host_sim::trade::chip::Chip;
 use stiction_host_sim::trade::counts::counted;
-use stiction_host_sim::trade::{Group, Memory, RATES, Suite};
+use stiction_host_sim::trade::{Memory, RATES, Suite};
 use stiction_lab::emulator::{
     Board, Counted, Counter, Frame, Machine, Place, Profile, footprint, job,
 };
@@ -108,34 +108,6 @@ fn every_machine_gives_the_same_bits_in_f32() {
 #[test]
 fn every_machine_gives_the_same_bits_in_fixed_point() {
     same_bits(NumberType::Fixed);
-}
-
-/// What a chip is said to take for an instruction is what random drags take, by Arm's table, or a little more.
-#[test]
-fn an_instruction_takes_no_more_cycles_than_is_said() {
-    let suite = Suite::new(None, true).unwrap();
-    let mut drags = suite
-        .cases
-        .iter()
-        .filter(|case| case.group == Group::Random);
-    let drag = drags.next().unwrap();
-    let hands: Vec<_> = drag.path.frames(Some(100.0)).map(|s| s.hand).collect();
-    let job = job(&drag.scene, Evolution::Path, &hands);
-    for chip in [Chip::CortexM4F, Chip::CortexM33] {
-        let estimate = Counter::new(Board::of(chip), chip.number(), Profile::Device)
-            .and_then(|counter| counter.estimate(&job));
-        let Some(estimate) = if_installed(estimate) else {
-            continue;
-        };
-        let said = chip.cycles();
-        let name = chip.name();
-        assert!((0.9 * said..=said).contains(&estimate), "{name} {estimate}");
-    }
-    let counter = Counter::new(Board::Nrf51822, NumberType::Fixed, Profile::Device);
-    if let Some(counter) = if_installed(counter) {
-        let error = counter.estimate(&job).unwrap_err().to_string();
-        assert!(error.contains("Cortex-M0"), "{error}");
-    }
 }
 
 #[test]
