@@ -37,7 +37,6 @@ pub struct FootprintArgs {
     evolution: Option<Evolution>,
 }
 
-/// The scenes of the README.
 const SCENES: [&str; 8] = [
     "locked",
     "corner-stick-slip",
@@ -110,7 +109,6 @@ fn heading(case: &Case) -> String {
     text + &format!("  the full model is {}\n\n", model.full())
 }
 
-/// The rows of a scene.
 fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
     // One chip computes while the image of another one is built.
     let of_chips = thread::scope(|scope| {
@@ -121,7 +119,6 @@ fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorE
     Ok(rows?.concat())
 }
 
-/// The rows of a scene on a chip.
 fn of_chip(chip: Chip, case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
     let Case { scene, hands } = case;
     let model = SceneModel::smallest(scene);

@@ -68,7 +68,6 @@ fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error
     ])
 }
 
-/// The cost of boxes that are never touched.
 fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
     let mut table = Table::new("boxes: | in reach: | each: | out of reach: | each:");
     let mut none = None;

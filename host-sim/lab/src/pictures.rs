@@ -9,7 +9,6 @@ use stiction_host_sim::firmware::workspace;
 use stiction_host_sim::run::{RunArgs, run};
 use stiction_live::scenes;
 
-/// The options of the command line.
 #[derive(Parser)]
 struct Options {
     #[command(flatten)]

@@ -110,22 +110,6 @@ fn every_machine_gives_the_same_bits_in_fixed_point() {
     same_bits(NumberType::Fixed);
 }
 
-#[test]
-fn the_solver_fits_into_the_flash() {
-    for (board, number) in [
-        (Board::Stm32F405, NumberType::F32),
-        (Board::Nrf51822, NumberType::Fixed),
-    ] {
-        let (scene, path) = (scene(), Evolution::Path);
-        let code = rust_source(&scene, SceneModel::smallest(&scene), number, path);
-        let flash = |profile| if_installed(footprint(board, profile, &code));
-        if let (Some(small), Some(fast)) = (flash(Profile::DeviceSmall), flash(Profile::Device)) {
-            let case = format!("{} {}: {small}, {fast}", board.name(), number.name());
-            assert!(5_000 < small && small < fast && fast < 200_000, "{case}");
-        }
-    }
-}
-
 /// A scene along its own hand's path, at 100 Hz, in a model: what is counted, and the flash.
 fn of_model(
     (board, number, evolution): (Board, NumberType, Evolution),

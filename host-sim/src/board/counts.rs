@@ -19,10 +19,8 @@ pub(super) struct Counts {
     pub(super) unanswered: u64,
     /// Of these, samples that were never sent because a newer one was available.
     pub(super) overtaken: u64,
-    /// Garbled frames of the board.
     pub(super) faults: u64,
     pub(super) latency: Latency,
-    /// When the first sample was sent.
     pub(super) begun: Option<Instant>,
     /// Late samples of sessions that have ended.
     late_before: u64,
@@ -40,7 +38,6 @@ impl Counts {
         self.overtaken += count;
     }
 
-    /// Begins a session.
     pub(super) fn begin(&mut self, health: Option<Health>) {
         self.late_before = self.late() - self.overtaken;
         self.health = health.map(|health| (health, health));

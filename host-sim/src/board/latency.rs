@@ -6,7 +6,6 @@ use std::time::Duration;
 const BINS: usize = 100_000;
 const PER_SECOND: f64 = 50_000.0;
 
-/// Latencies.
 #[derive(Clone, Debug)]
 pub(super) struct Latency {
     bins: Vec<u32>,

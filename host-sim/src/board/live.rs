@@ -34,7 +34,6 @@ const EVERY: Duration = Duration::from_millis(250);
 pub(crate) enum Word {
     /// The answer to a sample.
     Frame(Box<Frame>),
-    /// The board's health.
     Fares(Fares),
     /// The result of the oldest request that has not been answered yet.
     Answer(Result<(), String>),

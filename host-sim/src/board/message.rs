@@ -8,7 +8,6 @@ use stiction_wire::{
     ReportAmong, Room, Subject,
 };
 
-/// A frame from the board.
 #[derive(Clone, Debug)]
 pub(super) struct Received {
     /// Arrival time of its last byte.
@@ -18,7 +17,6 @@ pub(super) struct Received {
     pub(super) said: Said,
 }
 
-/// A message from the board.
 #[derive(Clone, Debug)]
 pub(super) enum Said {
     Pose(Pose),

@@ -60,7 +60,6 @@ impl Screen {
         }
     }
 
-    /// Removes the progress line.
     pub(super) fn clear(&mut self) {
         if self.dirty {
             report::print("\r\x1b[K");

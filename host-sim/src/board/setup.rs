@@ -200,7 +200,6 @@ impl Setup {
         names
     }
 
-    /// The mode of the board.
     pub(super) fn mode(&self, about: &About) -> Mode {
         Mode {
             evolution: self.evolution,

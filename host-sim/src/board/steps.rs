@@ -25,7 +25,6 @@ pub(super) struct Step {
     pub(super) is_whole: bool,
 }
 
-/// Parts with the same time.
 #[derive(Clone, Debug)]
 struct Parts {
     time: u32,
@@ -58,7 +57,6 @@ fn set(events: Option<&Events>) -> EventSet {
     events.map_or_else(EventSet::default, |events| EventSet::of(&events.list))
 }
 
-/// Combines the parts of steps.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steps {
     pending: VecDeque<Parts>,

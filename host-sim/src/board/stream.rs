@@ -168,7 +168,6 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// Adds a live sample.
     pub(super) fn push(&mut self, sample: Sample) {
         self.counts.overtake(self.feed.push(sample).into());
     }

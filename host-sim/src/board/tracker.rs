@@ -114,7 +114,6 @@ fn no_tracker(place: &Path, problem: &str) -> BoardError {
     }
 }
 
-/// Requests records.
 struct Reader {
     link: Link,
     decoder: LogitechDecoder,
@@ -122,7 +121,6 @@ struct Reader {
 }
 
 impl Reader {
-    /// The next record.
     fn record(&mut self) -> io::Result<LogitechRecord> {
         let begun = Instant::now();
         while begun.elapsed() < self.timeout {
@@ -152,7 +150,6 @@ impl Reader {
     }
 }
 
-/// Maps records to the plane.
 struct Placed {
     placement: LivePlacement,
     hold: HoldButton,

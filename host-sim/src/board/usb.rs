@@ -15,7 +15,6 @@ pub(super) const AUTO: &str = "auto";
 /// Where Linux shows its serial ports.
 const PORTS: &str = "/sys/class/tty";
 
-/// A serial port.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Port {
     /// The path at which it is opened.

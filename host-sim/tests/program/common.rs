@@ -71,11 +71,9 @@ pub(crate) fn scene_with_path(path: &str, rest: &str) -> String {
     with_hand(&format!("path = {path:?}\n{rest}"))
 }
 
-/// A folder with files.
 pub(crate) struct Folder(TempDir);
 
 impl Folder {
-    /// An empty one.
     pub(crate) fn new() -> Self {
         Self(TempDir::new().expect("a temporary folder"))
     }
@@ -85,12 +83,10 @@ impl Folder {
         self.0.path().join(name)
     }
 
-    /// Writes a file.
     pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         fs::write(self.file(name), content).expect("a file in the temporary folder");
     }
 
-    /// Reads a file.
     pub(crate) fn read(&self, name: &str) -> String {
         fs::read_to_string(self.file(name)).expect("a text file in the temporary folder")
     }
@@ -149,21 +145,18 @@ pub(crate) fn assert_error(case: &str, output: &Output, parts: &[&str]) {
     assert_all(case, &message, parts);
 }
 
-/// A text has all of this.
 pub(crate) fn assert_all(case: &str, text: &str, parts: &[&str]) {
     for part in parts {
         assert!(text.contains(part), "{case}: {part:?} is not in: {text}");
     }
 }
 
-/// Sends a signal to a program that runs.
 #[cfg(unix)]
 pub(crate) fn send(signal: Signal, to: &Child) {
     let number = to.id().try_into().expect("the number of a process");
     nix::sys::signal::kill(nix::unistd::Pid::from_raw(number), signal).expect("a signal is sent");
 }
 
-/// The records of a trace.
 pub(crate) fn records(trace: &str) -> Vec<Value> {
     let record = |line| serde_json::from_str(line).expect("a JSON object per line");
     trace.lines().map(record).collect()

@@ -3,7 +3,6 @@
 use crate::common::{Folder, SCENE, numbers, scene_with_path};
 use serde_json::Value;
 
-/// The printed hand of a record.
 fn hand(record: &Value) -> Vec<f64> {
     numbers(&record["hand"])
 }

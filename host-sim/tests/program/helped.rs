@@ -17,7 +17,6 @@ const CHEAP: [&str; 8] = [
     "man",
 ];
 
-/// The examples of a help.
 fn examples(command: &clap::Command) -> Vec<String> {
     let help = command.get_after_help().map(ToString::to_string);
     let help = help.unwrap_or_default();

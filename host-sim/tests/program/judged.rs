@@ -151,7 +151,6 @@ fn faults_in_real_traces_are_found() {
     }
 }
 
-/// A run in f64.
 const F64: &str = "--number f64";
 const OF_HAND: &str = "the hand is that of its path";
 

@@ -13,7 +13,6 @@ fn replayed(folder: &Folder, arguments: &str) -> (Option<i32>, String) {
     (output.status.code(), said(&output))
 }
 
-/// A recording of the small scene.
 fn recorded(options: &str) -> Folder {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);

@@ -29,7 +29,6 @@ fn table(folder: &Folder, out: &str, options: &str) -> String {
     folder.read(out)
 }
 
-/// A column as numbers.
 fn column(rows: &[HashMap<String, String>], name: &str) -> Vec<f64> {
     rows.iter()
         .map(|row| row[name].parse().expect(name))

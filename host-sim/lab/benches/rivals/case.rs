@@ -25,7 +25,6 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The bundled scene `file`.
     pub(crate) fn new(name: &'static str, file: &str) -> Self {
         let source = scenes::find(Path::new(file)).expect("the scene is bundled");
         let scene =
@@ -57,7 +56,6 @@ impl Case {
         case
     }
 
-    /// The coefficients of friction as text.
     pub(crate) fn friction(&self) -> String {
         let surface = &self.scene.surfaces[0];
         let (stick, slip) = (surface.friction_static, surface.friction_dynamic);
@@ -134,13 +132,11 @@ impl Case {
     }
 }
 
-/// The hand's pose in a sample.
 pub(crate) fn hand_pose(sample: &Sample) -> Pose {
     let [x, y] = sample.hand.position;
     [x, y, sample.hand.angle.radians()]
 }
 
-/// A point of the body in the world frame (m).
 fn place([x, y, theta]: Pose, [vx, vy]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [x + cos * vx - sin * vy, y + sin * vx + cos * vy]

@@ -8,17 +8,13 @@ use crate::measure::Findings;
 /// One row: an engine in a case.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
-    /// The case.
     pub(crate) scene: &'static str,
-    /// Name and version of the engine.
     pub(crate) engine: String,
-    /// The coefficients of friction.
     pub(crate) friction: String,
     /// Mean time of a frame (s).
     pub(crate) time: f64,
     /// Distance of the held pose from the statics (m).
     pub(crate) error: f64,
-    /// The other results.
     pub(crate) findings: Findings,
 }
 

@@ -53,7 +53,6 @@ impl Bench {
         panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
     }
 
-    /// Sends a command that the board executes.
     pub(crate) fn done(&mut self, command: Command<'_>) {
         let sequence = self.client.sequence;
         self.send(command);

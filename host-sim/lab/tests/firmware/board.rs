@@ -52,7 +52,6 @@ impl Board {
         Some(board)
     }
 
-    /// Sends bytes as they are.
     pub(crate) fn send_bytes(&mut self, mut bytes: &[u8]) {
         let begun = Instant::now();
         while !bytes.is_empty() {
@@ -181,7 +180,6 @@ impl Board {
         }
     }
 
-    /// The next health.
     pub(crate) fn health(&mut self) -> Health {
         self.wait(|_, said| match said {
             Said::Health(health) => Some(*health),

@@ -41,28 +41,23 @@ pub(crate) const PANTOGRAPH: Chip = Chip {
 
 pub(crate) const MICROBIT: Chip = Chip {
     board: Board::MICROBIT,
-    features: "",
-    is_small: false,
     shift: 6,
     line_rate: 11_520,
+    ..F405
 };
 
 /// Its clock goes with the real one.
 pub(crate) const PICO: Chip = Chip {
     board: Board::PICO,
-    features: "",
-    is_small: false,
     shift: 0,
-    line_rate: 92_160,
+    ..F405
 };
 
 /// No emulator runs its image: it is built and looked into.
 pub(crate) const PICO2: Chip = Chip {
     board: Board::PICO2,
-    features: "",
-    is_small: false,
     shift: 0,
-    line_rate: 92_160,
+    ..F405
 };
 
 /// In the place of the Pico 2: an instruction takes 1.2 of its cycles.

@@ -70,7 +70,6 @@ impl Session {
         line.trim_start_matches("INFO").trim_start().to_owned()
     }
 
-    /// Sends bytes as they are.
     pub(crate) fn send(&mut self, bytes: &[u8]) {
         self.line.write_all(bytes).unwrap();
     }

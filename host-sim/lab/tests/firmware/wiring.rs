@@ -7,7 +7,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use stiction_host_sim::firmware::workspace;
 
-/// What the pins of the program drive.
 const OUTPUTS: u32 = 0xD000_0010;
 
 /// The pins of a drawing: of a part and its wire, the number behind GP.
@@ -56,7 +55,6 @@ impl Pins {
     }
 }
 
-/// An encoder at two pins.
 pub(crate) struct Tracks {
     a: u32,
     b: u32,

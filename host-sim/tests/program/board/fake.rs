@@ -21,14 +21,11 @@ pub(crate) const SURFACES: usize = 8;
 pub(crate) const LONGEST: usize = frame_bytes(scene_bytes(VERTICES, SURFACES));
 pub(crate) const FASTEST: u16 = 5000;
 
-/// What goes wrong.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tricks {
     /// The lowest bit of this part of the answer to this sample (from 0).
     pub(crate) flip: Option<(u64, Part)>,
-    /// The answers to these samples are not sent.
     pub(crate) lost: Vec<u64>,
-    /// The forces of these are not sent.
     pub(crate) forceless: Vec<u64>,
     /// Garbage stands before every report.
     pub(crate) garbage: bool,
@@ -36,9 +33,7 @@ pub(crate) struct Tricks {
     pub(crate) silent_after: Option<u64>,
     /// After so many samples it goes away, the first time.
     pub(crate) leaves_after: Option<u64>,
-    /// It speaks another version.
     pub(crate) version: Option<u8>,
-    /// It sends back what it gets.
     pub(crate) echo: bool,
     /// Bytes that its line transfers in a second.
     pub(crate) line_rate: Option<f32>,
@@ -50,7 +45,6 @@ pub(crate) struct Tricks {
     pub(crate) measures: bool,
 }
 
-/// A part of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     PoseX,
@@ -60,12 +54,10 @@ pub(crate) enum Part {
     Sliding,
 }
 
-/// What a board saw.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Seen {
     /// Hands that came.
     pub(crate) samples: u64,
-    /// The last mode.
     pub(crate) mode: Mode,
 }
 

@@ -37,7 +37,6 @@ impl Other {
         other
     }
 
-    /// What it received.
     fn next(&mut self) -> Value {
         let line = self.lines.next().expect("a line").expect("text");
         serde_json::from_str(&line).expect("JSON")
@@ -54,7 +53,6 @@ impl Other {
         panic!("what was waited for did not come")
     }
 
-    /// Has it send something.
     fn send(&mut self, message: &Value) {
         writeln!(self.input, "{message}").expect("it is taken");
     }

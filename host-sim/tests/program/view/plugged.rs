@@ -82,7 +82,6 @@ mod emulated {
         assert!(!emulators[0].exists(), "the emulator ends with it");
     }
 
-    /// The processes that one has started.
     fn children(id: u32) -> Vec<PathBuf> {
         let all = fs::read_dir("/proc").expect("the processes").flatten();
         let is_child = |process: &PathBuf| {

@@ -17,10 +17,8 @@ use crate::common::{Signal, send};
 /// Whatever is waited for comes within this, or not at all.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A running `stiction view`.
 pub(crate) struct View {
     pub(crate) child: Child,
-    /// Address and port.
     pub(crate) place: String,
     /// Where it runs.
     folder: Option<Folder>,
@@ -96,7 +94,6 @@ impl View {
         self.folder.take().expect("its folder")
     }
 
-    /// Ctrl-C.
     #[cfg(unix)]
     pub(crate) fn interrupt(&self) {
         send(Signal::SIGINT, &self.child);
@@ -179,14 +176,12 @@ impl Drop for View {
     }
 }
 
-/// An answer over HTTP.
 pub(crate) struct Answer {
     pub(crate) status: u16,
     pub(crate) head: String,
     pub(crate) body: Vec<u8>,
 }
 
-/// A client of the socket.
 pub(crate) struct Client {
     pub(crate) socket: WebSocket<TcpStream>,
     pub(crate) hello: Value,
@@ -196,19 +191,16 @@ pub(crate) struct Client {
 }
 
 impl Client {
-    /// Sends a message.
     pub(crate) fn say(&mut self, message: &Value) {
         self.send(&message.to_string());
     }
 
-    /// Sends text.
     pub(crate) fn send(&mut self, text: &str) {
         self.socket
             .send(Message::text(text))
             .expect("a message is taken");
     }
 
-    /// The next message.
     pub(crate) fn next(&mut self) -> Value {
         loop {
             match self.socket.read().expect("a message") {

@@ -21,10 +21,6 @@ fn malformed_messages_are_answered_and_dropped() {
     for bad in [
         "",
         "{",
-        "[1]",
-        r#"{"type": "fly"}"#,
-        r#"{"type": "hand", "pose": [0, 0], "held": true}"#,
-        r#"{"type": "hand", "pose": [0, 0, 1e999], "held": true}"#,
         r#"{"type": "set", "parameters": {"static": -1}}"#,
         r#"{"type": "set", "parameters": {"static": 0.1}}"#,
         r#"{"type": "set", "parameters": {"stiffness_translation": 0}}"#,

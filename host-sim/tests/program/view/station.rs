@@ -29,12 +29,10 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// With a solver in f32.
     pub(crate) fn f32(place: &Path) -> Self {
         Self::behind::<f32>(place, NumberType::F32)
     }
 
-    /// With a solver in fixed point.
     pub(crate) fn fixed(place: &Path) -> Self {
         Self::behind::<Fixed>(place, NumberType::Fixed)
     }
