@@ -72,7 +72,7 @@ fn what_goes_wrong_on_the_line_is_named() {
             &["no answer to hello", "an echo"],
         ),
         (
-            tricks(|t| t.version = Some(1)),
+            tricks(|t| t.is_of_version_1 = true),
             "",
             &["another version of the wire format, allowed: 2"],
         ),

@@ -14,7 +14,7 @@ use stiction_wire::{
     Reference, Reply, Report, SceneCommand, Subject, Text, frame_bytes, scene_bytes, wire_bytes,
 };
 
-use super::made::{info, of_version};
+use super::made::{OF_VERSION_1, info};
 
 pub(crate) const VERTICES: usize = 16;
 pub(crate) const SURFACES: usize = 8;
@@ -33,7 +33,7 @@ pub(crate) struct Tricks {
     pub(crate) silent_after: Option<u64>,
     /// After so many samples it goes away, the first time.
     pub(crate) leaves_after: Option<u64>,
-    pub(crate) version: Option<u8>,
+    pub(crate) is_of_version_1: bool,
     pub(crate) echo: bool,
     /// Bytes that its line transfers in a second.
     pub(crate) line_rate: Option<f32>,
@@ -244,9 +244,9 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         if self.tricks.garbage {
             self.out.extend([7, 1, 2, 0, 3, 9, 9, 0]);
         }
-        match self.tricks.version {
-            None => self.out.extend(wire),
-            Some(version) => self.out.extend(of_version(wire, version)),
+        match self.tricks.is_of_version_1 {
+            false => self.out.extend(wire),
+            true => self.out.extend(OF_VERSION_1),
         }
     }
 
