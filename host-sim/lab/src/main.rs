@@ -40,7 +40,7 @@ enum Command {
         /// A recorded hand path (csv, tum, txt) instead of the synthetic one
         hand: Option<PathBuf>,
     },
-    /// The time of a frame of dragged boxes, residuals of random scenes, the range of number types
+    /// Residuals of random scenes, the range of number types
     Measure,
     /// The cost of single frames of ordinary use at 1 kHz, in operations on numbers
     Worst {
