@@ -25,7 +25,6 @@ fn bundled(name: &str) -> SceneFile {
     SceneFile::parse(source, Number::F32.limit()).unwrap()
 }
 
-/// The answers of the solver on this machine.
 fn outputs<R: Real<Si = f32>>(
     scene: &SceneFile,
     evolution: Evolution,
@@ -74,7 +73,6 @@ fn a_board_gives_the_answers_of_this_machine_and_its_count() {
     counts::<Fixed>(NumberType::Fixed);
 }
 
-/// Every machine has the bits of this one.
 fn same_bits(number: NumberType) {
     let of = |place, frames| match (number, place) {
         (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(frames),

@@ -27,7 +27,6 @@ pub(super) enum Said {
     Health(Health),
     /// Precedes the board's description of itself.
     Room(Room),
-    /// The answer to a ping.
     Pong,
 }
 

@@ -24,7 +24,6 @@ const HEALTH_EVERY: u16 = 350;
 /// Number of attempts to reduce a mode that is too much for the line.
 const ATTEMPTS: usize = 8;
 
-/// The scene and the mode of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
     pub(super) scene: Arc<SceneFile>,
@@ -185,7 +184,6 @@ impl Setup {
         self.described_on(about, |_, _| ()).1
     }
 
-    /// The names of surfaces and obstacles.
     fn names(&self) -> Names {
         Names::of(&self.scene.surfaces, &self.scene.obstacles)
     }

@@ -12,7 +12,6 @@ const PATIENCE: usize = 4;
 /// Maximum number of events that are stored for steps whose poses do not arrive; slips are still counted beyond it.
 const MOST_EVENTS: usize = 1024;
 
-/// The received parts of a step of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     /// Arrival time of its pose.
@@ -123,7 +122,6 @@ impl Steps {
         self.finish(self.pending.len())
     }
 
-    /// Returns the first `count` steps.
     fn finish(&mut self, count: usize) -> Vec<Step> {
         let mut steps = Vec::new();
         let done: Vec<Parts> = self.pending.drain(..count).collect();

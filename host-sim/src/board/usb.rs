@@ -61,7 +61,6 @@ impl Identity {
 }
 
 impl Port {
-    /// The ports of this computer.
     fn all() -> Result<Vec<Self>, BoardError> {
         if cfg!(not(target_os = "linux")) {
             return Err(gone(
@@ -77,7 +76,6 @@ impl Port {
         Ok(places.into_iter().map(port).collect())
     }
 
-    /// The port of the only board.
     pub(super) fn of_the_board() -> Result<Self, BoardError> {
         only_board(Self::all()?).map_err(gone)
     }
@@ -122,7 +120,6 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
     }
 }
 
-/// The message about a port that does not exist.
 pub(super) fn no_such_port() -> String {
     let ports = Port::all().unwrap_or_default();
     format!(
@@ -158,7 +155,6 @@ fn gone(problem: impl Into<String>) -> BoardError {
 mod tests {
     use super::*;
 
-    /// A port on USB.
     fn port(place: &str, product: u16, manufacturer: &str, serial_number: &str) -> Port {
         Port {
             place: place.into(),

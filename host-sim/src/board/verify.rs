@@ -233,7 +233,6 @@ impl Verdict {
         }
     }
 
-    /// Adds a sample without an answer.
     pub(super) fn lose(&mut self, index: u64, t: f64, expected: &Expected) {
         self.frames += 1;
         self.lost += 1;

@@ -29,7 +29,6 @@ impl Bench {
         Some(bench)
     }
 
-    /// A ms goes by.
     pub(crate) fn pass(&mut self) {
         self.chip.run(MS);
         self.client.listen(&self.chip.gone());

@@ -75,7 +75,6 @@ pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberT
     }
 }
 
-/// Each board, so many poses.
 fn same_bits_of_all(samples: u32) {
     same_bits::<f32>(&F405, NumberType::F32, samples);
     same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, samples);

@@ -16,7 +16,6 @@ const PATIENCE: Duration = Duration::from_secs(180);
 /// What is not answered is sent again.
 pub(crate) const AGAIN: Duration = Duration::from_secs(5);
 
-/// A board that runs.
 pub(crate) struct Board {
     pub(crate) chip: &'static Chip,
     pub(crate) image: Image,

@@ -229,7 +229,6 @@ fn poses(client: &mut Client) -> Vec<Pose> {
     .collect()
 }
 
-/// Every board, so many samples.
 fn faulty_lines(frames: u32) {
     let _alone = alone();
     faulty_line::<f32>(&F405, frames, 400);

@@ -93,7 +93,6 @@ impl Drop for Session {
     }
 }
 
-/// What a program prints, line by line.
 fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
     let (sender, receiver) = channel();
     thread::spawn(move || {

@@ -66,7 +66,6 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     Some(silence_of(&mut Board::start(chip)?))
 }
 
-/// Silence on a board that runs.
 pub(crate) fn silence_of(board: &mut Board) -> u32 {
     let mode = board.info().mode;
     board.done(Command::Mode(Mode {

@@ -91,7 +91,6 @@ pub(crate) fn turn(bench: &mut Bench, tracks: &mut [Tracks], to: &[i32]) {
     bench.client.inbox.clear();
 }
 
-/// The driver of a motor at two pins.
 pub(crate) struct Driver {
     pwm: u32,
     direction: u32,
