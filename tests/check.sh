@@ -102,7 +102,7 @@ fi
 
 if is_all; then
   # They take minutes to compile, while one core is often idle.
-  tools() { for tool in flip-link defmt-print cargo-deny cargo-fuzz; do cargo_needs $tool || true; done; }
+  tools() { for tool in cargo-deny cargo-fuzz; do cargo_needs $tool || true; done; }
   beside tools tools
   tools=$!
 fi
@@ -152,9 +152,9 @@ if is_all; then
   apt_needs c++ g++ || true
   apt_needs clang clang libclang-rt-dev || true
   apt_needs cmake cmake make || true
-  shown tools $tools
+  for tool in flip-link defmt-print; do cargo_needs $tool || true; done
   # A single cargo builds all images on all cores; the tests that run them would build them one after the other.
-  cargo build -p stiction-firmware --profile device --features board --bin 'count_*' --bin 'bits_f*' --bin 'footprint*' \
+  cargo build -p stiction-firmware --profile device --features board --bin 'count_f*' --bin 'bits_f*' --bin 'footprint*' \
     --locked "${boards[@]}"
   # The images with obstacles are built for small flash: the smallest chip has no more.
   cargo build -p stiction-firmware --profile device-small --features board --bin 'bits_among_*' --locked "${boards[@]}"
@@ -175,6 +175,8 @@ part 'tests'
 # Nothing runs beside them: the emulated boards must keep time.
 ! is_all || export STICTION_TESTS=long
 cargo_test "${packages[@]}" --lib --bins --tests
+
+! is_all || shown tools $tools
 
 # The page and the Python package leave a core free for the fuzz targets, the oldest compiler, and a walk.
 has_fuzz() { command -v c++ && cargo fuzz --version; } >/dev/null 2>&1
