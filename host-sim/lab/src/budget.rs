@@ -43,7 +43,6 @@ fn least(number: NumberType) -> u32 {
     }
 }
 
-/// Drags on a chip.
 fn counted(
     chip: Chip,
     (evolution, budget): (Evolution, u32),
@@ -72,7 +71,6 @@ fn per_instruction(chip: Chip) -> String {
     }
 }
 
-/// The cost of steps.
 struct Taken {
     steps: usize,
     mean: f64,
@@ -128,7 +126,6 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
     }
 }
 
-/// A row of the table.
 fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15], Box<dyn Error>> {
     let tick = tick(chip);
     let free = taken(&counted(chip, (evolution, u32::MAX), drags)?, tick);

@@ -6,7 +6,6 @@
 
 mod bits;
 mod counter;
-mod estimate;
 mod image;
 mod semihosting;
 
@@ -106,15 +105,6 @@ impl Board {
         require(needs)
     }
 
-    /// The start of the flash of a board whose cycles can be estimated.
-    const fn estimated(self) -> Option<u32> {
-        match self {
-            Self::Stm32F405 => Some(0x0800_0000),
-            Self::An505 => Some(0x1000_0000),
-            Self::Nrf51822 | Self::RiscV | Self::Rp2040 => None,
-        }
-    }
-
     /// Runs an image with a command line, its files in a folder; `counting` instructions, if the emulator can. Returns its
     /// output.
     fn run(
@@ -159,13 +149,9 @@ impl Qemu {
     fn run(
         &self,
         image: &Image,
-        files: (&Path, &[&str]),
+        (folder, line): (&Path, &[&str]),
         counting: bool,
     ) -> Result<String, EmulatorError> {
-        output_of(self.command(image, files, counting))
-    }
-
-    fn command(&self, image: &Image, (folder, line): (&Path, &[&str]), counting: bool) -> Command {
         let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
         let mut command = Command::new(self.program);
         command
@@ -180,6 +166,6 @@ impl Qemu {
         if counting {
             command.arg("-icount").arg(format!("shift={}", self.shift));
         }
-        command
+        output_of(command)
     }
 }

@@ -37,7 +37,6 @@ pub struct FootprintArgs {
     evolution: Option<Evolution>,
 }
 
-/// The scenes of the README.
 const SCENES: [&str; 8] = [
     "locked",
     "corner-stick-slip",
@@ -50,17 +49,15 @@ const SCENES: [&str; 8] = [
 ];
 
 /// A scene and its hand in every frame.
-struct Case {
-    scene: SceneFile,
-    hands: Vec<Hand<f64>>,
+pub(crate) struct Case {
+    pub(crate) scene: SceneFile,
+    pub(crate) hands: Vec<Hand<f64>>,
 }
 
 impl Case {
-    fn open(name: &Path) -> Result<Self, InputError> {
+    /// A scene file, or a bundled scene.
+    pub(crate) fn open(name: &Path) -> Result<Self, InputError> {
         let scene = open_scene(name, Number::F32)?;
-        // Before any build: the numbers form a valid scene for both chips.
-        scene.scene::<f32>()?;
-        scene.scene::<Fixed>()?;
         let (path, rate) = open_path(&scene, None, None)?;
         let hands = path.frames(rate).map(|sample| sample.hand).collect();
         Ok(Self { scene, hands })
@@ -78,6 +75,11 @@ pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dy
     };
     let cases: Result<Vec<Case>, _> = names.into_iter().map(Case::open).collect();
     let cases = cases?;
+    for Case { scene, .. } in &cases {
+        // Before any build: the numbers form a valid scene for both chips.
+        scene.scene::<f32>()?;
+        scene.scene::<Fixed>()?;
+    }
     let all = Evolution::ALL.into_iter();
     let evolutions: Vec<_> = all
         .filter(|evolution| args.evolution.is_none_or(|asked| asked == *evolution))
@@ -90,7 +92,7 @@ pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dy
     }
     let table = table(&rows);
     let text = format!(
-        "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table:#}"
+        "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table}"
     );
     let write = output.write && args.scene.is_none() && args.evolution.is_none();
     Ok(Destination { write }.put("host-sim/README.md", "footprint", &text)?)
@@ -107,7 +109,6 @@ fn heading(case: &Case) -> String {
     text + &format!("  the full model is {}\n\n", model.full())
 }
 
-/// The rows of a scene.
 fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
     // One chip computes while the image of another one is built.
     let of_chips = thread::scope(|scope| {
@@ -118,7 +119,6 @@ fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorE
     Ok(rows?.concat())
 }
 
-/// The rows of a scene on a chip.
 fn of_chip(chip: Chip, case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
     let Case { scene, hands } = case;
     let model = SceneModel::smallest(scene);

@@ -21,8 +21,6 @@ pub mod measure;
 #[cfg(feature = "figures")]
 pub mod obstacles;
 #[cfg(feature = "figures")]
-pub mod pictures;
-#[cfg(feature = "figures")]
 pub mod trade;
 #[cfg(feature = "figures")]
 pub mod worst;

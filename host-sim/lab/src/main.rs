@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use stiction_lab::footprint::FootprintArgs;
 use stiction_lab::markdown::Destination;
-use stiction_lab::{budget, footprint, lawful, measure, obstacles, pictures, trade, worst};
+use stiction_lab::{budget, footprint, lawful, measure, obstacles, trade, worst};
 
 /// Measures stiction
 #[derive(Parser)]
@@ -40,7 +40,7 @@ enum Command {
         /// A recorded hand path (csv, tum, txt) instead of the synthetic one
         hand: Option<PathBuf>,
     },
-    /// The time of a frame of dragged boxes, residuals of random scenes, the range of number types
+    /// Residuals of random scenes, the range of number types
     Measure,
     /// The cost of single frames of ordinary use at 1 kHz, in operations on numbers
     Worst {
@@ -48,8 +48,6 @@ enum Command {
         #[arg(default_value_t = 100)]
         scenes: usize,
     },
-    /// The pictures of the bundled scenes with obstacles
-    Pictures,
 }
 
 fn main() -> ExitCode {
@@ -72,6 +70,5 @@ fn run(command: Command, output: Destination) -> Result<(), Box<dyn Error>> {
         Command::Lawful { hand } => lawful::lawful(hand.as_deref(), output),
         Command::Measure => Ok(measure::measure(output)?),
         Command::Worst { scenes } => Ok(worst::worst(scenes, output)?),
-        Command::Pictures => pictures::pictures(),
     }
 }

@@ -3,9 +3,8 @@
 use std::fmt;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use stiction_host_sim::columns::aligned;
 use stiction_host_sim::firmware::workspace;
 
 /// A table. A column of numbers is aligned to the right.
@@ -48,38 +47,21 @@ impl Table {
         let cells = cells.into_iter().map(|cell| cell.to_string());
         self.rows.push(cells.collect());
     }
-
-    /// Whether it has no rows.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
 }
 
-/// With `#`, the columns are padded to a width, which suits a terminal.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = std::iter::once(&self.header).chain(&self.rows);
-        let mut lines: Vec<Vec<String>> = lines.cloned().collect();
-        if f.alternate() {
-            let words = self.is_number.iter().take_while(|is| !**is).count();
-            lines = aligned(&lines, words);
-        }
-        for (i, cells) in lines.iter().enumerate() {
-            writeln!(f, "| {} |", cells.join(" | "))?;
-            if i == 0 {
-                let rule = cells.iter().zip(&self.is_number).map(|(cell, is_number)| {
-                    let width = if f.alternate() {
-                        cell.chars().count() + 1
-                    } else {
-                        2
-                    };
-                    let end = if *is_number { ":" } else { "-" };
-                    format!("{}{end}|", "-".repeat(width))
-                });
-                writeln!(f, "|{}", rule.collect::<String>())?;
-            }
-        }
-        Ok(())
+        let line = |cells: &[String]| format!("| {} |", cells.join(" | "));
+        let rule = |is_number: &bool| if *is_number { "--:|" } else { "---|" };
+        writeln!(f, "{}", line(&self.header))?;
+        writeln!(
+            f,
+            "|{}",
+            self.is_number.iter().map(rule).collect::<String>()
+        )?;
+        self.rows
+            .iter()
+            .try_for_each(|row| writeln!(f, "{}", line(row)))
     }
 }
 
@@ -98,59 +80,28 @@ impl Destination {
     pub fn put(self, document: &str, section: &str, text: &str) -> io::Result<()> {
         print!("{text}");
         match self.write {
-            true => Section::find(&workspace().join(document), section)?.write(text),
+            true => replace(&workspace().join(document), section, text),
             false => Ok(()),
         }
     }
 }
 
-/// A file with a section that is to be written.
-#[derive(Clone, Debug)]
-pub struct Section {
-    file: PathBuf,
-    begin: String,
-    end: String,
-}
-
-impl Section {
-    /// The section with this name in a file.
-    ///
-    /// # Errors
-    /// The file cannot be read, or has no such section.
-    pub fn find(file: &Path, name: &str) -> io::Result<Self> {
-        let section = Self {
-            file: file.to_owned(),
-            begin: format!("<!-- {name}: begin -->"),
-            end: format!("<!-- {name}: end -->"),
-        };
-        section.parts().map(|_| section)
-    }
-
-    /// The text before and after the section, with its markers.
-    fn parts(&self) -> io::Result<(String, String)> {
-        let text = fs::read_to_string(&self.file)?;
-        let begin = text.find(&self.begin).map(|at| at + self.begin.len());
-        let end = begin.and_then(|from| Some(from + text[from..].find(&self.end)?));
-        match (begin, end) {
-            (Some(begin), Some(end)) => Ok((text[..begin].to_owned(), text[end..].to_owned())),
-            _ => Err(io::Error::other(format!(
-                "{} has no section between {} and {}",
-                self.file.display(),
-                self.begin,
-                self.end
-            ))),
-        }
-    }
-
-    /// Replaces the section by `text`.
-    ///
-    /// # Errors
-    /// The file cannot be read or replaced, or no longer has such a section.
-    pub fn write(&self, text: &str) -> io::Result<()> {
-        let (head, tail) = self.parts()?;
-        let whole = format!("{head}\n{}\n{tail}", text.trim_end());
-        fs::write(&self.file, whole)
-    }
+/// Replaces a section of a file by a text.
+fn replace(file: &Path, section: &str, text: &str) -> io::Result<()> {
+    let [begin, end] = ["begin", "end"].map(|end| format!("<!-- {section}: {end} -->"));
+    let whole = fs::read_to_string(file)?;
+    let parts = whole.split_once(&begin);
+    let parts = parts.and_then(|(head, rest)| Some((head, rest.split_once(&end)?.1)));
+    let Some((head, tail)) = parts else {
+        let file = file.display();
+        return Err(io::Error::other(format!(
+            "{file} has no section between {begin} and {end}"
+        )));
+    };
+    fs::write(
+        file,
+        format!("{head}{begin}\n{}\n{end}{tail}", text.trim_end()),
+    )
 }
 
 #[cfg(test)]
@@ -163,9 +114,6 @@ mod tests {
         table.row(["flat", "12", "edge"]);
         let text = "| scene | steps | state |\n|---|--:|---|\n| flat | 12 | edge |\n";
         assert_eq!(table.to_string(), text);
-        let padded = format!("{table:#}");
-        let widths: Vec<usize> = padded.lines().map(|line| line.chars().count()).collect();
-        assert_eq!(widths, [widths[0]; 3], "{padded}");
     }
 
     #[test]
@@ -175,21 +123,9 @@ mod tests {
         let text =
             |inside| format!("before\n<!-- a: begin -->\n{inside}\n<!-- a: end -->\nafter\n");
         fs::write(&file, text("old")).expect("a file");
-        Section::find(&file, "a")
-            .expect("a section")
-            .write("new\n")
-            .expect("written");
+        replace(&file, "a", "new\n").expect("written");
         assert_eq!(fs::read_to_string(&file).expect("a file"), text("new"));
-    }
-
-    #[test]
-    fn a_file_without_the_section_is_refused() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let file = folder.path().join("README.md");
-        fs::write(&file, "<!-- a: end --><!-- a: begin -->").expect("a file");
-        let error = Section::find(&file, "a")
-            .expect_err("no section")
-            .to_string();
-        assert!(error.contains("<!-- a: begin -->"), "{error}");
+        let error = replace(&file, "b", "new").expect_err("no section");
+        assert!(error.to_string().contains("<!-- b: begin -->"), "{error}");
     }
 }

@@ -3,13 +3,14 @@
 //! out of it. Needs QEMU.
 
 use std::error::Error;
+use std::path::Path;
 
-use stiction_core::{Evolution, Hand, Solver, Status, WithObstacles};
+use stiction_core::{Evolution, Solver, Status, WithObstacles};
 use stiction_host_sim::columns::thousands;
-use stiction_live::scenes;
-use stiction_scene::{Motion, ObstacleInfo, SceneFile, Source};
+use stiction_scene::ObstacleInfo;
 
 use crate::emulator::{Board, Counted, Counter, Frame, Profile, job};
+use crate::footprint::Case;
 use crate::markdown::{Destination, Table};
 
 /// The least budget of the solver in the image, see [`Counter::among`].
@@ -23,63 +24,33 @@ const BOXES: [usize; 6] = [0, 1, 2, 4, 8, 16];
 const IN_REACH: f64 = 0.13;
 const OUT_OF_REACH: f64 = 1.0;
 
-/// A scene and its hand in every frame.
-struct Course {
-    scene: SceneFile,
-    hands: Vec<Hand<f64>>,
+/// A bundled scene with this many boxes more, in a row at a height.
+fn with_boxes(name: &str, count: usize, height: f64) -> Result<Case, Box<dyn Error>> {
+    let mut case = Case::open(Path::new(name))?;
+    let boxes = (0..count).map(|i| {
+        let (left, width) = (-0.08 + 0.0125 * i as f64, 0.01);
+        let [right, top] = [left + width, height + width];
+        ObstacleInfo {
+            name: format!("box {i}"),
+            vertices: vec![[left, height], [right, height], [right, top], [left, top]],
+            ..case.scene.obstacles[0].clone()
+        }
+    });
+    let boxes: Vec<_> = boxes.collect();
+    case.scene.written.obstacles.extend(boxes);
+    Ok(case)
 }
 
-impl Course {
-    fn bundled(name: &str) -> Result<Self, Box<dyn Error>> {
-        let text = scenes::ALL.iter().find(|(other, _)| *other == name);
-        let (_, text) = text.ok_or("no bundled scene of this name")?;
-        let scene = SceneFile::parse(Source::new(name, *text), f64::from(f32::MAX))?;
-        let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
-            return Err("the scene has no keyframes".into());
-        };
-        let samples = path.frames(scene.hand.rate);
-        let hands = samples.map(|sample| sample.hand).collect();
-        Ok(Self { scene, hands })
-    }
-
-    /// Adds this many boxes in a row at a height.
-    fn with_boxes(mut self, count: usize, height: f64) -> Self {
-        let boxes = (0..count).map(|i| {
-            let (left, width) = (-0.08 + 0.0125 * i as f64, 0.01);
-            let [right, top] = [left + width, height + width];
-            ObstacleInfo {
-                name: format!("box {i}"),
-                vertices: vec![[left, height], [right, height], [right, top], [left, top]],
-                ..self.scene.obstacles[0].clone()
-            }
-        });
-        let boxes: Vec<_> = boxes.collect();
-        self.scene.written.obstacles.extend(boxes);
-        self
-    }
-
-    fn count(&self, counter: &Counter, budget: u32) -> Result<Counted, Box<dyn Error>> {
-        let job = job(&self.scene, Evolution::Path, &self.hands);
-        Ok(counter.count(&job, budget)?)
-    }
-}
-
-fn mean(counted: &Counted) -> f64 {
-    let steps = counted.steps();
-    let sum: f64 = steps.iter().map(|step| f64::from(step.instructions)).sum();
-    sum / steps.len() as f64
-}
-
-fn worst(counted: &Counted) -> u32 {
-    let steps = counted.steps().iter();
-    steps.map(|step| step.instructions).max().unwrap_or(0)
+fn count(counter: &Counter, case: &Case, budget: u32) -> Result<Counted, Box<dyn Error>> {
+    let job = job(&case.scene, Evolution::Path, &case.hands);
+    Ok(counter.count(&job, budget)?)
 }
 
 /// A row of the first table.
 fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error>> {
-    let case = Course::bundled(name)?;
-    let free = case.count(counter, u32::MAX)?;
-    let bound = case.count(counter, LEAST)?;
+    let case = Case::open(Path::new(name))?;
+    let free = count(counter, &case, u32::MAX)?;
+    let bound = count(counter, &case, LEAST)?;
     let of = |counted: &Counted, is: fn(&Frame) -> bool| {
         counted.steps().iter().filter(|step| is(step)).count()
     };
@@ -87,24 +58,23 @@ fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error
     Ok([
         name.to_owned(),
         thousands(free.steps().len() as u64),
-        format!("{:.0}", mean(&free)),
-        thousands(worst(&free).into()),
+        format!("{:.0}", free.mean()),
+        thousands(free.worst().into()),
         most_work(&free).unwrap_or(0).to_string(),
-        thousands(worst(&bound).into()),
+        thousands(bound.worst().into()),
         most_work(&bound).unwrap_or(0).to_string(),
         of(&bound, |step| step.pose.status == Status::Behind).to_string(),
         of(&bound, |step| step.work > LEAST).to_string(),
     ])
 }
 
-/// The cost of boxes that are never touched.
 fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
     let mut table = Table::new("boxes: | in reach: | each: | out of reach: | each:");
     let mut none = None;
     for boxes in BOXES {
         let counted = [IN_REACH, OUT_OF_REACH].map(|height| {
-            let case = Course::bundled(AROUND)?.with_boxes(boxes, height);
-            case.count(counter, u32::MAX).map(|counted| mean(&counted))
+            let case = with_boxes(AROUND, boxes, height)?;
+            count(counter, &case, u32::MAX).map(|counted| counted.mean())
         });
         let [near, far] = counted;
         let (near, far) = (near?, far?);

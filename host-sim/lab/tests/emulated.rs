@@ -6,7 +6,7 @@ use stiction_firmware::bits::{Among, Walk, of_walk};
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_host_sim::trade::chip::Chip;
 use stiction_host_sim::trade::counts::counted;
-use stiction_host_sim::trade::{Group, Memory, RATES, Suite};
+use stiction_host_sim::trade::{Memory, RATES, Suite};
 use stiction_lab::emulator::{
     Board, Counted, Counter, Frame, Machine, Place, Profile, footprint, job,
 };
@@ -25,7 +25,6 @@ fn bundled(name: &str) -> SceneFile {
     SceneFile::parse(source, Number::F32.limit()).unwrap()
 }
 
-/// The answers of the solver on this machine.
 fn outputs<R: Real<Si = f32>>(
     scene: &SceneFile,
     evolution: Evolution,
@@ -74,7 +73,6 @@ fn a_board_gives_the_answers_of_this_machine_and_its_count() {
     counts::<Fixed>(NumberType::Fixed);
 }
 
-/// Every machine has the bits of this one.
 fn same_bits(number: NumberType) {
     let of = |place, frames| match (number, place) {
         (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(frames),
@@ -108,50 +106,6 @@ fn every_machine_gives_the_same_bits_in_f32() {
 #[test]
 fn every_machine_gives_the_same_bits_in_fixed_point() {
     same_bits(NumberType::Fixed);
-}
-
-/// What a chip is said to take for an instruction is what random drags take, by Arm's table, or a little more.
-#[test]
-fn an_instruction_takes_no_more_cycles_than_is_said() {
-    let suite = Suite::new(None, true).unwrap();
-    let mut drags = suite
-        .cases
-        .iter()
-        .filter(|case| case.group == Group::Random);
-    let drag = drags.next().unwrap();
-    let hands: Vec<_> = drag.path.frames(Some(100.0)).map(|s| s.hand).collect();
-    let job = job(&drag.scene, Evolution::Path, &hands);
-    for chip in [Chip::CortexM4F, Chip::CortexM33] {
-        let estimate = Counter::new(Board::of(chip), chip.number(), Profile::Device)
-            .and_then(|counter| counter.estimate(&job));
-        let Some(estimate) = if_installed(estimate) else {
-            continue;
-        };
-        let said = chip.cycles();
-        let name = chip.name();
-        assert!((0.9 * said..=said).contains(&estimate), "{name} {estimate}");
-    }
-    let counter = Counter::new(Board::Nrf51822, NumberType::Fixed, Profile::Device);
-    if let Some(counter) = if_installed(counter) {
-        let error = counter.estimate(&job).unwrap_err().to_string();
-        assert!(error.contains("Cortex-M0"), "{error}");
-    }
-}
-
-#[test]
-fn the_solver_fits_into_the_flash() {
-    for (board, number) in [
-        (Board::Stm32F405, NumberType::F32),
-        (Board::Nrf51822, NumberType::Fixed),
-    ] {
-        let (scene, path) = (scene(), Evolution::Path);
-        let code = rust_source(&scene, SceneModel::smallest(&scene), number, path);
-        let flash = |profile| if_installed(footprint(board, profile, &code));
-        if let (Some(small), Some(fast)) = (flash(Profile::DeviceSmall), flash(Profile::Device)) {
-            let case = format!("{} {}: {small}, {fast}", board.name(), number.name());
-            assert!(5_000 < small && small < fast && fast < 200_000, "{case}");
-        }
-    }
 }
 
 /// A scene along its own hand's path, at 100 Hz, in a model: what is counted, and the flash.

@@ -41,11 +41,6 @@ pub fn without_obstacles() -> impl Iterator<Item = &'static (&'static str, &'sta
     ALL.iter().filter(|scene| !has_obstacles(scene))
 }
 
-/// Returns those with obstacles.
-pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    ALL.iter().filter(|scene| has_obstacles(scene))
-}
-
 /// Returns whether a bundled scene has obstacles.
 pub fn has_obstacles((_, text): &(&str, &str)) -> bool {
     text.contains("\n[[obstacle]]")

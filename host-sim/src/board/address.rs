@@ -61,7 +61,6 @@ fn parse_timeout(text: &str) -> Result<Duration, String> {
 }
 
 impl ConnectArgs {
-    /// Returns whether a board is requested.
     pub(crate) const fn is_wanted(&self) -> bool {
         let place = &self.place;
         place.port.is_some()
@@ -92,7 +91,6 @@ impl ConnectArgs {
     }
 }
 
-/// The address of the board.
 #[derive(Debug)]
 pub(super) enum Address {
     Port(PathBuf, u32),
@@ -104,7 +102,6 @@ pub(super) enum Address {
 }
 
 impl Address {
-    /// Opens a new connection to the board.
     pub(super) fn open(&mut self) -> Result<Link, BoardError> {
         let opened = match self {
             Self::Port(place, baud) => Link::port(place, *baud),

@@ -19,10 +19,8 @@ pub(super) struct Counts {
     pub(super) unanswered: u64,
     /// Of these, samples that were never sent because a newer one was available.
     pub(super) overtaken: u64,
-    /// Garbled frames of the board.
     pub(super) faults: u64,
     pub(super) latency: Latency,
-    /// When the first sample was sent.
     pub(super) begun: Option<Instant>,
     /// Late samples of sessions that have ended.
     late_before: u64,
@@ -40,7 +38,6 @@ impl Counts {
         self.overtaken += count;
     }
 
-    /// Begins a session.
     pub(super) fn begin(&mut self, health: Option<Health>) {
         self.late_before = self.late() - self.overtaken;
         self.health = health.map(|health| (health, health));
@@ -85,47 +82,40 @@ impl Counts {
 mod tests {
     use super::*;
 
-    fn health(late_samples: u32) -> Health {
-        Health {
+    /// A session with a board that has counted so many late samples before it, and so many after it.
+    fn session(counts: &mut Counts, late_samples: [u32; 2], unanswered: u64) -> (u64, u64) {
+        let [before, after] = late_samples.map(|late_samples| Health {
             late_samples,
             ..Health::default()
-        }
+        });
+        counts.begin(Some(before));
+        counts.unanswered = unanswered;
+        counts.note(after);
+        (counts.late(), counts.lost())
     }
 
     #[test]
     fn what_is_not_late_is_lost() {
         let mut counts = Counts::default();
-        counts.begin(Some(health(100)));
-        counts.unanswered = 7;
-        counts.note(health(105));
-        assert_eq!((counts.late(), counts.lost()), (5, 2));
+        assert_eq!(session(&mut counts, [100, 105], 7), (5, 2));
         // A new session, with a board that counts from 0 again.
-        counts.begin(Some(health(0)));
-        counts.unanswered = 10;
-        counts.note(health(1));
-        assert_eq!((counts.late(), counts.lost()), (6, 4));
-    }
-
-    #[test]
-    fn what_is_overtaken_here_is_late() {
-        let mut counts = Counts {
-            unanswered: 5,
-            overtaken: 3,
-            ..Counts::default()
-        };
-        counts.begin(Some(health(10)));
-        counts.note(health(11));
-        assert_eq!((counts.late(), counts.lost()), (4, 1));
-        counts.begin(Some(health(0)));
-        assert_eq!(counts.late(), 4);
-    }
-
-    #[test]
-    fn without_a_word_of_the_board_all_are_lost() {
+        assert_eq!(session(&mut counts, [0, 1], 10), (6, 4));
+        // Without a word of the board, all are lost.
         let counts = Counts {
             unanswered: 3,
             ..Counts::default()
         };
         assert_eq!((counts.late(), counts.lost()), (0, 3));
+    }
+
+    #[test]
+    fn what_is_overtaken_here_is_late() {
+        let mut counts = Counts {
+            overtaken: 3,
+            ..Counts::default()
+        };
+        assert_eq!(session(&mut counts, [10, 11], 5), (4, 1));
+        counts.begin(Some(Health::default()));
+        assert_eq!(counts.late(), 4);
     }
 }

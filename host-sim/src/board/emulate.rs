@@ -46,7 +46,6 @@ impl EmulatedBoard {
         self.board().name
     }
 
-    /// The emulator of the board.
     pub(super) const fn emulator(self) -> &'static str {
         self.board().emulator()
     }
@@ -61,7 +60,6 @@ pub(super) enum Image<'a> {
     Obstacles(&'a str),
 }
 
-/// A running emulator.
 #[derive(Debug)]
 pub(super) struct Emulator {
     board: EmulatedBoard,
@@ -96,7 +94,6 @@ impl Emulator {
         self.board
     }
 
-    /// Opens a line to the board.
     pub(super) fn open(&mut self) -> Result<Link, EmulatorError> {
         let begun = Instant::now();
         loop {

@@ -11,7 +11,6 @@ const MOST_WAITING: usize = 2;
 /// Maximum number of samples that wait for the line if each counts, as those of a tracker: half a minute of them.
 const MOST_TRACKED: usize = 4096;
 
-/// Samples in real time.
 pub(super) enum Feed<'a> {
     /// A path, whose first sample is due immediately.
     Path {

@@ -126,7 +126,6 @@ fn axis(axis: Axis) -> String {
     format!("{sign}{letter}")
 }
 
-/// The board's health.
 pub(super) fn health(health: &Health) -> String {
     let faults: Vec<String> = FaultKind::ALL
         .iter()

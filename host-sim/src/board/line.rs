@@ -15,7 +15,6 @@ const LONGEST_REPORT: usize = frame_bytes(7200);
 /// Room for the longest command: a scene of 255 vertices, surfaces, obstacles and corners of these.
 const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255) + obstacle_bytes(255, 255));
 
-/// A link that transfers frames.
 #[derive(Debug)]
 pub(super) struct Line {
     open: Open,
@@ -25,9 +24,7 @@ pub(super) struct Line {
     order: Sequence,
     /// Frames of the board that did not arrive.
     pub(super) lost: u64,
-    /// Received bytes.
     pub(super) bytes: u64,
-    /// Received frames.
     pub(super) frames: u64,
     /// Received frames of the other direction: the line echoes what is sent.
     pub(super) echoes: u64,
@@ -84,7 +81,6 @@ impl Line {
         }
     }
 
-    /// Decodes these bytes.
     pub(super) fn receive(&mut self, at: Instant, bytes: &[u8]) -> Vec<Received> {
         let mut received = Vec::new();
         self.bytes += bytes.len() as u64;

@@ -44,24 +44,20 @@ impl Drop for Reading {
     }
 }
 
-/// The messages to the main thread.
 #[derive(Debug)]
 pub(super) enum News {
     /// Bytes that were read from a link, by its number.
     Bytes(u32, Reading),
     /// A link was disconnected, and why.
     Gone(u32, String),
-    /// A sample of the tracker.
     Sample(Sample),
     /// The tracker was disconnected, and why.
     NoTracker(BoardError),
-    /// A request to change the board's settings.
     Request(Request),
     /// The board is no longer needed.
     Enough,
 }
 
-/// A stream of bytes in both directions.
 #[derive(Debug)]
 pub(super) enum Link {
     Port(SerialPort),
@@ -222,7 +218,6 @@ impl Drop for Open {
     }
 }
 
-/// Why a link was disconnected.
 pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::UnexpectedEof => "it was closed at the other end".to_owned(),

@@ -32,9 +32,7 @@ const EVERY: Duration = Duration::from_millis(250);
 /// A message from the board to the program that follows it.
 #[derive(Debug)]
 pub(crate) enum Word {
-    /// The answer to a sample.
     Frame(Box<Frame>),
-    /// The board's health.
     Fares(Fares),
     /// The result of the oldest request that has not been answered yet.
     Answer(Result<(), String>),
@@ -44,17 +42,14 @@ pub(crate) enum Word {
     End(String),
 }
 
-/// The identity of the board.
 #[derive(Clone, Debug)]
 pub(crate) struct Identity {
     pub(crate) name: String,
     pub(crate) number: Number,
-    /// The board's address.
     pub(crate) place: String,
     pub(crate) emulated: bool,
     /// Ticks per second.
     pub(crate) tick_rate: u16,
-    /// The board as the maker of recordings.
     pub(crate) maker: Maker,
 }
 
@@ -70,7 +65,6 @@ impl Identity {
     }
 }
 
-/// A board that a program follows.
 #[derive(Debug)]
 pub(crate) struct LiveBoard {
     news: Sender<News>,
@@ -172,7 +166,6 @@ fn identify(about: &About, address: &Address) -> Identity {
     }
 }
 
-/// Forwards the messages of a stream.
 #[derive(Debug)]
 struct Follower {
     words: Sender<Word>,

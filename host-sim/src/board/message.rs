@@ -8,7 +8,6 @@ use stiction_wire::{
     ReportAmong, Room, Subject,
 };
 
-/// A frame from the board.
 #[derive(Clone, Debug)]
 pub(super) struct Received {
     /// Arrival time of its last byte.
@@ -18,7 +17,6 @@ pub(super) struct Received {
     pub(super) said: Said,
 }
 
-/// A message from the board.
 #[derive(Clone, Debug)]
 pub(super) enum Said {
     Pose(Pose),
@@ -29,7 +27,6 @@ pub(super) enum Said {
     Health(Health),
     /// Precedes the board's description of itself.
     Room(Room),
-    /// The answer to a ping.
     Pong,
 }
 

@@ -12,7 +12,6 @@ use super::verify::Expected;
 /// Sequence numbers repeat after 256: from there on, an older sample cannot be distinguished from a newer one.
 const MOST: usize = 128;
 
-/// A sample that was sent.
 #[derive(Clone, Debug)]
 pub(super) struct Sent {
     /// The sequence number of its frame.
@@ -53,7 +52,6 @@ impl Pending {
         Some((answered, overtaken))
     }
 
-    /// The number of samples on their way.
     pub(super) fn len(&self) -> usize {
         self.waiting.len()
     }

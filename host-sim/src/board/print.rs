@@ -26,7 +26,6 @@ impl Screen {
         }
     }
 
-    /// Shows the progress, now and then.
     pub(super) fn show(&mut self, counts: &Counts) {
         let now = Instant::now();
         let (then, poses) = *self.last.get_or_insert((now, counts.poses));
@@ -60,7 +59,6 @@ impl Screen {
         }
     }
 
-    /// Removes the progress line.
     pub(super) fn clear(&mut self) {
         if self.dirty {
             report::print("\r\x1b[K");
@@ -100,7 +98,6 @@ pub(super) fn table(title: &str, rows: &[(&str, String)]) -> String {
     text
 }
 
-/// The table at the end of a stream.
 pub(super) fn summary(title: &str, counts: &Counts, seconds: f64) -> String {
     let rate = counts.poses as f64 / seconds.max(1e-9);
     let mut rows = vec![

@@ -8,7 +8,6 @@ use super::pending::Sent;
 use super::steps::Step;
 use stiction_live::record::{ContactRecord, Frame};
 
-/// Creates frames from answers; stores the last valid hand.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
     hand: Hand<f32>,

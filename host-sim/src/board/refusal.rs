@@ -130,84 +130,81 @@ mod tests {
     use super::*;
     use stiction_wire::Reference;
 
-    fn answer(reason: Reason, subject: Subject, value: f32, limit: f32, allowed: &str) -> Answer {
-        Answer {
-            command: Reference {
-                code: 4,
-                sequence: 1,
-            },
-            reason,
-            subject,
-            value,
-            limit,
-            allowed: allowed.to_owned(),
-        }
-    }
-
+    /// What the board says, its command, and all that is made of it, but for the beginning.
     #[test]
-    fn a_refused_number_comes_with_what_is_allowed_and_the_nearest() {
-        let tick = answer(
-            Reason::Unsupported,
-            Subject::TickRate,
-            5000.0,
-            1000.0,
-            "1 to 1000",
-        );
-        assert_eq!(
-            explain("mode", &tick, &Names::default()),
-            "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time, no room or no use for it, allowed: 1 to \
-             1000, the nearest: 1000.0 Hz"
-        );
-    }
-
-    #[test]
-    fn the_limit_of_what_is_passive_is_not_called_allowed() {
-        let spring = answer(
-            Reason::NotPassive,
-            Subject::Scene(Parameter::StiffnessTranslation),
-            900.0,
-            800.0,
-            "0, or less than the limit",
-        );
-        let text = explain("parameters", &spring, &Names::default());
-        assert!(
-            text.ends_with(", allowed: 0, or less than the limit, the limit: 800.0 N/m"),
-            "{text}"
-        );
-    }
-
-    #[test]
-    fn a_surface_is_called_by_its_name() {
-        let subject = Subject::Scene(Parameter::FrictionDynamic(1));
-        let friction = answer(Reason::Number, subject, -0.5, f32::NAN, "0 or more");
+    fn a_refusal_has_the_value_its_unit_what_is_allowed_and_the_nearest() {
         let names = Names {
             surfaces: vec!["floor".to_owned(), "wall".to_owned()],
             obstacles: vec!["table".to_owned(), "post".to_owned()],
         };
-        assert_eq!(
-            explain("scene", &friction, &names),
-            "the board refuses the scene: the dynamic friction of surface 1 (\"wall\") is -0.5, allowed: 0 or more"
+        let nothing = f32::NAN;
+        let of = Subject::Scene;
+        let tick = (Subject::TickRate, 5000.0, 1000.0, "1 to 1000");
+        let spring = (
+            of(Parameter::StiffnessTranslation),
+            900.0,
+            800.0,
+            "0, or less than the limit",
         );
-        let subject = Subject::Scene(Parameter::Overlap(1));
-        let sunk = answer(Reason::Number, subject, 0.25, f32::NAN, "at most 1e-5");
-        assert_eq!(
-            explain("scene", &sunk, &names),
-            "the board refuses the scene: the depth of the body in obstacle 1 at the start (\"post\") is 0.25 m, allowed: at most 1e-5"
+        let friction = (
+            of(Parameter::FrictionDynamic(1)),
+            -0.5,
+            nothing,
+            "0 or more",
         );
-        let subject = Subject::Scene(Parameter::CornerCount);
-        let many = answer(Reason::Unsupported, subject, 17.0, 16.0, "0 to 16");
-        let text = explain("scene", &many, &names);
-        assert!(
-            text.contains("number of corners of all obstacles is 17.0, "),
-            "{text}"
-        );
-        assert!(text.ends_with("the nearest: 16.0"), "{text}");
-    }
-
-    #[test]
-    fn a_command_as_a_whole_is_refused_without_a_value() {
-        let not_now = answer(Reason::NotNow, Subject::Command, 0.0, f32::NAN, "");
-        let text = explain("scene", &not_now, &Names::default());
-        assert!(text.ends_with("another command is under way"), "{text}");
+        let sunk = (of(Parameter::Overlap(1)), 0.25, nothing, "at most 1e-5");
+        let many = (of(Parameter::CornerCount), 17.0, 16.0, "0 to 16");
+        let whole = (Subject::Command, 0.0, nothing, "");
+        for (command, reason, (subject, value, limit, allowed), expected) in [
+            (
+                "mode",
+                Reason::Unsupported,
+                tick,
+                "the tick rate is 5000.0 Hz, the board has no time, no room or no use for it, allowed: 1 to 1000, the nearest: 1000.0 Hz",
+            ),
+            (
+                "parameters",
+                Reason::NotPassive,
+                spring,
+                "the translational stiffness k_h is 900.0 N/m, the haptic device would not be passive, allowed: 0, or less than the limit, \
+                 the limit: 800.0 N/m",
+            ),
+            (
+                "scene",
+                Reason::Number,
+                friction,
+                "the dynamic friction of surface 1 (\"wall\") is -0.5, allowed: 0 or more",
+            ),
+            (
+                "scene",
+                Reason::Number,
+                sunk,
+                "the depth of the body in obstacle 1 at the start (\"post\") is 0.25 m, allowed: at most 1e-5",
+            ),
+            (
+                "scene",
+                Reason::Unsupported,
+                many,
+                "the number of corners of all obstacles is 17.0, the board has no time, no room or no use for it, allowed: 0 to 16, the \
+                 nearest: 16.0",
+            ),
+            (
+                "scene",
+                Reason::NotNow,
+                whole,
+                "not now: it is stopped by a fault, or another command is under way",
+            ),
+        ] {
+            let answer = Answer {
+                command: Reference::default(),
+                reason,
+                subject,
+                value,
+                limit,
+                allowed: allowed.to_owned(),
+            };
+            let expected = format!("the board refuses the {command}: {expected}");
+            assert_eq!(explain(command, &answer, &names), expected);
+        }
     }
 }

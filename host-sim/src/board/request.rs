@@ -7,7 +7,6 @@ use super::setup::Setup;
 use super::steps::Steps;
 use super::stream::Stream;
 
-/// A request to change the board's settings.
 #[derive(Debug)]
 pub(super) struct Request {
     pub(super) setup: Setup,

@@ -73,7 +73,6 @@ impl Inbox {
 #[derive(Debug)]
 pub(super) struct Session {
     pub(super) line: Line,
-    /// The latest report of the board's health.
     pub(super) health: Option<Health>,
     /// The latest report of the board's room for obstacles.
     room: Room,

@@ -24,7 +24,6 @@ const HEALTH_EVERY: u16 = 350;
 /// Number of attempts to reduce a mode that is too much for the line.
 const ATTEMPTS: usize = 8;
 
-/// The scene and the mode of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
     pub(super) scene: Arc<SceneFile>,
@@ -185,7 +184,6 @@ impl Setup {
         self.described_on(about, |_, _| ()).1
     }
 
-    /// The names of surfaces and obstacles.
     fn names(&self) -> Names {
         Names::of(&self.scene.surfaces, &self.scene.obstacles)
     }
@@ -200,7 +198,6 @@ impl Setup {
         names
     }
 
-    /// The mode of the board.
     pub(super) fn mode(&self, about: &About) -> Mode {
         Mode {
             evolution: self.evolution,
@@ -328,71 +325,47 @@ mod tests {
     use super::*;
     use stiction_wire::Reference;
 
-    fn refusal(subject: Subject, value: f32, limit: f32) -> Answer {
-        Answer {
+    /// What of ticks and of every how many poses a mode is left after a refusal of this value, with this limit.
+    fn left(mode: Mode, (subject, value, limit): (Subject, f32, f32)) -> Option<(u16, u16)> {
+        let refusal = Answer {
             command: Reference::default(),
             reason: Reason::Unsupported,
             subject,
             value,
             limit,
             allowed: String::new(),
-        }
+        };
+        let mode = less(&mode, &refusal)?;
+        assert_eq!(mode.pose_every, mode.forces_every);
+        Some((mode.tick_rate, mode.pose_every))
     }
 
     #[test]
     fn a_slow_line_gets_fewer_poses_or_fewer_steps() {
-        let timed = Mode {
-            pose_every: 1,
-            forces_every: 1,
+        let timed = |every: u16| Mode {
+            pose_every: every,
+            forces_every: every,
             ..Mode::default()
         };
-        let refused = refusal(Subject::LineRate, 256_000.0, 92_160.0);
-        let mode = less(&timed, &refused).expect("a slower mode");
-        assert_eq!(
-            (mode.tick_rate, mode.pose_every, mode.forces_every),
-            (1000, 3, 3)
-        );
-        let per_sample = Mode {
+        let per_sample = |tick_rate: u16| Mode {
             stepping: Stepping::PerSample,
-            ..timed
+            tick_rate,
+            ..timed(1)
         };
-        let mode = less(&per_sample, &refused).expect("a slower mode");
-        assert_eq!(
-            (mode.tick_rate, mode.pose_every, mode.forces_every),
-            (360, 1, 1)
-        );
-        let slow = Mode {
-            tick_rate: 200,
-            ..per_sample
-        };
-        assert!(less(&slow, &refused).is_none());
-    }
-
-    #[test]
-    fn what_is_refused_by_little_becomes_less_all_the_same() {
-        let refused = refusal(Subject::LineRate, 11_521.0, 11_520.0);
-        let mode = Mode {
-            pose_every: 2,
-            forces_every: 2,
-            ..Mode::default()
-        };
-        assert_eq!(less(&mode, &refused).map(|mode| mode.forces_every), Some(3));
-        let mode = Mode {
-            stepping: Stepping::PerSample,
-            tick_rate: 170,
-            ..mode
-        };
-        assert_eq!(less(&mode, &refused).map(|mode| mode.tick_rate), Some(169));
-    }
-
-    #[test]
-    fn another_refusal_is_one() {
-        for refused in [
-            refusal(Subject::TickRate, 5000.0, 1000.0),
-            refusal(Subject::LineRate, 256_000.0, f32::NAN),
-            refusal(Subject::LineRate, 256_000.0, 0.0),
+        let much = (Subject::LineRate, 256_000.0, 92_160.0);
+        let little = (Subject::LineRate, 11_521.0, 11_520.0);
+        for (mode, refusal, expected) in [
+            (timed(1), much, Some((1000, 3))),
+            (per_sample(1000), much, Some((360, 1))),
+            (per_sample(200), much, None),
+            (timed(2), little, Some((1000, 3))),
+            (per_sample(170), little, Some((169, 1))),
+            // Another refusal is one.
+            (timed(1), (Subject::TickRate, 5000.0, 1000.0), None),
+            (timed(1), (Subject::LineRate, 256_000.0, f32::NAN), None),
+            (timed(1), (Subject::LineRate, 256_000.0, 0.0), None),
         ] {
-            assert!(less(&Mode::default(), &refused).is_none(), "{refused:?}");
+            assert_eq!(left(mode, refusal), expected, "{mode:?} {refusal:?}");
         }
     }
 }

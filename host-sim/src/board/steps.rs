@@ -12,7 +12,6 @@ const PATIENCE: usize = 4;
 /// Maximum number of events that are stored for steps whose poses do not arrive; slips are still counted beyond it.
 const MOST_EVENTS: usize = 1024;
 
-/// The received parts of a step of the board.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     /// Arrival time of its pose.
@@ -25,7 +24,6 @@ pub(super) struct Step {
     pub(super) is_whole: bool,
 }
 
-/// Parts with the same time.
 #[derive(Clone, Debug)]
 struct Parts {
     time: u32,
@@ -58,7 +56,6 @@ fn set(events: Option<&Events>) -> EventSet {
     events.map_or_else(EventSet::default, |events| EventSet::of(&events.list))
 }
 
-/// Combines the parts of steps.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steps {
     pending: VecDeque<Parts>,
@@ -125,7 +122,6 @@ impl Steps {
         self.finish(self.pending.len())
     }
 
-    /// Returns the first `count` steps.
     fn finish(&mut self, count: usize) -> Vec<Step> {
         let mut steps = Vec::new();
         let done: Vec<Parts> = self.pending.drain(..count).collect();
@@ -182,78 +178,69 @@ mod tests {
         })
     }
 
+    /// After these parts, with their times: of each step for which nothing more will come, whether it is whole. All come with the last
+    /// part.
+    fn whole(parts: &[(u32, Said)]) -> (Vec<bool>, Option<Events>) {
+        let mut steps = Steps::default();
+        let mut done = Vec::new();
+        for (time, part) in parts {
+            assert!(done.is_empty(), "{parts:?}");
+            done = steps.add(received(*time, part.clone()));
+        }
+        let last = done.last().and_then(|step| step.events.clone());
+        (done.iter().map(|step| step.is_whole).collect(), last)
+    }
+
     #[test]
     fn parts_come_in_any_order() {
         let touch = [Event::Touch];
-        let parts = [pose(&touch), forces(1), events(&touch)];
-        for order in [
-            [0, 1, 2],
-            [0, 2, 1],
-            [1, 0, 2],
-            [1, 2, 0],
-            [2, 0, 1],
-            [2, 1, 0],
+        let [pose, forces, events] =
+            [pose(&touch), forces(1), events(&touch)].map(|part| (7, part));
+        for [a, b, c] in [
+            [&pose, &forces, &events],
+            [&pose, &events, &forces],
+            [&forces, &pose, &events],
+            [&forces, &events, &pose],
+            [&events, &pose, &forces],
+            [&events, &forces, &pose],
         ] {
-            let mut steps = Steps::default();
-            let mut done = Vec::new();
-            for (k, i) in order.into_iter().enumerate() {
-                assert!(done.is_empty(), "{order:?} {k}");
-                done = steps.add(received(7, parts[i].clone()));
-            }
-            assert!(done.len() == 1 && done[0].is_whole, "{order:?}");
+            assert_eq!(whole(&[a, b, c].map(Clone::clone)).0, [true]);
         }
     }
 
     #[test]
-    fn a_step_without_events_needs_none() {
-        let mut steps = Steps::default();
-        assert!(steps.add(received(1, pose(&[]))).is_empty());
-        assert_eq!(steps.add(received(1, forces(0))).len(), 1);
-    }
-
-    #[test]
-    fn a_step_with_a_lost_part_comes_before_the_next_whole_one() {
-        let mut steps = Steps::default();
-        steps.add(received(1, pose(&[])));
-        steps.add(received(2, pose(&[])));
-        let done = steps.add(received(2, forces(0)));
-        let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
-        assert_eq!(whole, [false, true]);
-    }
-
-    #[test]
-    fn events_of_steps_before_do_not_stand_for_those_that_were_lost() {
-        let mut steps = Steps::default();
-        steps.add(received(1, events(&[Event::Touch])));
-        steps.add(received(2, pose(&[Event::Touch, Event::Slip])));
-        assert!(steps.add(received(2, forces(0))).is_empty());
-        steps.add(received(3, pose(&[])));
-        let done = steps.add(received(3, forces(0)));
-        let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
-        assert_eq!(whole, [false, true]);
-    }
-
-    #[test]
-    fn a_pose_that_tells_of_steps_before_alone_is_whole_at_once() {
-        let mut steps = Steps::default();
-        steps.add(received(1, events(&[Event::Slip])));
-        steps.add(received(2, pose(&[Event::Slip])));
-        let done = steps.add(received(2, forces(0)));
-        assert!(done.len() == 1 && done[0].is_whole);
+    fn a_step_is_whole_when_its_forces_and_all_its_events_have_come() {
+        use Event::{Slip, Touch};
+        // Without events, it needs none.
+        assert_eq!(whole(&[(1, pose(&[])), (1, forces(0))]).0, [true]);
+        // One with a lost part comes before the next whole one.
+        let lost = [(1, pose(&[])), (2, pose(&[])), (2, forces(0))];
+        assert_eq!(whole(&lost).0, [false, true]);
+        // Events of steps before do not stand for those that were lost.
+        let part = [
+            (1, events(&[Touch])),
+            (2, pose(&[Touch, Slip])),
+            (2, forces(0)),
+            (3, pose(&[])),
+            (3, forces(0)),
+        ];
+        assert_eq!(whole(&part).0, [false, true]);
+        // A pose may report of steps before alone.
+        let before = [(1, events(&[Slip])), (2, pose(&[Slip])), (2, forces(0))];
+        assert_eq!(whole(&before).0, [true]);
     }
 
     #[test]
     fn events_without_a_pose_are_of_the_next_one() {
-        let mut steps = Steps::default();
-        steps.add(received(1, events(&[Event::Touch])));
-        steps.add(received(2, pose(&[Event::Touch, Event::Slip])));
-        steps.add(received(2, events(&[Event::Slip])));
-        let done = steps.add(received(2, forces(0)));
-        let reported = done[0].events.clone().expect("events");
-        assert_eq!(
-            (reported.slips, reported.list),
-            (2, vec![Event::Touch, Event::Slip])
-        );
+        use Event::{Slip, Touch};
+        let (_, reported) = whole(&[
+            (1, events(&[Touch])),
+            (2, pose(&[Touch, Slip])),
+            (2, events(&[Slip])),
+            (2, forces(0)),
+        ]);
+        let reported = reported.expect("events");
+        assert_eq!((reported.slips, reported.list), (2, vec![Touch, Slip]));
     }
 
     #[test]

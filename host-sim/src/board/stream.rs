@@ -42,7 +42,6 @@ const BREATH: Duration = Duration::from_millis(50);
 /// A stream from a feed to a board and back.
 pub(super) struct Stream<'a, A> {
     pub(super) setup: Setup,
-    /// The board's description of itself.
     pub(super) about: About,
     pub(super) address: Address,
     pub(super) inbox: Inbox,
@@ -59,7 +58,6 @@ pub(super) struct Stream<'a, A> {
     pub(super) recorder: Recorder,
     /// The indices of the board's obstacles in the scene file, if they differ.
     pub(super) indices: Option<Indices>,
-    /// Why the tracker was disconnected.
     pub(super) tracker_gone: Option<BoardError>,
 }
 
@@ -168,7 +166,6 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// Adds a live sample.
     pub(super) fn push(&mut self, sample: Sample) {
         self.counts.overtake(self.feed.push(sample).into());
     }
@@ -284,7 +281,6 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// Processes a step that follows a sample.
     fn answer(&mut self, step: &Step) -> Result<(), BoardError> {
         let Some((sent, overtaken)) = self.pending.answer(&step.pose) else {
             // A step without a new sample: its events are reported with the next one.
@@ -303,7 +299,6 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.audience.frame(&sent.sample, frame, latency)
     }
 
-    /// No pose follows these samples.
     pub(super) fn lose(&mut self, lost: Vec<Sent>) -> Result<(), BoardError> {
         self.counts.unanswered += lost.len() as u64;
         for sent in lost {

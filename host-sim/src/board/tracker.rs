@@ -15,7 +15,6 @@ use stiction_wire::{LOGITECH_REQUEST, LogitechDecoder, LogitechRecord};
 use super::error::BoardError;
 use super::link::{Link, News, reason};
 
-/// Baud rate of the tracker's line.
 const BAUD: u32 = 19_200;
 /// A record that was requested and did not arrive is requested again: at 19200 baud it takes 9 ms.
 const AGAIN: Duration = Duration::from_millis(100);
@@ -57,7 +56,6 @@ impl HoldButton {
 }
 
 impl TrackerArgs {
-    /// Returns whether a tracker is requested.
     pub(super) const fn is_wanted(&self) -> bool {
         self.tracker.is_some()
     }
@@ -114,7 +112,6 @@ fn no_tracker(place: &Path, problem: &str) -> BoardError {
     }
 }
 
-/// Requests records.
 struct Reader {
     link: Link,
     decoder: LogitechDecoder,
@@ -122,7 +119,6 @@ struct Reader {
 }
 
 impl Reader {
-    /// The next record.
     fn record(&mut self) -> io::Result<LogitechRecord> {
         let begun = Instant::now();
         while begun.elapsed() < self.timeout {
@@ -152,7 +148,6 @@ impl Reader {
     }
 }
 
-/// Maps records to the plane.
 struct Placed {
     placement: LivePlacement,
     hold: HoldButton,

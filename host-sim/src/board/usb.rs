@@ -15,7 +15,6 @@ pub(super) const AUTO: &str = "auto";
 /// Where Linux shows its serial ports.
 const PORTS: &str = "/sys/class/tty";
 
-/// A serial port.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Port {
     /// The path at which it is opened.
@@ -62,7 +61,6 @@ impl Identity {
 }
 
 impl Port {
-    /// The ports of this computer.
     fn all() -> Result<Vec<Self>, BoardError> {
         if cfg!(not(target_os = "linux")) {
             return Err(gone(
@@ -78,7 +76,6 @@ impl Port {
         Ok(places.into_iter().map(port).collect())
     }
 
-    /// The port of the only board.
     pub(super) fn of_the_board() -> Result<Self, BoardError> {
         only_board(Self::all()?).map_err(gone)
     }
@@ -123,7 +120,6 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
     }
 }
 
-/// The message about a port that does not exist.
 pub(super) fn no_such_port() -> String {
     let ports = Port::all().unwrap_or_default();
     format!(
@@ -159,7 +155,6 @@ fn gone(problem: impl Into<String>) -> BoardError {
 mod tests {
     use super::*;
 
-    /// A port on USB.
     fn port(place: &str, product: u16, manufacturer: &str, serial_number: &str) -> Port {
         Port {
             place: place.into(),
@@ -199,35 +194,39 @@ mod tests {
     }
 
     #[test]
-    fn where_there_is_none_the_ports_are_listed() {
-        let ports = vec![
-            plain("/dev/ttyS0"),
-            port("/dev/ttyACM0", 0x000A, "Raspberry Pi", "E5"),
-        ];
-        let said = only_board(ports).expect_err("no board");
-        for part in [
-            "2e8a:000a",
-            "2e8a:0009",
-            "manufacturer stiction",
-            "which here are: /dev/ttyACM0 (a thing, serial number E5), /dev/ttyS0",
+    fn where_there_is_none_or_there_are_several_the_ports_are_listed() {
+        let raspberry = port("/dev/ttyACM0", 0x000A, "Raspberry Pi", "E5");
+        let [first, second] = [
+            ("/dev/ttyACM0", 0x0009, "E662"),
+            ("/dev/ttyACM1", 0x000A, "E661"),
+        ]
+        .map(|(place, product, serial)| port(place, product, "stiction", serial));
+        for (mut ports, expected) in [
+            (
+                vec![raspberry],
+                &[
+                    "2e8a:000a",
+                    "2e8a:0009",
+                    "manufacturer stiction",
+                    "which here are: /dev/ttyACM0 (a thing, serial number E5), /dev/ttyS0",
+                ][..],
+            ),
+            (
+                vec![second, first],
+                &[
+                    "2 boards: /dev/ttyACM0 (a thing, serial number E662), /dev/ttyACM1 (a thing, serial number E661)",
+                    "; allowed: one of them, --port /dev/ttyACM0",
+                ],
+            ),
         ] {
-            assert!(said.contains(part), "{said}");
+            ports.insert(0, plain("/dev/ttyS0"));
+            let said = only_board(ports).expect_err("not one board");
+            for part in expected {
+                assert!(said.contains(part), "{part}: {said}");
+            }
         }
         let said = only_board(Vec::new()).expect_err("no board");
         assert!(said.contains("none here"), "{said}");
-    }
-
-    #[test]
-    fn of_several_each_is_listed_with_its_serial_number() {
-        let ports = vec![
-            port("/dev/ttyACM1", 0x000A, "stiction", "E661"),
-            plain("/dev/ttyS0"),
-            port("/dev/ttyACM0", 0x0009, "stiction", "E662"),
-        ];
-        let said = only_board(ports).expect_err("two boards");
-        let listed = "2 boards: /dev/ttyACM0 (a thing, serial number E662), /dev/ttyACM1 (a thing, serial number E661)";
-        assert!(said.starts_with(listed), "{said}");
-        assert!(said.ends_with("--port /dev/ttyACM0"), "{said}");
     }
 
     /// The folders of Linux: a port of the class cdc_acm, and one of a converter, which is a folder deeper.

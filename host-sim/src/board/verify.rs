@@ -111,40 +111,28 @@ where
     Ok(Box::new(running))
 }
 
-/// Lists the values that are not equal.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Difference(String);
-
-impl fmt::Display for Difference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-fn same<T: PartialEq + fmt::Debug>(what: &str, board: T, host: T) -> Result<(), Difference> {
+fn same<T: PartialEq + fmt::Debug>(what: &str, board: T, host: T) -> Result<(), String> {
     if board == host {
         return Ok(());
     }
-    let text = format!("{what}: board {board:?}, host {host:?}");
-    Err(Difference(text))
+    Err(format!("{what}: board {board:?}, host {host:?}"))
 }
 
-fn same_bits(what: &str, board: f32, host: f32) -> Result<(), Difference> {
+fn same_bits(what: &str, board: f32, host: f32) -> Result<(), String> {
     if board.to_bits() == host.to_bits() {
         return Ok(());
     }
     let shown = |value: f32| format!("{value:?} ({:#010x})", value.to_bits());
-    let text = format!("{what}: board {}, host {}", shown(board), shown(host));
-    Err(Difference(text))
+    Err(format!(
+        "{what}: board {}, host {}",
+        shown(board),
+        shown(host)
+    ))
 }
 
-/// Compares a whole step with the expected one. `before`: the events of steps whose poses did not arrive since the last one that
+/// Compares a whole step with the expected one: fails with the first values that are not equal. `before`: the events of steps whose poses did not arrive since the last one that
 /// did; the board adds them to this one if it did not send these poses.
-pub(super) fn compare(
-    step: &Step,
-    expected: &Expected,
-    before: EventSet,
-) -> Result<(), Difference> {
+pub(super) fn compare(step: &Step, expected: &Expected, before: EventSet) -> Result<(), String> {
     let (pose, output) = (&step.pose, &expected.output);
     let ([x, y], [host_x, host_y]) = (pose.position, output.position);
     same_bits("pose x", x, host_x)?;
@@ -169,7 +157,7 @@ pub(super) fn compare(
     compare_forces(step, expected)
 }
 
-fn compare_events(step: &Step, output: &Output<f32>) -> Result<(), Difference> {
+fn compare_events(step: &Step, output: &Output<f32>) -> Result<(), String> {
     let reported = step.events.clone().unwrap_or_default();
     same("slips", reported.slips, output.slips)?;
     same_bits("longest slip", reported.longest_slip, output.longest_slip)?;
@@ -179,9 +167,9 @@ fn compare_events(step: &Step, output: &Output<f32>) -> Result<(), Difference> {
     same("events", names(&reported.list), names(output.events()))
 }
 
-fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
+fn compare_forces(step: &Step, expected: &Expected) -> Result<(), String> {
     let Some(forces) = &step.forces else {
-        return Err(Difference("the forces did not come".to_owned()));
+        return Err("the forces did not come".to_owned());
     };
     let ([x, y], [host_x, host_y]) = (forces.wrench.force, expected.wrench.force);
     same_bits("wrench x", x, host_x)?;
@@ -226,7 +214,7 @@ pub(super) struct Verdict {
     frames: u64,
     equal: u64,
     lost: u64,
-    first: Option<(u64, f64, Difference)>,
+    first: Option<(u64, f64, String)>,
     missed: EventSet,
 }
 
@@ -241,11 +229,10 @@ impl Verdict {
         match compare(step, expected, missed) {
             Ok(()) if step.is_whole => self.equal += 1,
             Ok(()) => self.note(index, t, "a part of the answer did not come"),
-            Err(difference) => self.note(index, t, &difference.0),
+            Err(difference) => self.note(index, t, &difference),
         }
     }
 
-    /// Adds a sample without an answer.
     pub(super) fn lose(&mut self, index: u64, t: f64, expected: &Expected) {
         self.frames += 1;
         self.lost += 1;
@@ -254,10 +241,8 @@ impl Verdict {
     }
 
     fn note(&mut self, index: u64, t: f64, what: &str) {
-        let found = (index, t, Difference(what.to_owned()));
-        match &self.first {
-            Some((first, ..)) if *first <= index => {}
-            _ => self.first = Some(found),
+        if self.first.as_ref().is_none_or(|(first, ..)| index < *first) {
+            self.first = Some((index, t, what.to_owned()));
         }
     }
 

@@ -73,8 +73,8 @@ impl Chip {
 
     /// Cycles per counted unit, on average: 1 if cycles are counted, otherwise an estimate.
     ///
-    /// For the M4F and the M33, it is the upper estimate of the lab (`Counter::estimate`): 1.93 to 1.99 for
-    /// random drags. If branches take the three cycles of an M0, the counted cycles of an M0+ are 1.53 to 1.64 per instruction.
+    /// For the M4F and the M33, it is an upper estimate from every instruction that random drags execute and the most cycles that
+    /// Arm's manual (DDI 0439D, tables 3-1 and 7-1) gives for it, without wait states: 1.93 to 1.99. If branches take the three cycles of an M0, the counted cycles of an M0+ are 1.53 to 1.64 per instruction.
     pub const fn cycles(self) -> f64 {
         match self {
             Self::CortexM4F | Self::CortexM33 => 2.0,

@@ -1,51 +1,41 @@
 //! The command line: what a run writes, and where.
 
-use crate::common::{Folder, SCENE, numbers, records, text};
+use crate::common::{Folder, SCENE, VERTICES, assert_all, assert_error, numbers, records, text};
 use serde_json::Value;
-
-#[test]
-fn bundled_scenes_run_by_name() {
-    let folder = Folder::new();
-    let output = folder.stiction(&["run", "box-flat", "--out", "trace.jsonl"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    assert_eq!(records(&folder.read("trace.jsonl")).len(), 5501);
-}
 
 #[test]
 fn a_run_says_what_it_wrote_and_leaves_standard_output_to_what_takes_the_trace() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     folder.write("trace.jsonl", "the trace of before");
-    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.jsonl"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    assert!(output.stdout.is_empty(), "{}", text(&output.stdout));
-    assert_eq!(folder.names(), ["scene.toml", "trace.jsonl"]);
-    assert_eq!(records(&folder.read("trace.jsonl")).len(), 11);
+    let output = folder.stiction("run scene.toml --out trace.jsonl");
     let said = text(&output.stderr);
     assert!(
-        said.contains("largest force") && said.contains("trace.jsonl"),
+        output.status.success() && output.stdout.is_empty(),
         "{said}"
     );
-    let output = folder.stiction(&[
-        "run",
-        "scene.toml",
-        "--record",
-        "run.jsonl",
-        "--plot",
-        "plots",
-    ]);
+    assert_eq!(folder.names(), ["scene.toml", "trace.jsonl"]);
+    assert_eq!(records(&folder.read("trace.jsonl")).len(), 11);
+    assert_all(
+        "the trace in a file",
+        &said,
+        &["largest force", "trace.jsonl"],
+    );
+    let output = folder.stiction("run scene.toml --record run.jsonl --plot plots");
     assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
-    let said = text(&output.stdout);
-    for part in ["largest force", "run.jsonl", "plots/forces.svg"] {
-        assert!(said.replace('\\', "/").contains(part), "{said}");
-    }
+    let said = text(&output.stdout).replace('\\', "/");
+    assert_all(
+        "no trace",
+        &said,
+        &["largest force", "run.jsonl", "plots/forces.svg"],
+    );
 }
 
 #[test]
 fn quiet_runs_print_nothing() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
-    let output = folder.stiction(&["run", "scene.toml", "--quiet", "--plot", "pictures"]);
+    let output = folder.stiction("run scene.toml --quiet --plot pictures");
     assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
     assert_eq!(folder.names(), ["pictures", "scene.toml"]);
 }
@@ -53,7 +43,7 @@ fn quiet_runs_print_nothing() {
 #[test]
 fn records_carry_every_key_in_the_order_of_the_interface() {
     let folder = Folder::new();
-    folder.trace(SCENE, &[]);
+    folder.trace(SCENE, "");
     let trace = folder.read("trace.jsonl");
     let keys = [
         "t", "hand", "held", "pose", "depth", "state", "contacts", "wrench", "slips", "events",
@@ -81,8 +71,8 @@ fn records_carry_every_key_in_the_order_of_the_interface() {
 fn a_run_with_a_budget_tells_how_far_the_body_is_behind() {
     let folder = Folder::new();
     let dragged = SCENE.replace("[1.0, 0.2, 0.06, 0.5],", "[1.0, 0.4, 0.04, 0.5],");
-    let whole = folder.trace(&dragged, &["--rate", "2"]);
-    let cut = folder.trace(&dragged, &["--rate", "2", "--budget", "1"]);
+    let whole = folder.trace(&dragged, "--rate 2");
+    let cut = folder.trace(&dragged, "--rate 2 --budget 1");
     let mut behind = 0;
     for record in &cut {
         let part = record["behind"].as_f64().expect("a part");
@@ -92,9 +82,8 @@ fn a_run_with_a_budget_tells_how_far_the_body_is_behind() {
     }
     assert!(behind > 0, "the budget is never used up");
     assert!(whole.iter().all(|record| record.get("behind").is_none()));
-    for (options, ends) in [(&["--budget", "1"][..], true), (&[], false)] {
-        let arguments = [&["run", "scene.toml", "--out", "trace.csv"], options].concat();
-        assert!(folder.stiction(&arguments).status.success());
+    for (options, ends) in [("--budget 1", true), ("", false)] {
+        folder.done(&format!("run scene.toml --out trace.csv {options}"));
         let table = folder.read("trace.csv");
         let header = table.lines().next().expect("a header");
         assert_eq!(header.ends_with(",behind"), ends, "{header}");
@@ -119,7 +108,7 @@ fn numbers_are_printed_with_the_digits_of_their_type() {
     let folder = Folder::new();
     for number in ["f32", "f64", "fixed"] {
         let mut printed = Vec::new();
-        for record in folder.trace(SCENE, &["--number", number]) {
+        for record in folder.trace(SCENE, &format!("--number {number}")) {
             collect(&record, &mut printed);
         }
         let of_single = |digits: &&String| {
@@ -191,9 +180,8 @@ pub(crate) fn assert_same(table: &str, trace: &[Value]) -> Vec<String> {
 #[test]
 fn csv_carries_the_same_as_json() {
     let folder = Folder::new();
-    let json = folder.trace(SCENE, &[]);
-    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.csv"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    let json = folder.trace(SCENE, "");
+    folder.done("run scene.toml --out trace.csv");
     let header = assert_same(&folder.read("trace.csv"), &json);
     let contact = |column: &&String| column.starts_with("c3_");
     assert_eq!(header.iter().filter(contact).count(), 7);
@@ -203,55 +191,32 @@ fn csv_carries_the_same_as_json() {
 fn surfaces_without_a_name_are_called_by_their_index() {
     let folder = Folder::new();
     let scene = SCENE.replacen("name = \"floor\"\n", "", 1);
-    let trace = folder.trace(&scene, &[]);
+    let trace = folder.trace(&scene, "");
     assert_eq!(trace[10]["contacts"][0]["surface"], "0");
 }
 
+/// A friction of every surface overrides the default, and a rectangle is its four vertices.
 #[test]
-fn friction_of_a_surface_overrides_the_default() {
+fn what_is_said_in_other_words_is_the_same_run() {
     let folder = Folder::new();
-    let own = SCENE.replacen(
-        "offset = 0.0",
-        "offset = 0.0\nstatic = 0.9\ndynamic = 0.8",
-        1,
-    );
-    let section = "[friction]\nstatic = 0.5\ndynamic = 0.3\n";
-    let everywhere = SCENE.replacen(section, "[friction]\nstatic = 0.9\ndynamic = 0.8\n", 1);
-    assert_eq!(folder.trace(&own, &[]), folder.trace(&everywhere, &[]));
+    let default = "[friction]\nstatic = 0.5\ndynamic = 0.3\n";
+    let everywhere = SCENE.replacen(default, "[friction]\nstatic = 0.9\ndynamic = 0.8\n", 1);
+    let own = "offset = 0.0\nstatic = 0.9\ndynamic = 0.8";
+    let own = SCENE.replacen("offset = 0.0", own, 1);
+    let rectangle = SCENE.replacen(VERTICES, "rectangle = [0.10, 0.06]", 1);
+    for (scene, words) in [(everywhere.as_str(), own), (SCENE, rectangle)] {
+        assert_eq!(folder.trace(&words, ""), folder.trace(scene, ""));
+    }
 }
 
-#[test]
-fn a_rectangle_is_its_four_vertices() {
-    let folder = Folder::new();
-    let vertices = "vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
-    let rectangle = SCENE.replacen(vertices, "rectangle = [0.10, 0.06]", 1);
-    assert_eq!(folder.trace(&rectangle, &[]), folder.trace(SCENE, &[]));
-}
-
-#[test]
-fn the_same_run_gives_the_same_bytes() {
-    let folder = Folder::new();
-    folder.trace(SCENE, &[]);
-    let first = folder.read("trace.jsonl");
-    folder.trace(SCENE, &[]);
-    assert_eq!(folder.read("trace.jsonl"), first);
-}
-
-/// What the C library makes of it is tested there.
 #[test]
 fn a_scene_is_printed_as_c_or_refused() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     for number in ["f32", "fixed"] {
         for scene in ["scene.toml", "table-edge"] {
-            let code = ["code", scene, "--number", number, "--name", "bench"];
-            let output = folder.stiction(&code);
-            let code = text(&output.stdout);
-            assert!(output.status.success(), "{}", text(&output.stderr));
-            assert!(
-                code.contains("static const stiction_scene bench = {"),
-                "{code}"
-            );
+            let code = folder.done(&format!("code {scene} --number {number} --name bench"));
+            assert_all(scene, &code, &["static const stiction_scene bench = {"]);
             assert_eq!(
                 code.contains(".obstacles = "),
                 scene == "table-edge",
@@ -260,22 +225,12 @@ fn a_scene_is_printed_as_c_or_refused() {
         }
     }
     for (arguments, message) in [
-        (
-            &["code", "scene.toml", "--name", "2box"][..],
-            "with no digit first",
-        ),
-        (
-            &["code", "scene.toml", "--number", "f64"],
-            "allowed: f32, fixed",
-        ),
-        (&["code", "none.toml"], "none.toml"),
+        ("scene.toml --name 2box", "with no digit first"),
+        ("scene.toml --number f64", "allowed: f32, fixed"),
+        ("none.toml", "none.toml"),
     ] {
-        let output = folder.stiction(arguments);
-        let said = text(&output.stderr);
-        assert!(
-            !output.status.success() && output.stdout.is_empty(),
-            "{said}"
-        );
-        assert!(said.contains(message), "{said}");
+        let output = folder.stiction(&format!("code {arguments}"));
+        assert!(output.stdout.is_empty());
+        assert_error(arguments, &output, &[message]);
     }
 }

@@ -8,7 +8,7 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use crate::common::{Folder, SCENE, Signal, send, text};
+use crate::common::{Folder, SCENE, Signal, assert_error, send, text};
 
 /// A run that lasts, once its trace is begun. Behind `shell`, which ends by becoming it.
 fn begun(folder: &Folder, rate: &str, shell: &str) -> Child {
@@ -58,8 +58,7 @@ fn what_a_killed_run_leaves_is_removed_by_the_next_one_and_not_what_is_written()
     while parts(&folder) != 1 || folder.names() == left {
         sleep(Duration::from_millis(1));
     }
-    let output = folder.stiction(&["run", "scene.toml", "--out", "other.csv"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    folder.done("run scene.toml --out other.csv");
     assert_eq!(parts(&folder), 1);
     living.kill().expect("it is killed");
     living.wait().expect("it ends");
@@ -76,12 +75,12 @@ fn what_is_to_be_ignored_is_ignored() {
 
 /// The program with its standard output, or standard error, on a full disk.
 #[cfg(target_os = "linux")]
-fn on_a_full_disk(folder: &Folder, arguments: &[&str]) -> [Output; 2] {
+fn on_a_full_disk(folder: &Folder, line: &str) -> [Output; 2] {
     [false, true].map(|is_error| {
         let full = File::options().write(true).open("/dev/full");
         let full = Stdio::from(full.expect("a full disk"));
         let mut program = Command::new(env!("CARGO_BIN_EXE_stiction"));
-        program.args(arguments).current_dir(folder.file(""));
+        program.args(line.split(' ')).current_dir(folder.file(""));
         match is_error {
             false => program.stdout(full).stderr(Stdio::piped()),
             true => program.stdout(Stdio::piped()).stderr(full),
@@ -97,9 +96,7 @@ fn what_cannot_be_printed_is_said_in_the_status() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     folder.write("sweep.toml", "scenes = [\"scene.toml\"]\n");
-    let run = "run scene.toml --out trace.jsonl --record recording.jsonl";
-    let run: Vec<&str> = run.split(' ').collect();
-    assert!(folder.stiction(&run).status.success());
+    folder.done("run scene.toml --out trace.jsonl --record recording.jsonl");
     for arguments in [
         "run scene.toml",
         "run scene.toml --record other.jsonl --plot plots",
@@ -111,18 +108,11 @@ fn what_cannot_be_printed_is_said_in_the_status() {
         "run --help",
         "--version",
     ] {
-        let words: Vec<&str> = arguments.split(' ').collect();
-        let [printed, _] = on_a_full_disk(&folder, &words);
-        let message = text(&printed.stderr);
-        assert_eq!(printed.status.code(), Some(2), "{arguments}: {message}");
+        let [printed, _] = on_a_full_disk(&folder, arguments);
         let expected = "error: standard output: No space left on device";
-        assert!(message.contains(expected), "{arguments}: {message}");
+        assert_error(arguments, &printed, &[expected]);
     }
-    for arguments in [
-        &["run", "absent"][..],
-        &["run"],
-        &["run", "scene.toml", "--speed"],
-    ] {
+    for arguments in ["run absent", "run", "run scene.toml --speed"] {
         let [_, said] = on_a_full_disk(&folder, arguments);
         assert_eq!(said.status.code(), Some(2), "{arguments:?}");
     }

@@ -3,7 +3,6 @@
 use crate::common::{Folder, SCENE, numbers, scene_with_path};
 use serde_json::Value;
 
-/// The printed hand of a record.
 fn hand(record: &Value) -> Vec<f64> {
     numbers(&record["hand"])
 }
@@ -16,12 +15,12 @@ fn assert_near(value: &[f64], expected: &[f64]) {
 }
 
 /// The trace of a recorded path of this content, in f64.
-fn recorded(name: &str, content: &str, rest: &str, arguments: &[&str]) -> Vec<Value> {
+fn recorded(name: &str, content: &str, rest: &str, options: &str) -> Vec<Value> {
     let folder = Folder::new();
     folder.write(name, content);
     folder.trace(
         &scene_with_path(name, rest),
-        &[&["--number", "f64"], arguments].concat(),
+        &format!("--number f64 {options}"),
     )
 }
 
@@ -30,7 +29,7 @@ fn keyframes_include_both_ends() {
     let folder = Folder::new();
     let trace = folder.trace(
         &SCENE.replacen("rate = 10.0", "rate = 100.0", 1),
-        &["--number", "f64"],
+        "--number f64",
     );
     assert_eq!(trace.len(), 101);
     assert_eq!(
@@ -45,7 +44,7 @@ fn keyframes_include_both_ends() {
 #[test]
 fn the_last_keyframe_is_a_frame_even_between_two_steps_of_the_rate() {
     let folder = Folder::new();
-    let trace = folder.trace(SCENE, &["--rate", "2.5"]);
+    let trace = folder.trace(SCENE, "--rate 2.5");
     let times: Vec<f64> = trace
         .iter()
         .filter_map(|record| record["t"].as_f64())
@@ -64,7 +63,7 @@ fn counts_are_robust_to_rounding() {
         let folder = Folder::new();
         let scene = SCENE.replacen("[1.0, 0.2,", &format!("[{end}, 0.2,"), 1);
         assert_eq!(
-            folder.trace(&scene, &["--rate", rate]).len(),
+            folder.trace(&scene, &format!("--rate {rate}")).len(),
             count,
             "{rate} Hz, {end} s"
         );
@@ -77,7 +76,7 @@ fn the_switch_follows_the_last_keyframe_reached() {
     let frames =
         "[0.0, 0.2, 0.14, 0.0, 1],\n  [0.3, 0.2, 0.14, 0.0, 0],\n  [0.6, 0.2, 0.14, 0.0],\n";
     let scene = SCENE.replacen("[0.0, 0.2, 0.14, 0.5],\n", frames, 1);
-    let trace = folder.trace(&scene, &[]);
+    let trace = folder.trace(&scene, "");
     let held: Vec<bool> = trace
         .iter()
         .filter_map(|record| record["held"].as_bool())
@@ -89,13 +88,13 @@ fn the_switch_follows_the_last_keyframe_reached() {
 #[test]
 fn every_record_is_a_frame_unless_a_rate_is_given() {
     let path = "t,x,y,phi\n5.0,0.2,0.14,0.0\n5.1,0.2,0.12,0.0\n5.5,0.24,0.10,6.4\n";
-    let trace = recorded("hand.csv", path, "", &[]);
+    let trace = recorded("hand.csv", path, "", "");
     assert_eq!(trace.len(), 3);
     assert_eq!(trace[1]["t"], 5.1);
     assert_near(&hand(&trace[2]), &[0.24, 0.10, 6.4]);
     for trace in [
-        recorded("hand.csv", path, "rate = 5.0", &[]),
-        recorded("hand.csv", path, "rate = 50.0", &["--rate", "5"]),
+        recorded("hand.csv", path, "rate = 5.0", ""),
+        recorded("hand.csv", path, "rate = 50.0", "--rate 5"),
     ] {
         assert_eq!(trace.len(), 4);
         assert_near(&hand(&trace[2]), &[0.23, 0.105, 4.8]);
@@ -110,10 +109,7 @@ fn another_hand_can_be_given_on_the_command_line() {
         "other.csv",
         "t,x,y,phi,held\n0,0.3,0.14,0,1\n1,0.3,0.15,0,0\n",
     );
-    let trace = folder.trace(
-        &SCENE.replacen("rate = 10.0\n", "", 1),
-        &["--hand", "other.csv"],
-    );
+    let trace = folder.trace(&SCENE.replacen("rate = 10.0\n", "", 1), "--hand other.csv");
     assert_eq!(trace.len(), 2);
     assert_eq!(trace[1]["held"], false);
 }
@@ -124,7 +120,7 @@ fn paths_are_relative_to_the_scene_file() {
     std::fs::create_dir(folder.file("scenes")).expect("a folder");
     folder.write("scenes/hand.csv", "t,x,y,phi\n0,0.2,0.14,0\n");
     folder.write("scenes/scene.toml", scene_with_path("hand.csv", ""));
-    let output = folder.stiction(&["run", "scenes/scene.toml", "--out", "trace.jsonl"]);
+    let output = folder.stiction("run scenes/scene.toml --out trace.jsonl");
     assert!(output.status.success());
     assert_eq!(folder.read("trace.jsonl").lines().count(), 1);
 }
@@ -136,7 +132,7 @@ fn scale_and_origin_place_a_path() {
         "hand.csv",
         path,
         "scale = 0.1\norigin = [0.05, 0.01, -0.1]",
-        &[],
+        "",
     );
     assert_near(&hand(&trace[0]), &[0.25, 0.15, 0.4]);
 }
@@ -157,7 +153,7 @@ fn tum_files_may_have_comments_absolute_times_and_uneven_steps() {
         about(2, 0.5)
     );
     for name in ["hand.tum", "hand.txt"] {
-        let trace = recorded(name, &path, "", &[]);
+        let trace = recorded(name, &path, "", "");
         assert_eq!(trace.len(), 2);
         assert_eq!(trace[1]["t"], 1305031098.6758);
         assert_near(&hand(&trace[0]), &[0.2, 0.14, 0.3]);
@@ -179,7 +175,7 @@ fn planes_name_the_axes_that_become_x_and_y() {
     ] {
         let path = format!("0 0.2 0.3 0.4 {}\n", about(axis, 0.6));
         let rest = format!("plane = {plane:?}\norigin = [1.0, 1.0, 0.0]\nscale = 0.5");
-        let trace = recorded("hand.tum", &path, &rest, &[]);
+        let trace = recorded("hand.tum", &path, &rest, "");
         let [x, y, depth] = pose.map(|value| value / 2.0);
         assert_near(&hand(&trace[0]), &[1.0 + x, 1.0 + y, sign * 0.6]);
         assert_near(&[trace[0]["depth"].as_f64().expect("a number")], &[depth]);
@@ -193,14 +189,14 @@ fn turns_of_a_6_dof_path_are_unwrapped() {
         let quaternion = about(2, f64::from(k) * 0.7).replace(' ', ",");
         path += &format!("{k},0.2,0.2,0,{quaternion},1\n");
     }
-    let trace = recorded("hand.csv", &path, "", &[]);
+    let trace = recorded("hand.csv", &path, "", "");
     assert_near(&hand(&trace[30]), &[0.2, 0.2, 21.0]);
 }
 
 #[test]
 fn a_pose_that_is_not_finite_is_held() {
     let path = "t,x,y,phi\n0,0.2,0.14,0\n1,0.2,0.13,0\n2,nan,0.12,0\n3,0.2,inf,0\n4,0.2,0.10,0\n";
-    let trace = recorded("hand.csv", path, "", &[]);
+    let trace = recorded("hand.csv", path, "", "");
     let status: Vec<&str> = trace
         .iter()
         .filter_map(|record| record["status"].as_str())
@@ -210,7 +206,7 @@ fn a_pose_that_is_not_finite_is_held() {
         assert_near(&hand(&trace[k]), &[0.2, 0.13, 0.0]);
         assert_eq!(trace[k]["pose"], trace[1]["pose"]);
     }
-    let resampled = recorded("hand.csv", path, "rate = 2.0", &[]);
+    let resampled = recorded("hand.csv", path, "rate = 2.0", "");
     let status: Vec<&str> = resampled
         .iter()
         .filter_map(|record| record["status"].as_str())
@@ -239,7 +235,7 @@ fn an_f32_run_takes_the_angle_apart_before_it_is_rounded() {
         let start = format!("[0.2, 0.12, {phi:?}]");
         folder.trace(
             &scene_with_path("hand.csv", "").replacen("[0.2, 0.12, 0.5]", &start, 1),
-            &[],
+            "",
         )
     });
     for axis in 0..2 {

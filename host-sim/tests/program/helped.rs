@@ -17,7 +17,6 @@ const CHEAP: [&str; 8] = [
     "man",
 ];
 
-/// The examples of a help.
 fn examples(command: &clap::Command) -> Vec<String> {
     let help = command.get_after_help().map(ToString::to_string);
     let help = help.unwrap_or_default();
@@ -41,7 +40,7 @@ fn every_example_of_the_help_works_as_it_is_typed() {
             let words: Vec<&str> = typed.split(' ').collect();
             assert!(words[0] == "stiction" && parsed(&words).is_ok(), "{line}");
             if CHEAP.contains(&name) {
-                let output = folder.stiction(&words[1..]);
+                let output = folder.stiction(&words[1..].join(" "));
                 let said = text(&output.stderr);
                 assert!(output.status.success(), "{line}: {said}");
                 assert!(into.is_empty() || !output.stdout.is_empty(), "{line}");
@@ -66,7 +65,7 @@ fn every_example_of_the_help_works_as_it_is_typed() {
 #[test]
 fn a_new_scene_runs_as_the_one_that_it_is_like_and_is_never_written_over() {
     let folder = Folder::new();
-    let output = folder.stiction(&["new", "mine", "--like", "ladder"]);
+    let output = folder.stiction("new mine --like ladder");
     let said = text(&output.stdout);
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(
@@ -75,16 +74,12 @@ fn a_new_scene_runs_as_the_one_that_it_is_like_and_is_never_written_over() {
     );
     assert!(said.contains("stiction view mine.toml"), "{said}");
     let trace = |scene: &str| {
-        let output = folder.stiction(&["run", scene, "--quiet", "--out", "trace.csv"]);
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        folder.done(&format!("run {scene} --quiet --out trace.csv"));
         folder.read("trace.csv")
     };
     assert_eq!(trace("mine.toml"), trace("ladder"));
     folder.write("mine.toml", "my work");
-    assert_eq!(
-        folder.stiction(&["new", "mine.toml"]).status.code(),
-        Some(2)
-    );
+    assert_eq!(folder.stiction("new mine.toml").status.code(), Some(2));
     assert_eq!(folder.read("mine.toml"), "my work");
 }
 
@@ -92,15 +87,15 @@ fn a_new_scene_runs_as_the_one_that_it_is_like_and_is_never_written_over() {
 #[test]
 fn the_scenes_are_listed_and_written_as_they_are_bundled() {
     let folder = Folder::new();
-    let list = text(&folder.stiction(&["scenes"]).stdout);
+    let list = text(&folder.stiction("scenes").stdout);
     let story = "A ladder leans on a wall: it stands while it is steep, and slides down when the hand flattens it.";
     let line = list.lines().find(|line| line.starts_with("ladder "));
     assert!(line.is_some_and(|line| line.ends_with(story)), "{list}");
     folder.write("ladder.toml", "my ladder");
-    let output = folder.stiction(&["scenes", "--out", "."]);
+    let output = folder.stiction("scenes --out .");
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(folder.names(), ["ladder.toml"]);
-    let output = folder.stiction(&["scenes", "--out", "all"]);
+    let output = folder.stiction("scenes --out all");
     let written = text(&output.stdout);
     for picture in written.lines() {
         let scene = folder.file(picture).with_extension("toml");
@@ -114,12 +109,7 @@ fn the_scenes_are_listed_and_written_as_they_are_bundled() {
     let bundled = include_str!("../../scenes/ladder.toml");
     assert_eq!(folder.read("all/ladder.toml"), bundled);
     // Again, they are the same.
-    assert!(
-        folder
-            .stiction(&["scenes", "--out", "all"])
-            .status
-            .success()
-    );
+    assert!(folder.stiction("scenes --out all").status.success());
 }
 
 #[test]
@@ -148,7 +138,7 @@ fn a_shell_completes_scenes_files_and_options() {
     );
     assert_eq!(completed(&["stiction", "comp"]), ["completions"]);
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let output = folder.stiction(&["completions", shell]);
+        let output = folder.stiction(&format!("completions {shell}"));
         let script = text(&output.stdout);
         assert!(
             output.status.success() && script.contains("STICTION_COMPLETE"),

@@ -3,10 +3,10 @@
 
 use object::{Object, ObjectSection, ObjectSegment, ObjectSymbol};
 use std::fs;
-use std::path::Path;
-use std::process::{Command as Process, Output};
 use std::sync::Mutex;
 use stiction_host_sim::firmware::process::may_skip;
+
+use crate::common::{Folder, said, text};
 
 /// Who builds an image holds this until it is read: the next one takes its place.
 static BUILT: Mutex<()> = Mutex::new(());
@@ -14,34 +14,17 @@ static BUILT: Mutex<()> = Mutex::new(());
 /// Where the flash of a Pico begins.
 const FLASH: u64 = 0x1000_0000;
 
-/// The program in a folder.
-fn stiction(folder: &Path, arguments: &[&str]) -> Output {
-    let mut program = Process::new(env!("CARGO_BIN_EXE_stiction"));
-    program.current_dir(folder).args(arguments);
-    program.output().unwrap()
-}
-
 /// What it prints; nothing where something is missing.
-fn made(folder: &Path, arguments: &[&str]) -> Option<String> {
+fn made(folder: &Folder, line: &str) -> Option<String> {
     let output = {
         let _building = BUILT.lock().unwrap();
-        stiction(folder, arguments)
+        folder.stiction(line)
     };
-    let errors = String::from_utf8(output.stderr).unwrap();
-    if may_skip(&errors) {
+    if may_skip(&text(&output.stderr)) {
         return None;
     }
-    assert!(output.status.success(), "{errors}");
-    Some(String::from_utf8(output.stdout).unwrap())
-}
-
-/// What it says of a mistake; no file is left.
-fn refused(arguments: &[&str]) -> String {
-    let folder = tempfile::tempdir().unwrap();
-    let output = stiction(folder.path(), arguments);
-    assert_eq!(output.status.code(), Some(2));
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    String::from_utf8(output.stderr).unwrap()
+    assert!(output.status.success(), "{}", said(&output));
+    Some(text(&output.stdout))
 }
 
 /// The number at a place of a block.
@@ -85,25 +68,19 @@ fn boot_program(file: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    let Some(said) = made(folder, &["image", "pico"]) else {
+    let folder = Folder::new();
+    let Some(said) = made(&folder, "image pico") else {
         return;
     };
-    made(folder, &["image", "pico", "--out", "pico.elf"]).unwrap();
-    let file = fs::read(folder.join("stiction-pico.uf2")).unwrap();
-    let digits: String = said
-        .lines()
-        .next()
-        .unwrap()
-        .chars()
-        .filter(char::is_ascii_digit)
-        .collect();
+    made(&folder, "image pico --out pico.elf").unwrap();
+    let file = fs::read(folder.file("stiction-pico.uf2")).unwrap();
+    let first = said.lines().next().unwrap().chars();
+    let digits: String = first.filter(char::is_ascii_digit).collect();
     let (bytes, blocks) = (file.len(), file.len() / 512);
     assert_eq!(digits, format!("2{bytes}{blocks}"), "{said}");
 
     let flash = boot_program(&file);
-    let image = fs::read(folder.join("pico.elf")).unwrap();
+    let image = fs::read(folder.file("pico.elf")).unwrap();
     let elf = object::File::parse(&*image).unwrap();
     let at = |address: u64| (address - FLASH) as usize;
     let mut seen = 0;
@@ -123,29 +100,22 @@ fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
     let begin = at(begin.unwrap().address());
     assert!(!data.is_empty() && flash[begin..][..data.len()] == *data);
     assert!(seen > 100_000, "{seen}");
-    assert_eq!(
-        crc(&flash[..252]),
-        word(&flash, 252),
-        "the second boot stage"
-    );
-}
-
-/// The sum by which the boot program of the RP2040 knows the second boot stage (datasheet 2.8.1.3.1).
-fn crc(bytes: &[u8]) -> u32 {
-    crc::Crc::<u32>::new(&crc::CRC_32_MPEG_2).checksum(bytes)
+    // The sum by which the boot program of the RP2040 knows the second boot stage (datasheet 2.8.1.3.1).
+    let sum = crc::Crc::<u32>::new(&crc::CRC_32_MPEG_2).checksum(&flash[..252]);
+    assert_eq!(sum, word(&flash, 252), "the second boot stage");
 }
 
 #[test]
 fn an_image_for_a_probe_is_what_cargo_builds() {
-    let folder = tempfile::tempdir().unwrap();
-    let Some(said) = made(folder.path(), &["image", "microbit"]) else {
+    let folder = Folder::new();
+    let Some(said) = made(&folder, "image microbit") else {
         return;
     };
     assert!(
         !said.contains("blocks") && !said.contains("BOOTSEL"),
         "{said}"
     );
-    let image = fs::read(folder.path().join("stiction-microbit.elf")).unwrap();
+    let image = fs::read(folder.file("stiction-microbit.elf")).unwrap();
     let elf = object::File::parse(&*image).unwrap();
     assert_eq!(elf.architecture(), object::Architecture::Arm);
     // No log.
@@ -154,25 +124,25 @@ fn an_image_for_a_probe_is_what_cargo_builds() {
 
 #[test]
 fn what_cannot_be_an_image_is_refused_before_anything_is_built() {
-    let said = |arguments: &[&str]| refused(&[&["image"], arguments].concat());
-    let has = |arguments: &[&str], expected: &str| {
-        let said = said(arguments);
-        assert!(said.contains(expected), "{said}");
-        assert!(!said.contains("building"), "{said}");
-    };
-    has(&["pico3"], "olimex-stm32-h405, microbit, pico");
-    has(&["pico", "--out", "a.hex"], "ends in .uf2 or .elf");
-    has(&["microbit", "--out", "a.uf2"], "allowed: --out FILE.elf");
-    has(&["microbit", "--obstacles"], "no room for obstacles");
-    let knob = "has no pins for a knob, allowed:";
-    has(
-        &["olimex-stm32-h405", "--device", "knob"],
-        &format!("{knob} pantograph"),
-    );
-    has(
-        &["microbit", "--device", "knob"],
-        &format!("{knob} no --device"),
-    );
-    has(&["pico", "no-such-scene"], "box-flat");
-    has(&["pico", "ladder", "--obstacles"], "cannot be used with");
+    let folder = Folder::new();
+    for (arguments, expected) in [
+        ("pico3", "olimex-stm32-h405, microbit, pico"),
+        ("pico --out a.hex", "ends in .uf2 or .elf"),
+        ("microbit --out a.uf2", "allowed: --out FILE.elf"),
+        ("microbit --obstacles", "no room for obstacles"),
+        (
+            "olimex-stm32-h405 --device knob",
+            "has no pins for a knob, allowed: pantograph",
+        ),
+        (
+            "microbit --device knob",
+            "has no pins for a knob, allowed: no --device",
+        ),
+        ("pico no-such-scene", "box-flat"),
+        ("pico ladder --obstacles", "cannot be used with"),
+    ] {
+        let message = folder.refused(&format!("image {arguments}"), &[expected]);
+        assert!(!message.contains("building"), "{message}");
+        assert!(folder.names().is_empty());
+    }
 }

@@ -6,12 +6,8 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 
 /// A bundled scene with a peg and a hole, with fewer frames.
-const RUN: [&str; 4] = ["run", "peg-in-hole", "--rate", "100"];
-
-fn run(folder: &Folder, options: &[&str]) -> String {
-    let output = folder.stiction(&[&RUN[..], options].concat());
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    text(&output.stdout)
+fn run(folder: &Folder, options: &str) -> String {
+    folder.done(&format!("run peg-in-hole --rate 100 {options}"))
 }
 
 fn number(value: &Value) -> f64 {
@@ -24,7 +20,7 @@ fn the_load_on_the_walls_is_that_of_the_hand() {
     let folder = Folder::new();
     let (k_h, mouth) = (1000.0, -0.003);
     for (name, bound) in [("f64", 1e-9), ("f32", 1e-3), ("fixed", 1e-3)] {
-        run(&folder, &["--number", name, "--out", "trace.jsonl"]);
+        run(&folder, &format!("--number {name} --out trace.jsonl"));
         let trace = records(&folder.read("trace.jsonl"));
         let mut compared = 0;
         for record in &trace {
@@ -68,8 +64,8 @@ fn the_load_on_the_walls_is_that_of_the_hand() {
 #[test]
 fn a_table_has_the_columns_of_the_meter_only_where_there_is_one() {
     let folder = Folder::new();
-    run(&folder, &["--out", "trace.csv"]);
-    run(&folder, &["--out", "trace.jsonl"]);
+    run(&folder, "--out trace.csv");
+    run(&folder, "--out trace.jsonl");
     let (table, trace) = (
         folder.read("trace.csv"),
         records(&folder.read("trace.jsonl")),
@@ -83,8 +79,7 @@ fn a_table_has_the_columns_of_the_meter_only_where_there_is_one() {
         .filter(|record| record.get("insertion").is_some());
     assert!(readings.count() > 800);
     for scene in ["hook", "box-flat"] {
-        let output = folder.stiction(&["run", scene, "--rate", "20", "--out", "other.csv"]);
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        folder.done(&format!("run {scene} --rate 20 --out other.csv"));
         let other = folder.read("other.csv");
         assert!(!other.contains("insertion"), "{scene}");
     }
@@ -93,16 +88,15 @@ fn a_table_has_the_columns_of_the_meter_only_where_there_is_one() {
 #[test]
 fn a_replay_has_the_same_readings() {
     let folder = Folder::new();
-    run(&folder, &["--record", "run.jsonl", "--out", "first.jsonl"]);
-    let output = folder.stiction(&["replay", "run.jsonl", "--out", "again.jsonl"]);
-    assert!(output.status.success(), "{}", text(&output.stdout));
+    run(&folder, "--record run.jsonl --out first.jsonl");
+    folder.done("replay run.jsonl --out again.jsonl");
     assert_eq!(folder.read("first.jsonl"), folder.read("again.jsonl"));
 }
 
 #[test]
 fn summary_and_plots_show_the_insertion_only_where_there_is_one() {
     let folder = Folder::new();
-    let words = run(&folder, &["--plot", "plots"]);
+    let words = run(&folder, "--plot plots");
     let lines = [
         "deepest insertion     47.000 mm",
         "largest F_z",
@@ -123,7 +117,7 @@ fn summary_and_plots_show_the_insertion_only_where_there_is_one() {
     ] {
         assert!(picture.contains(shown), "{shown}");
     }
-    let output = folder.stiction(&["run", "plank-on-posts", "--rate", "20", "--plot", "others"]);
+    let output = folder.stiction("run plank-on-posts --rate 20 --plot others");
     let words = text(&output.stdout);
     assert!(
         output.status.success() && !words.contains("insertion"),
@@ -139,7 +133,7 @@ fn a_peg_that_never_gets_into_its_hole_is_said_to() {
         "hand.csv",
         "t,x,y,phi\n0,0.0008,0.065,0.005\n1,0.0008,0.06,0.005\n",
     );
-    let words = run(&folder, &["--hand", "hand.csv", "--plot", "plots"]);
+    let words = run(&folder, "--hand hand.csv --plot plots");
     assert!(words.contains("the peg is never in its hole"), "{words}");
     assert!(folder.file("plots/insertion.svg").exists());
 }

@@ -6,7 +6,7 @@ mod obstacles;
 
 use std::fs;
 
-use crate::common::{Folder, SCENE, scene_with_path, text};
+use crate::common::{Folder, SCENE, VERTICES, assert_error, said, scene_with_path, text};
 use stiction_scene::NumberType;
 
 /// A scene file with one mistake: its name, the text that is replaced, by what, and what the message must hold.
@@ -149,21 +149,16 @@ const IN_PATHS: &[BadPath] = &[
 ];
 
 /// Runs the scene in the folder: status 2, the message holds `expected`, and nothing is written.
-fn assert_refused(name: &str, folder: &Folder, arguments: &[&str], expected: &[&str]) {
+fn assert_refused(name: &str, folder: &Folder, options: &str, expected: &[&str]) {
     folder.write("trace.jsonl", "the trace of before");
     let before = folder.names();
-    let output =
-        folder.stiction(&[&["run", "scene.toml", "--out", "trace.jsonl"], arguments].concat());
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{name}: {message}");
-    assert!(!message.contains("panicked"), "{name}: {message}");
-    for part in expected {
-        assert!(
-            message.contains(part),
-            "{name}: {part:?} is not in: {message}"
-        );
-    }
-    assert!(output.stdout.is_empty(), "{name}: {}", text(&output.stdout));
+    let output = folder.stiction(&format!("run scene.toml --out trace.jsonl {options}"));
+    assert_error(name, &output, expected);
+    let all = said(&output);
+    assert!(
+        output.stdout.is_empty() && !all.contains("panicked"),
+        "{name}: {all}"
+    );
     assert_eq!(folder.read("trace.jsonl"), "the trace of before", "{name}");
     assert_eq!(folder.names(), before, "{name}");
 }
@@ -174,7 +169,7 @@ fn mistakes_in_scene_files_are_refused() {
         assert!(SCENE.contains(from), "{name}");
         let folder = Folder::new();
         folder.write("scene.toml", SCENE.replacen(from, to, 1));
-        assert_refused(name, &folder, &[], expected);
+        assert_refused(name, &folder, "", expected);
     }
 }
 
@@ -189,7 +184,7 @@ fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_boa
         match code {
             Ok(_) => assert!(SCENE.find(from) > Some(hand), "{name}"),
             Err(error) => {
-                let printed = text(&folder.stiction(&["run", "scene.toml"]).stderr);
+                let printed = text(&folder.stiction("run scene.toml").stderr);
                 let words = error.to_string();
                 let (_, words) = words.split_once("scene.toml").unwrap();
                 assert!(printed.contains(words), "{name}: {words}\n{printed}");
@@ -210,8 +205,8 @@ fn scenes_beyond_the_range_of_fixed_point_are_refused_in_fixed_point_alone() {
         assert!(SCENE.contains(from), "{from}");
         let folder = Folder::new();
         let scene = SCENE.replacen(from, to, 1);
-        assert_eq!(folder.trace(&scene, &[]).len(), 11);
-        assert_refused(to, &folder, &["--number", "fixed"], expected);
+        assert_eq!(folder.trace(&scene, "").len(), 11);
+        assert_refused(to, &folder, "--number fixed", expected);
     }
 }
 
@@ -221,7 +216,7 @@ fn mistakes_in_recorded_paths_are_refused() {
         let folder = Folder::new();
         folder.write("scene.toml", scene_with_path(file, ""));
         folder.write(file, content);
-        assert_refused(name, &folder, &[], expected);
+        assert_refused(name, &folder, "", expected);
     }
 }
 
@@ -235,17 +230,13 @@ fn paths_that_last_too_long_for_the_rate_are_refused_with_their_last_line() {
         "t,x,y,phi\n0,0.2,0.14,0.5\n1e12,0.2,0.14,0.5\n# the end\n",
     );
     for (rate, by) in [
-        (&[][..], "10.0 Hz of `hand.rate`"),
-        (&["--rate", "5"], "5.0 Hz of `--rate`"),
+        ("", "10.0 Hz of `hand.rate`"),
+        ("--rate 5", "5.0 Hz of `--rate`"),
     ] {
-        let arguments = [&["--hand", "long.csv"], rate].concat();
+        let options = format!("--hand long.csv {rate}");
         let end = "and a path of 1000000000000.0 s give ";
-        assert_refused(
-            by,
-            &folder,
-            &arguments,
-            &["long.csv, line 3: ", by, end, "at most 1000000000"],
-        );
+        let expected = ["long.csv, line 3: ", by, end, "at most 1000000000"];
+        assert_refused(by, &folder, &options, &expected);
     }
 }
 
@@ -253,10 +244,10 @@ fn paths_that_last_too_long_for_the_rate_are_refused_with_their_last_line() {
 fn bytes_that_are_not_text_are_refused() {
     let folder = Folder::new();
     folder.write("scene.toml", b"[body]\nstart = \"\xff\"\n");
-    assert_refused("scene", &folder, &[], &["scene.toml", "line 2", "UTF-8"]);
+    assert_refused("scene", &folder, "", &["scene.toml", "line 2", "UTF-8"]);
     folder.write("scene.toml", scene_with_path("hand.csv", ""));
     folder.write("hand.csv", b"t,x,y,phi\n0,0,\xff,0\n");
-    assert_refused("path", &folder, &[], &["hand.csv", "line 2", "UTF-8"]);
+    assert_refused("path", &folder, "", &["hand.csv", "line 2", "UTF-8"]);
 }
 
 #[test]
@@ -265,52 +256,41 @@ fn more_vertices_or_surfaces_than_there_is_room_for_are_refused() {
         .map(|k| f64::from(k) * std::f64::consts::TAU / 65.0)
         .map(|angle| format!("[{}, {}]", 0.05 * angle.cos(), 0.05 * angle.sin()))
         .collect();
-    let vertices = "[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
     let folder = Folder::new();
-    folder.write(
-        "scene.toml",
-        SCENE.replacen(vertices, &format!("[{}]", circle.join(", ")), 1),
-    );
-    assert_refused(
-        "vertices",
-        &folder,
-        &[],
-        &[
-            "line 3",
-            "`body.vertices` is 65 vertices long, allowed: 1 to 64",
-        ],
-    );
+    let vertices = format!("vertices = [{}]", circle.join(", "));
+    folder.write("scene.toml", SCENE.replacen(VERTICES, &vertices, 1));
+    let expected = [
+        "line 3",
+        "`body.vertices` is 65 vertices long, allowed: 1 to 64",
+    ];
+    assert_refused("vertices", &folder, "", &expected);
     let surfaces = "\n[[surface]]\nnormal = [0.0, 1.0]\noffset = -1.0\n".repeat(15);
     folder.write("scene.toml", format!("{SCENE}{surfaces}"));
-    assert_refused(
-        "surfaces",
-        &folder,
-        &[],
-        &["`surface` is given 17 times, allowed: 0 to 16"],
-    );
+    let expected = ["`surface` is given 17 times, allowed: 0 to 16"];
+    assert_refused("surfaces", &folder, "", &expected);
 }
 
 #[test]
 fn arguments_that_mean_nothing_are_refused() {
     #[rustfmt::skip]
-    let cases: &[(&[&str], &[&str])] = &[
-        (&["--number", "f16"], &["f16", "f32"]),
-        (&["--evolution", "time"], &["time", "path", "frame"]),
-        (&["--rate", "0"], &["--rate", "0"]),
-        (&["--rate", "nan"], &["--rate", "nan"]),
-        (&["--rate", "fast"], &["--rate", "fast"]),
-        (&["--rate", "1e12"], &["1000000000000.0 Hz of `--rate` and a path of 1.0 s give 1000000000001 frames", "allowed: at most 1000000000"]),
-        (&["--tolerance", "0.001"], &["--tolerance"]),
-        (&["--events", "8"], &["--events"]),
-        (&["--budget", "0"], &["--budget", "1 to 4294967295"]),
-        (&["--budget", "1.5"], &["--budget", "whole number"]),
-        (&["--hand", "absent.csv"], &["absent.csv"]),
-        (&["--speed", "2"], &["--speed"]),
+    let cases: &[(&str, &[&str])] = &[
+        ("--number f16", &["f16", "f32"]),
+        ("--evolution time", &["time", "path", "frame"]),
+        ("--rate 0", &["--rate", "0"]),
+        ("--rate nan", &["--rate", "nan"]),
+        ("--rate fast", &["--rate", "fast"]),
+        ("--rate 1e12", &["1000000000000.0 Hz of `--rate` and a path of 1.0 s give 1000000000001 frames", "allowed: at most 1000000000"]),
+        ("--tolerance 0.001", &["--tolerance"]),
+        ("--events 8", &["--events"]),
+        ("--budget 0", &["--budget", "1 to 4294967295"]),
+        ("--budget 1.5", &["--budget", "whole number"]),
+        ("--hand absent.csv", &["absent.csv"]),
+        ("--speed 2", &["--speed"]),
     ];
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
-    for &(arguments, expected) in cases {
-        assert_refused(&arguments.join(" "), &folder, arguments, expected);
+    for &(options, expected) in cases {
+        assert_refused(options, &folder, options, expected);
     }
 }
 
@@ -325,10 +305,7 @@ fn places_where_nothing_can_be_written_are_refused() {
         ("absent/trace.jsonl", "absent/trace.jsonl"),
         ("folder.csv", "folder.csv"),
     ] {
-        let output = folder.stiction(&["run", "scene.toml", "--out", out]);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{out}: {message}");
-        assert!(message.contains(expected), "{out}: {message}");
+        folder.refused(&format!("run scene.toml --out {out}"), &[expected]);
         assert_eq!(folder.names(), ["folder.csv", "scene.toml"], "{out}");
     }
 }
@@ -337,14 +314,10 @@ fn places_where_nothing_can_be_written_are_refused() {
 fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
     let folder = Folder::new();
     for command in ["run", "code"] {
-        let output = folder.stiction(&[command, "absent.toml"]);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(
-            message.contains("absent.toml") && message.contains("ladder"),
-            "{message}"
+        folder.refused(
+            &format!("{command} absent.toml"),
+            &["absent.toml", "ladder"],
         );
-        let output = folder.stiction(&[command]);
-        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        folder.refused(command, &[]);
     }
 }

@@ -1,6 +1,6 @@
 //! What a stranger types by mistake, and what the program says then: what is wrong, and what to type, in a few lines.
 
-use crate::common::{Folder, SCENE, text};
+use crate::common::{Folder, SCENE, assert_all, assert_error, text};
 
 /// A message is read at a glance (lines that are not empty).
 const LONGEST: usize = 6;
@@ -67,17 +67,14 @@ const SCENES: &[(&str, &str, &[&str])] = &[
 
 /// The program ends with status 2 and a short message that has all parts.
 fn refused(folder: &Folder, typed: &str, parts: &[&str]) {
-    let words: Vec<&str> = typed.split(' ').collect();
-    let output = folder.stiction(&words);
+    let output = folder.stiction(typed);
+    assert_error(typed, &output, parts);
     let said = text(&output.stderr);
-    let is_shown = format!("stiction {typed}\n{said}");
-    assert_eq!(output.status.code(), Some(2), "{is_shown}");
-    assert!(output.stdout.is_empty(), "{is_shown}");
     let lines = said.lines().filter(|line| !line.trim().is_empty());
-    assert!(lines.count() <= LONGEST, "{is_shown}");
-    for part in parts {
-        assert!(said.contains(part), "{part:?} is missing:\n{is_shown}");
-    }
+    assert!(
+        output.stdout.is_empty() && lines.count() <= LONGEST,
+        "{typed}: {said}"
+    );
 }
 
 #[test]
@@ -130,39 +127,27 @@ fn a_program_away_from_its_sources_says_what_it_needs() {
     };
     for typed in ["image pico", "board --emulate", "view --emulate"] {
         let nowhere = said(typed, "tools", None);
-        assert!(
-            nowhere.contains("the sources of stiction"),
-            "{typed}: {nowhere}"
-        );
-        assert!(
-            nowhere.contains("set STICTION_SOURCES"),
-            "{typed}: {nowhere}"
+        assert_all(
+            typed,
+            &nowhere,
+            &["the sources of stiction", "set STICTION_SOURCES"],
         );
         for there in [
             said(typed, "checkout/core/src", None),
             said(typed, "tools", Some("checkout")),
         ] {
-            assert!(
-                there.contains("missing: the target thumb"),
-                "{typed}: {there}"
-            );
-            assert!(
-                there.contains("\n  rustup target add thumb"),
-                "{typed}: {there}"
-            );
+            let target = ["missing: the target thumb", "\n  rustup target add thumb"];
+            assert_all(typed, &there, &target);
             assert!(!there.contains("the sources of"), "{typed}: {there}");
-            assert!(
-                typed != "image pico" || there.contains("\n  cargo install flip-link"),
-                "{there}"
-            );
-            let needs_qemu = typed != "image pico";
+            let is_image = typed == "image pico";
+            let linker = "\n  cargo install flip-link";
+            assert!(!is_image || there.contains(linker), "{there}");
             assert_eq!(
                 there.contains("qemu-system-arm"),
-                needs_qemu,
+                !is_image,
                 "{typed}: {there}"
             );
         }
-        let wrong = said(typed, "tools", Some("tools"));
-        assert!(wrong.contains("tools)"), "{typed}: {wrong}");
+        assert_all(typed, &said(typed, "tools", Some("tools")), &["tools)"]);
     }
 }

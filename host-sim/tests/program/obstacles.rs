@@ -1,42 +1,31 @@
 //! Obstacles from the scene file to what a run leaves: contacts in JSON Lines and CSV, replays, sweeps, plots; and where they are not
 //! taken.
 
+use std::sync::LazyLock;
+
 use crate::command::assert_same;
-use crate::common::{Folder, numbers, text};
+use crate::common::{Folder, numbers, with_hand};
 use serde_json::Value;
 
 /// A box over the edge of a table: two contacts, of a vertex on the table's top and of the table's corner on the box's lower side; a floor
 /// far below.
-const SCENE: &str = r#"
-[body]
-rectangle = [0.10, 0.06]
-start = [-0.02, 0.03, 0.0]
-weight = 3.0
-
-[grasp]
-point = [0.0, 0.02]
-
-[spring]
-translation = 500.0
-rotation = 0.5
-
-[friction]
-static = 0.5
-dynamic = 0.3
-
-[[surface]]
-name = "floor"
-normal = [0.0, 1.0]
-offset = -1.0
-
-[[obstacle]]
-name = "table"
-vertices = [[-0.50, -0.04], [0.0, -0.04], [0.0, 0.0], [-0.50, 0.0]]
-
-[hand]
-rate = 20.0
-keyframes = [[0.0, -0.02, 0.05, 0.0], [1.0, -0.02, 0.045, 0.0], [2.0, -0.02, 0.08, 0.0], [3.0, -0.02, 0.05, 0.02]]
-"#;
+static SCENE: LazyLock<String> = LazyLock::new(|| {
+    let hand = "rate = 20.0\nkeyframes = [[0.0, -0.02, 0.05, 0.0], [1.0, -0.02, 0.045, 0.0], [2.0, -0.02, 0.08, 0.0], \
+                [3.0, -0.02, 0.05, 0.02]]";
+    let table =
+        "name = \"table\"\nvertices = [[-0.50, -0.04], [0.0, -0.04], [0.0, 0.0], [-0.50, 0.0]]";
+    let scene = with_hand(hand).replace(
+        "[[surface]]\nname = \"wall\"",
+        &format!("[[obstacle]]\n{table}"),
+    );
+    let scene = scene
+        .replace("normal = [1.0, 0.0]\noffset = 0.0\n", "")
+        .replace("offset = 0.0", "offset = -1.0");
+    let scene = scene
+        .replace("weight = 0.0", "weight = 3.0")
+        .replace("reach = 0.01\n", "");
+    scene.replace("start = [0.2, 0.12, 0.5]", "start = [-0.02, 0.03, 0.0]")
+});
 
 fn contacts(trace: &[Value]) -> Vec<&Value> {
     let contacts = trace
@@ -49,7 +38,7 @@ fn contacts(trace: &[Value]) -> Vec<&Value> {
 fn a_contact_tells_the_obstacle_its_side_and_where_it_faces() {
     let folder = Folder::new();
     for number in ["f64", "f32", "fixed"] {
-        let trace = folder.trace(SCENE, &["--number", number]);
+        let trace = folder.trace(&SCENE, &format!("--number {number}"));
         assert_eq!(trace.len(), 61);
         let contacts = contacts(&trace);
         assert!(!contacts.is_empty());
@@ -76,7 +65,7 @@ fn a_half_plane_among_obstacles_faces_its_normal() {
         "[[-0.50, -0.04], [0.0, -0.04], [0.0, 0.0], [-0.50, 0.0]]",
         "[[0.5, 0.5]]",
     );
-    let trace = folder.trace(&scene, &[]);
+    let trace = folder.trace(&scene, "");
     let contacts = contacts(&trace);
     assert!(!contacts.is_empty());
     for contact in contacts {
@@ -86,7 +75,7 @@ fn a_half_plane_among_obstacles_faces_its_normal() {
     // Without obstacles there is no such key.
     let pin = scene.find("[[obstacle]]").zip(scene.find("[hand]"));
     let (from, to) = pin.expect("both");
-    let alone = folder.trace(&(scene[..from].to_owned() + &scene[to..]), &[]);
+    let alone = folder.trace(&(scene[..from].to_owned() + &scene[to..]), "");
     for (alone, among) in alone.iter().zip(&trace) {
         let mut among = among.clone();
         for contact in among["contacts"].as_array_mut().expect("contacts") {
@@ -102,9 +91,8 @@ fn a_half_plane_among_obstacles_faces_its_normal() {
 #[test]
 fn csv_carries_the_same_as_json_among_obstacles() {
     let folder = Folder::new();
-    let json = folder.trace(SCENE, &[]);
-    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.csv"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    let json = folder.trace(&SCENE, "");
+    folder.done("run scene.toml --out trace.csv");
     let table = folder.read("trace.csv");
     let begin = ",contacts,c0_vertex,c0_surface,c0_obstacle,c0_side,c0_corner,c0_body_side,c0_x,c0_y,c0_normal,c0_friction,\
                  c0_sliding,c0_direction_x,c0_direction_y,c1_vertex";
@@ -121,21 +109,12 @@ fn csv_carries_the_same_as_json_among_obstacles() {
 #[test]
 fn a_recording_among_obstacles_gives_the_same_bits_again() {
     let folder = Folder::new();
-    folder.write("scene.toml", SCENE);
+    folder.write("scene.toml", &*SCENE);
     for number in ["f64", "f32", "fixed"] {
-        let run = [
-            "run",
-            "scene.toml",
-            "--record",
-            "run.jsonl",
-            "--quiet",
-            "--number",
-            number,
-        ];
-        assert!(folder.stiction(&run).status.success());
-        let output = folder.stiction(&["replay", "run.jsonl", "--record", "again.jsonl"]);
-        let said = text(&output.stdout) + &text(&output.stderr);
-        assert!(output.status.success(), "{said}");
+        folder.done(&format!(
+            "run scene.toml --record run.jsonl --quiet --number {number}"
+        ));
+        let said = folder.done("replay run.jsonl --record again.jsonl");
         assert!(
             said.contains("61 of 61 frames compared, the same bits"),
             "{said}"
@@ -148,9 +127,9 @@ fn a_recording_among_obstacles_gives_the_same_bits_again() {
 #[test]
 fn a_table_that_goes_on_is_the_same_in_fixed_point() {
     let folder = Folder::new();
-    let near = folder.trace(SCENE, &["--number", "fixed"]);
+    let near = folder.trace(&SCENE, "--number fixed");
     let far = SCENE.replace("-0.50", "-50.0").replace("-0.04", "-30.0");
-    let far = folder.trace(&far, &["--number", "fixed"]);
+    let far = folder.trace(&far, "--number fixed");
     for (near, far) in near.iter().zip(&far) {
         let names = |record: &Value| -> Vec<_> {
             let contacts = record["contacts"].as_array().expect("contacts").iter();
@@ -166,13 +145,12 @@ fn a_table_that_goes_on_is_the_same_in_fixed_point() {
 #[test]
 fn a_sweep_varies_the_keys_of_an_obstacle() {
     let folder = Folder::new();
-    folder.write("scene.toml", SCENE);
+    folder.write("scene.toml", &*SCENE);
     folder.write(
         "sweep.toml",
         "scenes = [\"scene.toml\"]\n[vary]\nobstacle.table.static = [0.4, 0.6]\n\"obstacle.table.vertices.2.0\" = [0.0, 0.01]\n",
     );
-    let output = folder.stiction(&["sweep", "sweep.toml", "--quiet", "--out", "out.csv"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    folder.done("sweep sweep.toml --quiet --out out.csv");
     let table = folder.read("out.csv");
     let mut lines = table.lines();
     let header = lines.next().expect("a header");
@@ -195,9 +173,8 @@ fn a_sweep_varies_the_keys_of_an_obstacle() {
 #[test]
 fn pictures_show_obstacles_with_their_names_and_corners_in_contact() {
     let folder = Folder::new();
-    folder.write("scene.toml", SCENE);
-    let output = folder.stiction(&["run", "scene.toml", "--quiet", "--plot", "plots"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    folder.write("scene.toml", &*SCENE);
+    folder.done("run scene.toml --quiet --plot plots");
     for (picture, shown) in [
         ("trajectory", &["\ntable\n", "corners in contact"][..]),
         ("strip", &["\ntable\n"]),
@@ -214,12 +191,15 @@ fn pictures_show_obstacles_with_their_names_and_corners_in_contact() {
 #[test]
 fn commands_that_take_no_obstacles_say_so() {
     let folder = Folder::new();
-    folder.write("scene.toml", SCENE);
-    let command = "view scene.toml --headless --socket absent";
-    let words: Vec<&str> = command.split(' ').collect();
-    let output = folder.stiction(&words);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{command}: {message}");
-    let expected = "scene.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep`, `board` and, without a board, `view` take obstacles";
-    assert!(message.contains(expected), "{command}: {message}");
+    folder.write("scene.toml", &*SCENE);
+    let line = SCENE.lines().position(|line| line == "[[obstacle]]");
+    let place = format!(
+        "scene.toml, line {}: there is an `[[obstacle]]`",
+        line.expect("one") + 1
+    );
+    let allowed = "allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep`, `board` and, without a board, `view` take obstacles";
+    folder.refused(
+        "view scene.toml --headless --socket absent",
+        &[&place, allowed],
+    );
 }

@@ -5,29 +5,20 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::common::{Folder, SCENE, scene_with_path, text};
+use crate::common::{Folder, SCENE, assert_all, said, scene_with_path};
 
-/// Runs the program; its exit status and what it said.
-fn said(folder: &Folder, arguments: &[&str]) -> (Option<i32>, String) {
-    let output = folder.stiction(arguments);
-    let all = text(&output.stdout) + &text(&output.stderr);
-    (output.status.code(), all)
+/// The exit status of `stiction replay`, and all that it says.
+fn replayed(folder: &Folder, arguments: &str) -> (Option<i32>, String) {
+    let output = folder.stiction(&format!("replay {arguments}"));
+    (output.status.code(), said(&output))
 }
 
-/// A recording of the small scene.
-fn recorded(options: &[&str]) -> Folder {
+fn recorded(options: &str) -> Folder {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
-    let run = [
-        "run",
-        "scene.toml",
-        "--record",
-        "recording.jsonl",
-        "--out",
-        "trace.jsonl",
-    ];
-    let (status, message) = said(&folder, &[&run[..], options].concat());
-    assert_eq!(status, Some(0), "{message}");
+    folder.done(&format!(
+        "run scene.toml --record recording.jsonl --out trace.jsonl {options}"
+    ));
     folder
 }
 
@@ -35,19 +26,13 @@ fn recorded(options: &[&str]) -> Folder {
 fn a_recording_gives_the_same_bits_again() {
     for number in ["f64", "f32", "fixed"] {
         for evolution in ["path", "frame"] {
-            let options = ["--number", number, "--evolution", evolution];
-            let dials = ["--rate", "777", "--budget", "1"];
-            let folder = recorded(&[&options[..], &dials].concat());
-            let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
-            let (status, message) = said(
-                &folder,
-                &[&["replay", "recording.jsonl"][..], &again].concat(),
-            );
+            let dials = format!("--number {number} --evolution {evolution}");
+            let folder = recorded(&format!("{dials} --rate 777 --budget 1"));
+            let again = "recording.jsonl --out again.jsonl --record again-recording.jsonl";
+            let (status, message) = replayed(&folder, again);
             assert_eq!(status, Some(0), "{message}");
-            assert!(
-                message.contains("778 of 778 frames compared, the same bits"),
-                "{message}"
-            );
+            let compared = "778 of 778 frames compared, the same bits";
+            assert!(message.contains(compared), "{message}");
             assert_eq!(folder.read("trace.jsonl"), folder.read("again.jsonl"));
             assert_eq!(
                 folder.read("recording.jsonl"),
@@ -65,26 +50,21 @@ fn a_recording_keeps_what_a_tracker_lost() {
     let hand =
         "t,x,y,phi,held\n0,0.2,0.14,0.5,1\n1,nan,0.1,inf,1\n2,0.2,0.1,0.5,0\n3,0.2,0.1,0.5,1\n";
     folder.write("hand.csv", hand);
-    let (status, message) = said(
-        &folder,
-        &["run", "scene.toml", "--record", "recording.jsonl"],
+    folder.done("run scene.toml --record recording.jsonl");
+    let recording = folder.read("recording.jsonl");
+    assert_all(
+        "the recording",
+        &recording,
+        &[r#""position":[null,0.1]"#, "held-last"],
     );
-    assert_eq!(status, Some(0), "{message}");
-    assert!(
-        folder
-            .read("recording.jsonl")
-            .contains(r#""position":[null,0.1]"#)
-    );
-    assert!(folder.read("recording.jsonl").contains("held-last"));
     // A recording needs no other file.
     fs::remove_file(folder.file("hand.csv")).expect("the path");
-    let (status, message) = said(&folder, &["replay", "recording.jsonl"]);
-    assert_eq!(status, Some(0), "{message}");
+    folder.done("replay recording.jsonl");
 }
 
 #[test]
 fn the_first_frame_that_differs_is_named() {
-    let folder = recorded(&[]);
+    let folder = recorded("");
     let recording = folder.read("recording.jsonl");
     let lines: Vec<&str> = recording.lines().collect();
     // The sample that the hand has moved by a last digit, and the answer that was something else.
@@ -106,7 +86,7 @@ fn the_first_frame_that_differs_is_named() {
         let mut changed: Vec<String> = lines.iter().map(ToString::to_string).collect();
         changed[line - 1] = changed[line - 1].replacen(from, to, 1);
         folder.write("changed.jsonl", changed.join("\n") + "\n");
-        let (status, message) = said(&folder, &["replay", "changed.jsonl"]);
+        let (status, message) = replayed(&folder, "changed.jsonl");
         assert_eq!(status, Some(1), "{message}");
         let place = format!("frame {} differs (line {line}, t = ", line - 2);
         assert!(
@@ -117,7 +97,7 @@ fn the_first_frame_that_differs_is_named() {
     // An answer that did not come is not compared.
     let lost = recording.replacen(lines[3], &without_answer(lines[3]), 1);
     folder.write("lost.jsonl", lost);
-    let (status, message) = said(&folder, &["replay", "lost.jsonl"]);
+    let (status, message) = replayed(&folder, "lost.jsonl");
     assert_eq!(status, Some(0), "{message}");
     assert!(message.contains("10 of 11 frames compared"), "{message}");
 }
@@ -125,16 +105,16 @@ fn the_first_frame_that_differs_is_named() {
 /// The last line counts the samples, so that lines which are lost are missed.
 #[test]
 fn a_recording_that_lost_whole_lines_is_not_good() {
-    let folder = recorded(&[]);
+    let folder = recorded("");
     let recording = folder.read("recording.jsonl");
     let lines: Vec<&str> = recording.lines().collect();
     assert_eq!((lines.len(), lines[12]), (13, r#"{"samples":11}"#));
-    let replayed = |part: &[&str], options: &[&str]| {
+    let replayed = |part: &[&str], options: &str| {
         folder.write("lost.jsonl", part.join("\n") + "\n");
-        said(&folder, &[&["replay", "lost.jsonl"], options].concat())
+        replayed(&folder, &format!("lost.jsonl {options}"))
     };
     // Its end is lost: what is there is replayed, and what is missing is said.
-    for options in [&[][..], &["--quiet"]] {
+    for options in ["", "--quiet"] {
         for (part, last) in [(&lines[..12], 12), (&lines[..5], 5)] {
             let (status, message) = replayed(part, options);
             assert_eq!(status, Some(1), "{message}");
@@ -148,14 +128,14 @@ fn a_recording_that_lost_whole_lines_is_not_good() {
     let lost = [&lines[..11], &lines[12..]].concat();
     let twice = [&lines[..12], &lines[11..]].concat();
     for (part, place, there) in [(lost, "line 12", 10), (twice, "line 14", 12)] {
-        let (status, message) = replayed(&part, &["--out", "again.jsonl"]);
+        let (status, message) = replayed(&part, "--out again.jsonl");
         assert_eq!(status, Some(2), "{message}");
         let counts = format!("{place}: `samples` is 11, but {there} are there, allowed: ");
         assert!(message.contains(&counts), "{message}");
         assert!(!folder.names().contains(&"again.jsonl".to_owned()));
     }
     let more = [&lines[..], &lines[11..]].concat();
-    let (status, message) = replayed(&more, &[]);
+    let (status, message) = replayed(&more, "");
     assert_eq!(status, Some(2), "{message}");
     assert!(message.contains("line 14: follows the count"), "{message}");
 }
@@ -169,7 +149,7 @@ fn without_answer(line: &str) -> String {
 /// What was being written when its program was killed is left out, wherever it was cut; the rest is replayed.
 #[test]
 fn a_recording_that_was_cut_in_a_line_is_replayed_as_far_as_it_is_whole() {
-    let folder = recorded(&[]);
+    let folder = recorded("");
     let recording = folder.read("recording.jsonl");
     let starts: Vec<usize> = recording
         .match_indices('\n')
@@ -182,8 +162,7 @@ fn a_recording_that_was_cut_in_a_line_is_replayed_as_far_as_it_is_whole() {
         (7, (starts[5] + starts[6]) / 2),
     ] {
         folder.write("cut.jsonl", &recording[..cut]);
-        let again = ["replay", "cut.jsonl", "--out", "again.jsonl"];
-        let (status, message) = said(&folder, &again);
+        let (status, message) = replayed(&folder, "cut.jsonl --out again.jsonl");
         assert_eq!(status, Some(1), "{message}");
         let place = format!("cut.jsonl: ends in the middle of line {line}, which is left out");
         assert!(message.contains(&place), "{message}");
@@ -199,11 +178,11 @@ fn a_recording_that_was_cut_in_a_line_is_replayed_as_far_as_it_is_whole() {
         "cut.jsonl",
         [&recording.as_bytes()[..starts[3]], b"{\"\xc3"].concat(),
     );
-    let (status, message) = said(&folder, &["replay", "cut.jsonl"]);
+    let (status, message) = replayed(&folder, "cut.jsonl");
     assert_eq!(status, Some(1), "{message}");
     // A last line without its end is whole all the same.
     folder.write("cut.jsonl", recording.trim_end());
-    let (status, message) = said(&folder, &["replay", "cut.jsonl"]);
+    let (status, message) = replayed(&folder, "cut.jsonl");
     assert_eq!(status, Some(0), "{message}");
 }
 
@@ -212,11 +191,14 @@ const TRACE: &str = "line 1: this is a trace; use `stiction check`";
 
 #[test]
 fn what_is_no_recording_is_refused_with_its_line() {
-    let folder = recorded(&[]);
-    let run = ["run", "scene.toml", "--out", "trace.csv", "--quiet"];
-    assert_eq!(said(&folder, &run).0, Some(0));
+    let folder = recorded("");
+    folder.done("run scene.toml --out trace.csv --quiet");
     let recording = folder.read("recording.jsonl");
     let head = recording.lines().next().expect("a head").to_owned();
+    let other = |from: &str, to: &str| recording.replacen(from, to, 1);
+    let version = r#""recording":1,"tolerance":0.0"#;
+    let tolerance = r#""tolerance":0.0,"evolution""#;
+    let stiffness = other("translation = 500.0", "translation = 0.0");
     let cases = [
         (String::new(), "line 1: "),
         ("nonsense\n".to_owned(), "line 1: "),
@@ -224,58 +206,42 @@ fn what_is_no_recording_is_refused_with_its_line() {
         (folder.read("trace.csv"), TRACE),
         (head.clone() + "\n", "line 1: no sample follows the head"),
         (
-            recording.replacen(r#""recording":2"#, r#""recording":3"#, 1),
+            other(r#""recording":2"#, r#""recording":3"#),
             "allowed: 2, the version",
         ),
         (
-            recording.replacen(r#""recording":2"#, r#""recording":1,"tolerance":0.0"#, 1),
+            other(r#""recording":2"#, version),
             "with a `tolerance`, which the solver does not have any more), allowed: 2",
         ),
         (
-            recording.replacen(r#""evolution""#, r#""tolerance":0.0,"evolution""#, 1),
+            other(r#""evolution""#, tolerance),
             "line 1: unknown field `tolerance`",
         ),
         (
-            recording.replacen(r#""number":"f32""#, r#""number":"f16""#, 1),
+            other(r#""number":"f32""#, r#""number":"f16""#),
             "`number` is \"f16\", allowed: ",
         ),
         (
-            recording.replacen(r#""evolution":"path""#, r#""evolution":"way""#, 1),
+            other(r#""evolution":"path""#, r#""evolution":"way""#),
             "`evolution` is \"way\", allowed: ",
         ),
-        (
-            recording.replacen("translation = 500.0", "translation = 0.0", 1),
-            "`spring.translation` is 0.0, allowed: ",
-        ),
+        (stiffness, "`spring.translation` is 0.0, allowed: "),
         (recording[..40].to_owned(), "line 1: "),
         (
-            recording.replacen(r#""sample""#, r#""simple""#, 1),
+            other(r#""sample""#, r#""simple""#),
             "line 2: unknown field `simple`",
         ),
-        (
-            recording.replacen(r#""turns":0"#, r#""turns":0.5"#, 1),
-            "line 2: ",
-        ),
+        (other(r#""turns":0"#, r#""turns":0.5"#), "line 2: "),
     ];
     for (content, expected) in cases {
         folder.write("bad.jsonl", content);
-        let (status, message) = said(
-            &folder,
-            &["replay", "bad.jsonl", "--out", "bad-trace.jsonl"],
-        );
-        assert_eq!(status, Some(2), "{expected}: {message}");
-        assert!(
-            message.contains("bad.jsonl") && message.contains(expected),
-            "{expected}: {message}"
+        folder.refused(
+            "replay bad.jsonl --out bad-trace.jsonl",
+            &["bad.jsonl", expected],
         );
         assert!(!folder.names().contains(&"bad-trace.jsonl".to_owned()));
     }
-    let (status, message) = said(&folder, &["replay", "absent.jsonl"]);
-    assert_eq!(status, Some(2));
-    assert!(
-        message.contains("absent.jsonl: cannot be read"),
-        "{message}"
-    );
+    folder.refused("replay absent.jsonl", &["absent.jsonl: cannot be read"]);
 }
 
 /// `tests/recordings`: faults that fuzzing, a board or a user found.
@@ -302,7 +268,7 @@ fn none_is_wrong(wrong: impl Fn(&Path) -> Option<String>) {
 #[test]
 fn stored_faults_give_the_same_bits() {
     none_is_wrong(|file| {
-        let (status, message) = said(&Folder::new(), &["replay", &file.to_string_lossy()]);
+        let (status, message) = replayed(&Folder::new(), &file.to_string_lossy());
         (status != Some(0)).then_some(message)
     });
 }
@@ -312,17 +278,16 @@ fn stored_faults_give_the_same_bits() {
 fn stored_faults_are_lawful() {
     none_is_wrong(|file| {
         let folder = Folder::new();
-        let replay = ["replay", &file.to_string_lossy(), "--out", "trace.jsonl"];
-        let (_, message) = said(&folder, &replay);
+        let replay = format!("{} --out trace.jsonl", file.display());
+        let (_, message) = replayed(&folder, &replay);
         let recording = fs::read_to_string(file).expect("a recording");
         let head = recording.lines().next().expect("a head");
         let head: Value = serde_json::from_str(head).expect("JSON");
         let [scene, number, evolution] =
             ["scene", "number", "evolution"].map(|key| head[key].as_str().expect("a text"));
         folder.write("scene.toml", scene);
-        let check = ["check", "trace.jsonl", "--scene", "scene.toml"];
-        let dials = ["--number", number, "--evolution", evolution];
-        let (status, report) = said(&folder, &[check, dials].concat());
-        (status != Some(0)).then(|| message + &report)
+        let dials = format!("--number {number} --evolution {evolution}");
+        let output = folder.stiction(&format!("check trace.jsonl --scene scene.toml {dials}"));
+        (!output.status.success()).then(|| message + &said(&output))
     });
 }

@@ -7,7 +7,8 @@ mod rows;
 
 use std::collections::HashMap;
 
-use crate::common::{Folder, SCENE, text};
+pub(crate) use crate::common::rows;
+use crate::common::{Folder, SCENE, said};
 
 /// A folder with [`SCENE`] as `scene.toml` and this text as `sweep.toml`.
 fn folder(sweep: &str) -> Folder {
@@ -17,23 +18,17 @@ fn folder(sweep: &str) -> Folder {
     folder
 }
 
-/// Runs the sweep to the text of a table.
-fn table(folder: &Folder, out: &str, arguments: &[&str]) -> String {
-    let arguments = [&["sweep", "sweep.toml", "--quiet", "--out", out], arguments].concat();
-    let output = folder.stiction(&arguments);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+/// Runs the sweep, with these options, to the text of a table.
+fn table(folder: &Folder, out: &str, options: &str) -> String {
+    let output = folder.stiction(&format!("sweep sweep.toml --quiet --out {out} {options}"));
+    assert!(
+        output.status.success() && said(&output).is_empty(),
+        "{}",
+        said(&output)
+    );
     folder.read(out)
 }
 
-/// The rows of a table, by the names of the columns.
-fn rows(table: &str) -> Vec<HashMap<String, String>> {
-    let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let rows = reader.deserialize();
-    rows.map(|row| row.expect("a row")).collect()
-}
-
-/// A column as numbers.
 fn column(rows: &[HashMap<String, String>], name: &str) -> Vec<f64> {
     rows.iter()
         .map(|row| row[name].parse().expect(name))

@@ -1,30 +1,22 @@
 //! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, the costs on chips.
 
-use crate::common::{Folder, text};
+use std::collections::HashMap;
+
+use crate::common::{Folder, assert_error, rows, text};
 use serde_json::Value;
 use stiction_host_sim::trade::{Memory, RATES, Setting};
 
 /// Three number types, two evolutions, and all scenes with their three groups.
 const ROWS: usize = 3 * 2 * Memory::ALL.len() * RATES.len() * 4;
 
-/// The cells of a column.
-fn column(rows: &[csv::StringRecord], header: &csv::StringRecord, name: &str) -> Vec<String> {
-    let place = header.iter().position(|column| column == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}"));
-    rows.iter().map(|row| row[place].to_owned()).collect()
-}
-
 #[test]
 fn every_combination_is_measured_against_a_reference_without_error() {
     let folder = Folder::new();
-    let arguments = "trade --quick --table --out figures/trade";
-    let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    rows(&folder);
+    let printed = folder.done("trade --quick --table --out figures/trade");
+    table(&folder);
     report(&folder);
     pictures(&folder);
     // First what to take, in a few lines; then the table that was asked for.
-    let printed = text(&output.stdout);
     let table = printed.find("\nMeasured on").expect("the table");
     let recommendation = &printed[..table];
     assert!(recommendation.contains("take f"), "{printed}");
@@ -38,72 +30,55 @@ fn every_combination_is_measured_against_a_reference_without_error() {
     assert_eq!(files, ["host.png", "host.svg", "trade.csv", "trade.json"]);
 }
 
-fn rows(folder: &Folder) {
-    let csv = folder.read("figures/trade/trade.csv");
-    let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let header = reader.headers().expect("a header").clone();
-    let rows: Vec<_> = reader.records().map(|row| row.expect("a row")).collect();
-    let cells = |name| column(&rows, &header, name);
-    let names: Vec<_> = ["number", "evolution", "memory", "rate_hz", "scenes"]
-        .map(cells)
-        .to_vec();
-    let key = |i: usize| {
-        names
-            .iter()
-            .map(|cells| cells[i].as_str())
-            .collect::<Vec<_>>()
+fn table(folder: &Folder) {
+    let rows = rows(&folder.read("figures/trade/trade.csv"));
+    let key = |row: &HashMap<String, String>| {
+        ["number", "evolution", "memory", "rate_hz", "scenes"].map(|name| row[name].clone())
     };
-    let mut count = 0;
+    let mut expected = Vec::new();
     for setting in Setting::all() {
         for rate in RATES {
             for scenes in ["all", "bundled", "random", "hand"] {
-                let (rate, memory) = (format!("{rate:?}"), setting.memory.name);
-                let wanted = [
-                    setting.number.name(),
-                    setting.evolution.name(),
-                    memory,
-                    &rate,
+                let (number, evolution) = (setting.number.name(), setting.evolution.name());
+                let names = [
+                    number,
+                    evolution,
+                    setting.memory.name,
+                    &format!("{rate:?}"),
                     scenes,
                 ];
-                let found = (0..rows.len()).filter(|&i| key(i) == wanted).count();
-                assert_eq!(found, 1, "{wanted:?}");
-                count += 1;
+                expected.push(names.map(str::to_owned));
             }
         }
     }
-    assert_eq!(rows.len(), count);
-    assert_eq!(count, ROWS);
-    let errors = [
-        "position_p50_um",
-        "position_p90_um",
-        "position_p99_um",
-        "position_max_um",
-        "angle_p50_mrad",
-        "angle_p90_mrad",
-        "angle_p99_mrad",
-        "angle_max_mrad",
-    ];
-    for i in 0..rows.len() {
-        let values = errors.map(|name| cells(name)[i].parse::<f64>().expect("a number"));
-        assert!(values.iter().all(|value| value.is_finite()), "{:?}", key(i));
-        assert!(values[..4].is_sorted() && values[4..].is_sorted());
-        let is_reference = key(i)[..2] == ["f64", "path"] && key(i)[3] == "1000.0";
-        if is_reference {
-            assert_eq!(values, [0.0; 8]);
-        }
-        let count = |name| cells(name)[i].parse::<u64>().expect("a count");
-        if is_reference {
-            assert_eq!(
-                ["other_state", "slips_too_many", "slips_too_few"].map(count),
-                [0; 3]
+    let mut found: Vec<_> = rows.iter().map(key).collect();
+    expected.sort();
+    found.sort();
+    assert_eq!(found, expected);
+    assert_eq!(rows.len(), ROWS);
+    for row in &rows {
+        let number = |name: &str| row[name].parse::<f64>().expect(name);
+        let spread =
+            |of: &str| ["p50", "p90", "p99", "max"].map(|part| number(&of.replace('*', part)));
+        let errors = [spread("position_*_um"), spread("angle_*_mrad")];
+        for error in errors {
+            assert!(
+                error.iter().all(|value| value.is_finite()) && error.is_sorted(),
+                "{row:?}"
             );
         }
-        assert!(count("frames") > 0);
-        let time: f64 = cells("host_ns")[i].parse().expect("a time");
-        assert!(time > 0.0);
-        let residual: f64 = cells("worst_residual")[i].parse().expect("a residual");
-        let bound = if key(i)[0] == "f64" { 1e-9 } else { 2e-3 };
-        assert!(residual < bound, "{:?} {residual}", key(i));
+        let is_reference =
+            ["number", "evolution", "rate_hz"].map(|name| &*row[name]) == ["f64", "path", "1000.0"];
+        if is_reference {
+            assert_eq!(errors, [[0.0; 4]; 2]);
+            assert_eq!(
+                ["other_state", "slips_too_many", "slips_too_few"].map(|name| &*row[name]),
+                ["0"; 3]
+            );
+        }
+        assert!(number("frames") > 0.0 && number("host_ns") > 0.0, "{row:?}");
+        let bound = if row["number"] == "f64" { 1e-9 } else { 2e-3 };
+        assert!(number("worst_residual") < bound, "{row:?}");
     }
 }
 
@@ -140,7 +115,7 @@ fn pictures(folder: &Folder) {
 #[test]
 fn what_was_counted_on_chips_is_added() {
     let folder = Folder::new();
-    let output = folder.stiction(&["trade", "--quick", "--emulated", "--table"]);
+    let output = folder.stiction("trade --quick --emulated --table");
     let message = text(&output.stderr);
     assert!(output.status.success(), "{message}");
     let report: Value = serde_json::from_str(&folder.read("trade/trade.json")).expect("JSON");
@@ -198,7 +173,7 @@ fn a_recorded_hand_takes_the_place_of_the_synthetic_one() {
         .map(|t| format!("{t},{},{},{}\n", (3.0 * t).sin(), (2.0 * t).cos(), 0.3 * t))
         .collect();
     folder.write("mine.csv", format!("t,x,y,phi\n{path}"));
-    let output = folder.stiction(&["trade", "--quick", "--hand", "mine.csv"]);
+    let output = folder.stiction("trade --quick --hand mine.csv");
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(text(&output.stdout).contains("a recorded hand (mine.csv"));
     assert_eq!(folder.names(), ["mine.csv", "trade"]);
@@ -210,26 +185,18 @@ fn what_cannot_be_used_is_refused_before_anything_is_measured() {
     folder.write("file", "a file");
     folder.write("bad.csv", "t,x,y\n0,0,0\n");
     folder.write("long.csv", "t,x,y,phi\n0,0,0,0\n1000,1,0,0\n");
-    let cases: &[(&[&str], &[&str])] = &[
-        (&["--out", "file"], &["file", "cannot be written"]),
-        (
-            &["--out", "file/below"],
-            &["file/below", "cannot be written"],
-        ),
-        (&["--hand", "bad.csv"], &["bad.csv", "line 1", "header"]),
-        (&["--hand", "long.csv"], &["long.csv", "1000 s", "600 s"]),
-        (&["--hand", "absent.csv"], &["absent.csv"]),
-        (&["--speed"], &["--speed"]),
-    ];
     let before = folder.names();
-    for &(arguments, expected) in cases {
-        let output = folder.stiction(&[&["trade", "--quick"], arguments].concat());
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-        for part in expected {
-            assert!(message.contains(part), "{part:?} is not in: {message}");
-        }
+    for (options, expected) in [
+        ("--out file", &["file", "cannot be written"][..]),
+        ("--out file/below", &["file/below", "cannot be written"]),
+        ("--hand bad.csv", &["bad.csv", "line 1", "header"]),
+        ("--hand long.csv", &["long.csv", "1000 s", "600 s"]),
+        ("--hand absent.csv", &["absent.csv"]),
+        ("--speed", &["--speed"]),
+    ] {
+        let output = folder.stiction(&format!("trade --quick {options}"));
+        assert_error(options, &output, expected);
         assert!(output.stdout.is_empty());
-        assert_eq!(folder.names(), before, "{arguments:?}");
+        assert_eq!(folder.names(), before, "{options}");
     }
 }

@@ -4,7 +4,7 @@
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
-use crate::common::{Folder, text};
+use crate::common::Folder;
 
 /// What runs the program in the text.
 const PROGRAM: &str = "cargo run --release -- ";
@@ -40,9 +40,9 @@ fn words(text: &str) -> String {
 }
 
 /// Starts the page, waits until it is served, and ends it; not by SIGINT, which programs in the background of a shell do not hear.
-fn page(folder: &Folder, arguments: &[&str]) {
+fn page(folder: &Folder, line: &str) {
     let mut child = Command::new(env!("CARGO_BIN_EXE_stiction"))
-        .args(arguments)
+        .args(line.split_whitespace())
         .args(["--listen", "127.0.0.1:0", "--recordings", "recordings"])
         .current_dir(folder.file(""))
         .stdout(Stdio::piped())
@@ -77,14 +77,12 @@ fn the_tutorial_does_what_it_says() {
             "sh" => {
                 counts[1] += 1;
                 let command = block.trim().strip_prefix(PROGRAM);
-                let arguments: Vec<&str> = command.expect(PROGRAM).split_whitespace().collect();
-                if arguments[0] == "view" {
-                    page(&folder, &arguments);
+                let line = command.expect(PROGRAM);
+                if line.starts_with("view") {
+                    page(&folder, line);
                     continue;
                 }
-                let output = folder.stiction(&arguments);
-                assert!(output.status.success(), "{block}{}", text(&output.stderr));
-                said = words(&text(&output.stdout));
+                said = words(&folder.done(line));
             }
             "text" => {
                 for line in block.lines() {

@@ -25,8 +25,7 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The bundled scene `file`, at most `frames` long after the first leg.
-    pub(crate) fn new(name: &'static str, file: &str, frames: usize) -> Self {
+    pub(crate) fn new(name: &'static str, file: &str) -> Self {
         let source = scenes::find(Path::new(file)).expect("the scene is bundled");
         let scene =
             SceneFile::parse(source, Number::F32.limit()).expect("a bundled scene is sound");
@@ -36,10 +35,9 @@ impl Case {
         let rate = scene.hand.rate.expect("keyframes have a rate");
         let legs: Vec<_> = path.frames(None).collect();
         let pressed = legs[1].t + 0.5 / rate;
-        let (press, mut drag): (Vec<_>, Vec<_>) = path
+        let (press, drag): (Vec<_>, Vec<_>) = path
             .frames(Some(rate))
             .partition(|sample| sample.t < pressed);
-        drag.truncate(frames);
         Self {
             name,
             scene,
@@ -58,7 +56,6 @@ impl Case {
         case
     }
 
-    /// The coefficients of friction as text.
     pub(crate) fn friction(&self) -> String {
         let surface = &self.scene.surfaces[0];
         let (stick, slip) = (surface.friction_static, surface.friction_dynamic);
@@ -135,13 +132,11 @@ impl Case {
     }
 }
 
-/// The hand's pose in a sample.
 pub(crate) fn hand_pose(sample: &Sample) -> Pose {
     let [x, y] = sample.hand.position;
     [x, y, sample.hand.angle.radians()]
 }
 
-/// A point of the body in the world frame (m).
 fn place([x, y, theta]: Pose, [vx, vy]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [x + cos * vx - sin * vy, y + sin * vx + cos * vy]

@@ -12,15 +12,12 @@ use crate::case::{Case, Pose};
 pub(crate) trait Engine {
     /// The hand's pose in the engine's own numbers.
     type Hand: Copy;
-    /// Its name and version.
     fn name() -> String;
     /// The case before its first frame.
     fn new(case: &Case) -> Self;
     /// From the path's numbers to the engine's.
     fn hand(sample: &Sample) -> Self::Hand;
-    /// One frame.
     fn step(&mut self, hand: Self::Hand);
-    /// The body after the frame.
     fn pose(&self) -> Pose;
 }
 

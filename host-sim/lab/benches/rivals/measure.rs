@@ -18,7 +18,6 @@ const STANDS: f64 = 1e-6;
 /// A shorter motion of the foot is not a slip (m); the slips of the statics are longer than 1 mm here.
 const SETTLES: f64 = 1e-4;
 
-/// The results of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Findings {
     /// The pose after the first leg.

@@ -30,14 +30,12 @@ const CONTACT_FREQUENCY: f32 = 5000.0;
 /// The size of objects here relative to rapier's metre, which scales its tolerances.
 const LENGTH_UNIT: f32 = 0.1;
 
-/// The hand in one frame.
 #[derive(Clone, Copy)]
 pub(crate) struct Target {
     position: Vector,
     angle: f32,
 }
 
-/// Stiffness and damping of a spring.
 struct Spring {
     stiffness: f32,
     damping: f32,

@@ -2,17 +2,15 @@
 //! frame and the stack, as messages from a board and printed totals; see [`stiction_firmware::count`].
 
 use std::fs;
-use std::process::Stdio;
 
 use stiction_core::{Evolution, Hand, narrow_hand};
 use stiction_firmware::count::Totals;
-use stiction_host_sim::firmware::image::flashed;
-use stiction_host_sim::firmware::process::{EmulatorError, require_qemu_arm};
+use stiction_host_sim::firmware::process::EmulatorError;
 use stiction_scene::{NumberType, SceneFile, WrittenScene};
 use stiction_wire::{Command, CommandAmong, Decoder, Mode, Pose, Report, SceneAmong, SceneCommand};
 
 use super::image::Image;
-use super::{Board, Profile, estimate};
+use super::{Board, Profile};
 
 /// A frame of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,6 +38,19 @@ impl Counted {
     /// The frames without the start.
     pub fn steps(&self) -> &[Frame] {
         self.frames.get(1..).unwrap_or_default()
+    }
+
+    /// Instructions or cycles of a step, on average; 0 without one.
+    pub fn mean(&self) -> f64 {
+        let steps = self.steps();
+        let sum: f64 = steps.iter().map(|step| f64::from(step.instructions)).sum();
+        sum / steps.len().max(1) as f64
+    }
+
+    /// Instructions or cycles of the longest step; 0 without one.
+    pub fn worst(&self) -> u32 {
+        let instructions = self.steps().iter().map(|step| step.instructions);
+        instructions.max().unwrap_or(0)
     }
 
     /// From the reports of a board, and the totals that it prints.
@@ -164,41 +175,5 @@ impl Counter {
         let line = ["count", "job", "results", &budget];
         let printed = self.board.run(&self.image, (folder.path(), &line), true)?;
         Counted::read(&fs::read(folder.path().join("results"))?, &printed)
-    }
-
-    /// Runs a job on a board with the instructions of a Cortex-M4F, in QEMU: the average number of cycles per instruction of a
-    /// step, an upper estimate from the cycles that Arm specifies.
-    ///
-    /// # Errors
-    /// The errors of [`Counter::count`]; also fails for any other board.
-    pub fn estimate(&self, job: &[u8]) -> Result<f64, EmulatorError> {
-        let (Some(qemu), Some(flash)) = (self.board.qemu(), self.board.estimated()) else {
-            let what = format!("no cycles are known of a {}", self.board.name());
-            return Err(EmulatorError::Output(what));
-        };
-        require_qemu_arm()?;
-        let folder = tempfile::tempdir()?;
-        fs::write(folder.path().join("job"), job)?;
-        let line = ["count", "job", "results", "4294967295"];
-        let mut command = qemu.command(&self.image, (folder.path(), &line), true);
-        // Each instruction is executed separately, with a line of standard error for each.
-        command.args(["-accel", "tcg,one-insn-per-tb=on", "-d", "exec,nochain"]);
-        command.stdin(Stdio::null()).stdout(Stdio::null());
-        let mut child = command.stderr(Stdio::piped()).spawn()?;
-        let contents = flashed(self.image.path(), flash)?;
-        let taken = child
-            .stderr
-            .take()
-            .map(|log| estimate::read(log, (&contents, flash)));
-        let status = child.wait()?;
-        match taken {
-            Some(taken) if status.success() => {
-                let taken = taken?;
-                Ok(taken.cycles as f64 / taken.instructions as f64)
-            }
-            _ => Err(EmulatorError::Output(format!(
-                "the emulator ends with {status}"
-            ))),
-        }
     }
 }

@@ -133,7 +133,6 @@ fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
     Ok(flash)
 }
 
-/// Builds a binary of the firmware for a board.
 fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     let mut cargo = cargo(profile, Some(board.target()));
     cargo.args(["--features", "board", "--bin", binary]);
@@ -147,7 +146,6 @@ fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     cargo
 }
 
-/// Builds something of the firmware.
 fn cargo(profile: Profile, target: Option<&str>) -> Command {
     let mut cargo = cargo_build(workspace(), profile.name());
     cargo.args(["--package", "stiction-firmware"]);

@@ -51,7 +51,6 @@ struct Program {
     printed: Vec<u8>,
 }
 
-/// An open file.
 enum Stream {
     File(File),
     Console,
@@ -193,7 +192,6 @@ const fn index(handle: u32) -> usize {
     (handle as usize).wrapping_sub(1)
 }
 
-/// The result of a call.
 enum Served {
     Answer(u32),
     Exit(u32),

@@ -21,10 +21,9 @@ pub(super) struct Measured {
 impl Measured {
     /// The count per frame (see [`Chip::unit`]), mean and worst, without the start. `None`: there is no other frame.
     pub(super) fn per_frame(&self) -> Option<[u64; 2]> {
-        let steps = self.counted.steps();
-        let sum: u64 = steps.iter().map(|step| u64::from(step.instructions)).sum();
-        let worst = steps.iter().map(|step| step.instructions).max()?;
-        Some([sum / steps.len() as u64, u64::from(worst)])
+        let counted = &self.counted;
+        let figures = [counted.mean() as u64, counted.worst().into()];
+        (!counted.steps().is_empty()).then_some(figures)
     }
 }
 

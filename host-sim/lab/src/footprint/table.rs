@@ -18,11 +18,9 @@ their time at the clock of the chip, M4F 168 MHz, M33 150 MHz, M0 16 MHz, M0+ 12
 instructions and time are those of the build for speed.
 ";
 
-/// A scene on a chip.
 #[derive(Clone)]
 pub(super) struct Row {
     pub(super) scene: String,
-    /// The smallest model.
     pub(super) model: SceneModel,
     pub(super) chip: Chip,
     pub(super) evolution: Evolution,
@@ -77,7 +75,6 @@ fn or_none(figure: Option<impl fmt::Display>) -> String {
     figure.map_or_else(|| "-".to_owned(), |figure| figure.to_string())
 }
 
-/// The table of these rows.
 pub(super) fn table(rows: &[Row]) -> Table {
     let mut table = Table::new(COLUMNS);
     rows.iter().for_each(|row| table.row(row.cells()));

@@ -18,7 +18,6 @@ const PERIPHERAL: u32 = !0x3FFF;
 pub(crate) struct Own {
     pub(crate) uart: Uart,
     pub(crate) watchdog: Watchdog,
-    /// Cycles since power-up.
     pub(crate) now: u64,
     /// A peripheral that acts on its own was read or written.
     pub(crate) is_touched: bool,

@@ -251,7 +251,6 @@ impl Chip {
         waiting.is_some_and(|(_, waiting)| highest.is_none_or(|active| i16::from(waiting) < active))
     }
 
-    /// Advances the time.
     fn pass(&mut self, cycles: u64) {
         self.own.now += cycles;
         self.emulator.bus.advance_lazy_scheduled(cycles);

@@ -16,7 +16,6 @@ const RAISED: u32 = 0x3C;
 const MASKED: u32 = 0x40;
 const CLEAR: u32 = 0x44;
 
-/// The causes of its interrupt.
 const CAN_RECEIVE: u32 = 1 << 4;
 const CAN_SEND: u32 = 1 << 5;
 const TIMEOUT: u32 = 1 << 6;
@@ -72,7 +71,6 @@ impl Uart {
         std::mem::take(&mut self.gone)
     }
 
-    /// Resets the chip's side; the line continues.
     pub(crate) fn reset(&mut self) {
         *self = Self {
             next_in: self.next_in,
@@ -159,7 +157,6 @@ impl Uart {
         self.raised | (u32::from(can_receive) * CAN_RECEIVE)
     }
 
-    /// Reads a register.
     pub(crate) fn read(&mut self, offset: u32) -> u32 {
         match offset {
             DATA => self.take(),

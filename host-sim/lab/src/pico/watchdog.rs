@@ -5,7 +5,6 @@ const CONTROL: u32 = 0x00;
 const LOAD: u32 = 0x04;
 const REASON: u32 = 0x08;
 
-/// Bits of the control register.
 const ENABLED: u32 = 1 << 30;
 const TRIGGER: u32 = 1 << 31;
 
@@ -15,7 +14,6 @@ pub(crate) struct Watchdog {
     control: u32,
     /// When it resets the chip (cycles), if it is enabled.
     ends: u64,
-    /// Why the chip was reset.
     reason: u32,
 }
 
@@ -45,7 +43,6 @@ impl Watchdog {
         };
     }
 
-    /// The contents of a register.
     pub(crate) const fn read(&self, offset: u32) -> u32 {
         match offset {
             CONTROL => self.control,

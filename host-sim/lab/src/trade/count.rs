@@ -12,7 +12,6 @@ use stiction_scene::{NumberType, SceneModel, rust_source};
 
 use crate::emulator::{Board, Counter, Profile, footprint, job};
 
-/// How images are built.
 const PROFILE: Profile = Profile::Device;
 
 /// A number type on a chip.
@@ -55,7 +54,6 @@ impl Build {
     }
 }
 
-/// A solver on a chip.
 struct Built {
     counter: Counter,
     /// Its increase of an image's size (bytes).

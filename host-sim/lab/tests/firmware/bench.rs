@@ -29,7 +29,6 @@ impl Bench {
         Some(bench)
     }
 
-    /// A ms goes by.
     pub(crate) fn pass(&mut self) {
         self.chip.run(MS);
         self.client.listen(&self.chip.gone());
@@ -53,7 +52,6 @@ impl Bench {
         panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
     }
 
-    /// Sends a command that the board executes.
     pub(crate) fn done(&mut self, command: Command<'_>) {
         let sequence = self.client.sequence;
         self.send(command);

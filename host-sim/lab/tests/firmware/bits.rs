@@ -75,49 +75,20 @@ pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberT
     }
 }
 
-#[test]
-fn poses_of_the_f405_are_those_of_f32() {
-    same_bits::<f32>(&F405, NumberType::F32, SAMPLES);
+fn same_bits_of_all(samples: u32) {
+    same_bits::<f32>(&F405, NumberType::F32, samples);
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, samples);
+    same_bits::<Fixed>(&PICO, NumberType::Fixed, samples);
+    same_bits::<f32>(&AN505, NumberType::F32, samples);
 }
 
 #[test]
-fn poses_of_the_microbit_are_those_of_fixed() {
-    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, SAMPLES);
-}
-
-#[test]
-fn poses_of_the_pico_are_those_of_fixed() {
-    same_bits::<Fixed>(&PICO, NumberType::Fixed, SAMPLES);
-}
-
-#[test]
-fn poses_in_the_place_of_the_pico_2_are_those_of_f32() {
-    same_bits::<f32>(&AN505, NumberType::F32, SAMPLES);
-}
-
-/// Poses of each board that are compared where there is more time.
-const MANY: u32 = 100_000;
-
-#[test]
-#[ignore = "takes minutes"]
-fn many_poses_of_the_f405_are_those_of_f32() {
-    same_bits::<f32>(&F405, NumberType::F32, MANY);
+fn poses_of_every_board_are_those_of_its_number_type() {
+    same_bits_of_all(SAMPLES);
 }
 
 #[test]
 #[ignore = "takes minutes"]
-fn many_poses_of_the_microbit_are_those_of_fixed() {
-    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, MANY);
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn many_poses_of_the_pico_are_those_of_fixed() {
-    same_bits::<Fixed>(&PICO, NumberType::Fixed, MANY);
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn many_poses_in_the_place_of_the_pico_2_are_those_of_f32() {
-    same_bits::<f32>(&AN505, NumberType::F32, MANY);
+fn many_poses_of_every_board_are_those_of_its_number_type() {
+    same_bits_of_all(100_000);
 }

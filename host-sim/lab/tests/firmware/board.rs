@@ -16,7 +16,6 @@ const PATIENCE: Duration = Duration::from_secs(180);
 /// What is not answered is sent again.
 pub(crate) const AGAIN: Duration = Duration::from_secs(5);
 
-/// A board that runs.
 pub(crate) struct Board {
     pub(crate) chip: &'static Chip,
     pub(crate) image: Image,
@@ -52,7 +51,6 @@ impl Board {
         Some(board)
     }
 
-    /// Sends bytes as they are.
     pub(crate) fn send_bytes(&mut self, mut bytes: &[u8]) {
         let begun = Instant::now();
         while !bytes.is_empty() {
@@ -181,7 +179,6 @@ impl Board {
         }
     }
 
-    /// The next health.
     pub(crate) fn health(&mut self) -> Health {
         self.wait(|_, said| match said {
             Said::Health(health) => Some(*health),

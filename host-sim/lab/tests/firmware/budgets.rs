@@ -153,36 +153,21 @@ fn figures_within_budget(chip: &'static Chip) {
 }
 
 #[test]
-fn the_f405_is_within_its_budget() {
-    within_budget(&F405);
-}
-
-#[test]
-fn the_microbit_is_within_its_budget() {
-    within_budget(&MICROBIT);
-}
-
-#[test]
-fn the_pico_is_within_its_budget() {
+fn every_board_is_within_its_budget() {
+    for chip in [&F405, &MICROBIT, &AN505] {
+        within_budget(chip);
+    }
     // What serves USB has places where it panics: `pico` shows what happens then.
     figures_within_budget(&PICO);
 }
 
 #[test]
-fn in_the_place_of_the_pico_2_all_is_within_its_budget() {
-    within_budget(&AN505);
-}
-
-/// Nothing panics in it, and it fits.
-fn fits_among_obstacles(chip: &Chip) {
-    let Some(image) = chip.image() else { return };
+fn the_f405_with_obstacles_is_within_its_budget() {
+    let Some(image) = F405_AMONG.image() else {
+        return;
+    };
     assert_eq!(image.contents.panics(), [""; 0]);
-    let budget = Budget::named(&format!("{}-obstacles", chip.name()));
+    let budget = Budget::named(&format!("{}-obstacles", F405_AMONG.name()));
     budget.holds("flash", image.contents.flash);
     budget.holds("variables", image.contents.variables);
-}
-
-#[test]
-fn the_f405_with_obstacles_is_within_its_budget() {
-    fits_among_obstacles(&F405_AMONG);
 }

@@ -11,7 +11,6 @@ use stiction_host_sim::firmware::image::Contents;
 use stiction_host_sim::firmware::process::{if_installed, output_of};
 use stiction_host_sim::firmware::workspace;
 
-/// A board with its emulator.
 #[derive(Debug)]
 pub(crate) struct Chip {
     pub(crate) board: Board,
@@ -41,28 +40,23 @@ pub(crate) const PANTOGRAPH: Chip = Chip {
 
 pub(crate) const MICROBIT: Chip = Chip {
     board: Board::MICROBIT,
-    features: "",
-    is_small: false,
     shift: 6,
     line_rate: 11_520,
+    ..F405
 };
 
 /// Its clock goes with the real one.
 pub(crate) const PICO: Chip = Chip {
     board: Board::PICO,
-    features: "",
-    is_small: false,
     shift: 0,
-    line_rate: 92_160,
+    ..F405
 };
 
 /// No emulator runs its image: it is built and looked into.
 pub(crate) const PICO2: Chip = Chip {
     board: Board::PICO2,
-    features: "",
-    is_small: false,
     shift: 0,
-    line_rate: 92_160,
+    ..F405
 };
 
 /// In the place of the Pico 2: an instruction takes 1.2 of its cycles.
@@ -78,13 +72,11 @@ pub(crate) const PICO_FLASHED: Chip = Chip {
     ..PICO
 };
 
-/// With a knob of its own.
 pub(crate) const KNOB: Chip = Chip {
     features: "knob",
     ..PICO
 };
 
-/// With a pantograph of its own.
 pub(crate) const PICO_PANTOGRAPH: Chip = Chip {
     features: "pantograph",
     ..PICO
@@ -96,13 +88,11 @@ pub(crate) const ENDING_AN505: Chip = Chip {
     ..AN505
 };
 
-/// For little flash.
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,
     ..MICROBIT
 };
 
-/// With room for obstacles.
 pub(crate) const F405_AMONG: Chip = Chip {
     features: OBSTACLES,
     ..F405
@@ -111,7 +101,6 @@ pub(crate) const F405_AMONG: Chip = Chip {
 /// The images that are built. Who builds one holds this until it has a copy: the next one takes its place.
 pub(crate) static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// An image and what is in it.
 pub(crate) struct Image {
     pub(crate) path: PathBuf,
     pub(crate) contents: Contents,
@@ -156,7 +145,6 @@ impl Chip {
     }
 }
 
-/// The file of a bundled scene of the host.
 pub(crate) fn bundled(name: &str) -> PathBuf {
     let scenes = workspace().join("host-sim/scenes");
     scenes.join(name).with_extension("toml")

@@ -67,8 +67,7 @@ fn another_tick_rate_misses_no_tick() {
 #[test]
 fn commands_in_mid_contact() {
     let _alone = alone();
-    in_mid_contact(&F405);
-    in_mid_contact(&MICROBIT);
-    in_mid_contact(&PICO);
-    in_mid_contact(&AN505);
+    for chip in [&F405, &MICROBIT, &PICO, &AN505] {
+        in_mid_contact(chip);
+    }
 }

@@ -102,27 +102,11 @@ fn client_dies(chip: &'static Chip) {
 }
 
 #[test]
-fn a_client_dies_in_a_frame_and_another_goes_on_with_the_f405() {
+fn a_client_dies_in_a_frame_and_another_goes_on() {
     let _alone = alone();
-    client_dies(&F405);
-}
-
-#[test]
-fn a_client_dies_in_a_frame_and_another_goes_on_with_the_microbit() {
-    let _alone = alone();
-    client_dies(&MICROBIT);
-}
-
-#[test]
-fn a_client_dies_in_a_frame_and_another_goes_on_with_the_pico() {
-    let _alone = alone();
-    client_dies(&PICO);
-}
-
-#[test]
-fn a_client_dies_in_a_frame_and_another_goes_on_in_the_place_of_the_pico_2() {
-    let _alone = alone();
-    client_dies(&AN505);
+    for chip in [&F405, &MICROBIT, &PICO, &AN505] {
+        client_dies(chip);
+    }
 }
 
 /// Noise, and then pings: first as fast as the emulator takes them, which a board survives; then as fast as a line brings
@@ -156,27 +140,16 @@ fn flood(chip: &'static Chip, size: usize) {
 }
 
 #[test]
-fn a_flood_does_not_stop_the_f405() {
+fn a_flood_stops_no_board() {
     let _alone = alone();
-    flood(&F405, 60_000);
-}
-
-#[test]
-fn a_flood_does_not_stop_the_microbit() {
-    let _alone = alone();
-    flood(&MICROBIT, 30_000);
-}
-
-#[test]
-fn a_flood_does_not_stop_the_pico() {
-    let _alone = alone();
-    flood(&PICO, 60_000);
-}
-
-#[test]
-fn a_flood_does_not_stop_what_is_in_the_place_of_the_pico_2() {
-    let _alone = alone();
-    flood(&AN505, 60_000);
+    for (chip, size) in [
+        (&F405, 60_000),
+        (&MICROBIT, 30_000),
+        (&PICO, 60_000),
+        (&AN505, 60_000),
+    ] {
+        flood(chip, size);
+    }
 }
 
 /// Both directions are damaged: every pose that the board sends is that of a sample that was sent, bit for bit, and every
@@ -256,36 +229,21 @@ fn poses(client: &mut Client) -> Vec<Pose> {
     .collect()
 }
 
-#[test]
-fn no_wrong_pose_over_a_faulty_line_to_the_f405() {
+fn faulty_lines(frames: u32) {
     let _alone = alone();
-    faulty_line::<f32>(&F405, 4_000, 400);
+    faulty_line::<f32>(&F405, frames, 400);
+    faulty_line::<Fixed>(&MICROBIT, frames, 400);
+    faulty_line::<Fixed>(&PICO, frames, 400);
+    faulty_line::<f32>(&AN505, frames, 400);
 }
 
 #[test]
-fn no_wrong_pose_over_a_faulty_line_to_the_microbit() {
-    let _alone = alone();
-    faulty_line::<Fixed>(&MICROBIT, 4_000, 400);
-}
-
-#[test]
-fn no_wrong_pose_over_a_faulty_line_to_the_pico() {
-    let _alone = alone();
-    faulty_line::<Fixed>(&PICO, 4_000, 400);
-}
-
-#[test]
-fn no_wrong_pose_over_a_faulty_line_to_what_is_in_the_place_of_the_pico_2() {
-    let _alone = alone();
-    faulty_line::<f32>(&AN505, 4_000, 400);
+fn no_wrong_pose_over_a_faulty_line() {
+    faulty_lines(4_000);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn no_wrong_pose_in_100_000_frames_over_faulty_lines() {
-    let _alone = alone();
-    faulty_line::<f32>(&F405, 100_000, 400);
-    faulty_line::<Fixed>(&MICROBIT, 100_000, 400);
-    faulty_line::<Fixed>(&PICO, 100_000, 400);
-    faulty_line::<f32>(&AN505, 100_000, 400);
+    faulty_lines(100_000);
 }

@@ -22,7 +22,6 @@ const TIMED: [&str; 4] = [
     " faulty, ",
 ];
 
-/// A session and its transcript.
 struct Transcript {
     session: Session,
     client: Client,

@@ -8,7 +8,6 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Registers, by their numbers.
 const STACK_POINTER: u8 = 13;
 const PROGRAM_COUNTER: u8 = 15;
 /// Nothing is there, and nothing there is code.
@@ -25,7 +24,6 @@ fn ask(line: &mut UnixStream, command: &str) {
     write!(line, "${command}#{sum:02x}").unwrap();
 }
 
-/// Sends a command, and returns its answer.
 fn answer(line: &mut UnixStream, command: &str) -> String {
     ask(line, command);
     let mut text = String::new();

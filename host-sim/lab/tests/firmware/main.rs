@@ -22,5 +22,4 @@ mod session;
 mod silence;
 mod table;
 mod template;
-mod uf2;
 mod wiring;

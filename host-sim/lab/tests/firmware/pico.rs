@@ -53,7 +53,6 @@ impl Bench {
         assert_eq!(self.chip.resets(), 1);
     }
 
-    /// A drag with a sample for every tick.
     fn drag(&mut self, case: &Case) -> u32 {
         case.scene
             .described(|scene| self.done(Command::Scene(SceneCommand::from(scene))));
@@ -123,13 +122,11 @@ fn a_fault_is_zero_force_and_a_restart() {
 /// What random drags come to.
 struct Drags {
     health: Health,
-    /// Ticks missed.
     missed: u32,
     /// The longest tick, by the emulator (cycles).
     tick: u64,
 }
 
-/// Random drags until so many frames have passed.
 fn random_drags(frames: u32) -> Option<Drags> {
     /// Of the timer.
     const TICK: u32 = 0;

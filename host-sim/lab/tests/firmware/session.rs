@@ -70,7 +70,6 @@ impl Session {
         line.trim_start_matches("INFO").trim_start().to_owned()
     }
 
-    /// Sends bytes as they are.
     pub(crate) fn send(&mut self, bytes: &[u8]) {
         self.line.write_all(bytes).unwrap();
     }
@@ -94,7 +93,6 @@ impl Drop for Session {
     }
 }
 
-/// What a program prints, line by line.
 fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
     let (sender, receiver) = channel();
     thread::spawn(move || {

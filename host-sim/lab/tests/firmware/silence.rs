@@ -66,7 +66,6 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     Some(silence_of(&mut Board::start(chip)?))
 }
 
-/// Silence on a board that runs.
 pub(crate) fn silence_of(board: &mut Board) -> u32 {
     let mode = board.info().mode;
     board.done(Command::Mode(Mode {
@@ -92,25 +91,9 @@ pub(crate) fn silence_of(board: &mut Board) -> u32 {
 }
 
 #[test]
-fn silence_on_the_f405_is_zero_force_within_20_ms() {
+fn silence_is_zero_force_within_20_ms_on_every_board() {
     let _alone = alone();
-    silence(&F405);
-}
-
-#[test]
-fn silence_on_the_microbit_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&MICROBIT);
-}
-
-#[test]
-fn silence_on_the_pico_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&PICO);
-}
-
-#[test]
-fn silence_in_the_place_of_the_pico_2_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&AN505);
+    for chip in [&F405, &MICROBIT, &PICO, &AN505] {
+        silence(chip);
+    }
 }

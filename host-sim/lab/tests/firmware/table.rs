@@ -15,7 +15,6 @@ const COMMAND: &str = "cargo test -p stiction-lab --test firmware -- --ignored t
 /// Smaller ones than the board's own.
 const SCENES: [&str; 2] = ["box-flat", "point-stick-slip"];
 
-/// A board in the table.
 struct Column {
     taken: Taken,
     /// The flash with [`SCENES`] compiled in (bytes).
@@ -41,7 +40,6 @@ fn column(chip: &'static chip::Chip, timing: Chip) -> Option<Column> {
 }
 
 impl Column {
-    /// The time of instructions (s).
     fn seconds(&self, instructions: u32) -> f64 {
         1e-6 * self.timing.microseconds(f64::from(instructions))
     }
@@ -54,7 +52,6 @@ impl Column {
     }
 }
 
-/// A figure of a column.
 type Row = (&'static str, fn(&Column) -> String);
 
 const ROWS: [Row; 16] = [

@@ -71,7 +71,6 @@ fn template(packages: &Path) -> TempDir {
     folder
 }
 
-/// A program of the template.
 fn program(folder: &Path, features: &[&str], target: &str) -> Option<Image> {
     let mut cargo = cargo_build(folder, "release");
     let target_folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("template");

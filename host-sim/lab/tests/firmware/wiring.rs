@@ -7,7 +7,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use stiction_host_sim::firmware::workspace;
 
-/// What the pins of the program drive.
 const OUTPUTS: u32 = 0xD000_0010;
 
 /// The pins of a drawing: of a part and its wire, the number behind GP.
@@ -56,7 +55,6 @@ impl Pins {
     }
 }
 
-/// An encoder at two pins.
 pub(crate) struct Tracks {
     a: u32,
     b: u32,
@@ -93,7 +91,6 @@ pub(crate) fn turn(bench: &mut Bench, tracks: &mut [Tracks], to: &[i32]) {
     bench.client.inbox.clear();
 }
 
-/// The driver of a motor at two pins.
 pub(crate) struct Driver {
     pwm: u32,
     direction: u32,

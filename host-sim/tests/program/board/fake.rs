@@ -14,21 +14,18 @@ use stiction_wire::{
     Reference, Reply, Report, SceneCommand, Subject, Text, frame_bytes, scene_bytes, wire_bytes,
 };
 
-use super::made::{info, of_version};
+use super::made::{OF_VERSION_1, info};
 
 pub(crate) const VERTICES: usize = 16;
 pub(crate) const SURFACES: usize = 8;
 pub(crate) const LONGEST: usize = frame_bytes(scene_bytes(VERTICES, SURFACES));
 pub(crate) const FASTEST: u16 = 5000;
 
-/// What goes wrong.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tricks {
     /// The lowest bit of this part of the answer to this sample (from 0).
     pub(crate) flip: Option<(u64, Part)>,
-    /// The answers to these samples are not sent.
     pub(crate) lost: Vec<u64>,
-    /// The forces of these are not sent.
     pub(crate) forceless: Vec<u64>,
     /// Garbage stands before every report.
     pub(crate) garbage: bool,
@@ -36,9 +33,7 @@ pub(crate) struct Tricks {
     pub(crate) silent_after: Option<u64>,
     /// After so many samples it goes away, the first time.
     pub(crate) leaves_after: Option<u64>,
-    /// It speaks another version.
-    pub(crate) version: Option<u8>,
-    /// It sends back what it gets.
+    pub(crate) is_of_version_1: bool,
     pub(crate) echo: bool,
     /// Bytes that its line transfers in a second.
     pub(crate) line_rate: Option<f32>,
@@ -50,7 +45,6 @@ pub(crate) struct Tricks {
     pub(crate) measures: bool,
 }
 
-/// A part of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     PoseX,
@@ -60,12 +54,10 @@ pub(crate) enum Part {
     Sliding,
 }
 
-/// What a board saw.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Seen {
     /// Hands that came.
     pub(crate) samples: u64,
-    /// The last mode.
     pub(crate) mode: Mode,
 }
 
@@ -252,9 +244,9 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         if self.tricks.garbage {
             self.out.extend([7, 1, 2, 0, 3, 9, 9, 0]);
         }
-        match self.tricks.version {
-            None => self.out.extend(wire),
-            Some(version) => self.out.extend(of_version(wire, version)),
+        match self.tricks.is_of_version_1 {
+            false => self.out.extend(wire),
+            true => self.out.extend(OF_VERSION_1),
         }
     }
 

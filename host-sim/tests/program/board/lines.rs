@@ -9,8 +9,8 @@ use serial2::SerialPort;
 use stiction_core::Fixed;
 
 use super::fake::{Tricks, behind_socket, behind_tcp, on};
-use super::{DRAGGED, SAMPLES, assert_error, board, place, said};
-use crate::common::{Folder, text};
+use super::{DRAGGED, SAMPLES, board, place};
+use crate::common::{Folder, assert_all, assert_error};
 
 /// A pseudo-terminal as a line.
 struct Terminal(SerialPort);
@@ -40,18 +40,11 @@ pub(crate) fn terminal() -> (impl Read + Write + Send + 'static, String, SerialP
     (Terminal(here), name, there)
 }
 
-fn assert_tells(said: &str, parts: &[&str]) {
-    for part in parts {
-        assert!(said.contains(part), "{part:?} in {said}");
-    }
-}
-
 #[test]
 fn info_is_a_table_over_a_socket() {
     let (folder, socket) = place(&DRAGGED);
     let _fake = behind_socket::<Fixed>(&socket, 1, Tricks::default());
-    let output = folder.stiction(&["info", "--socket", "line", "--timeout", "20"]);
-    assert!(output.status.success(), "{}", said(&output));
+    let said = folder.done("info --socket line --timeout 20");
     let parts = [
         "a thread",
         "0.1.0",
@@ -67,22 +60,20 @@ fn info_is_a_table_over_a_socket() {
         "force to the hand on",
         "0 missed",
     ];
-    assert_tells(&text(&output.stdout), &parts);
+    assert_all("info", &said, &parts);
 }
 
 /// The board at a place has the bits of this computer in every frame.
-fn assert_verified(folder: &Folder, place: [&str; 2]) {
-    let rest = ["--verify", "--timeout", "20"];
-    let output = folder.stiction(&[&["board", "scene.toml"], &place[..], &rest].concat());
-    assert!(output.status.success(), "{}", said(&output));
-    assert_tells(&said(&output), &["301 of 301 frames equal"]);
+fn assert_verified(folder: &Folder, place: &str) {
+    let said = folder.done(&format!("board scene.toml {place} --verify --timeout 20"));
+    assert!(said.contains("301 of 301 frames equal"), "{said}");
 }
 
 #[test]
 fn a_board_behind_tcp_is_verified() {
     let (folder, _) = place(&DRAGGED);
     let (address, fake) = behind_tcp::<f32>(Tricks::default());
-    assert_verified(&folder, ["--tcp", &address]);
+    assert_verified(&folder, &format!("--tcp {address}"));
     assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
 }
 
@@ -91,92 +82,52 @@ fn a_board_on_a_serial_port_is_verified() {
     let (folder, _) = place(&DRAGGED);
     let (line, port, _open) = terminal();
     let _fake = on::<f32>(line, Tricks::default());
-    assert_verified(&folder, ["--port", &port]);
+    assert_verified(&folder, &format!("--port {port}"));
 }
 
 #[test]
 fn a_line_without_a_board_is_said() {
     let (folder, _) = place(&DRAGGED);
-    let missing = folder.stiction(&["info", "--socket", "nowhere"]);
-    assert_error(&missing, &["nowhere: "]);
-    let missing = folder.stiction(&["info", "--port", "/dev/nowhere"]);
-    assert_error(&missing, &["/dev/nowhere at 921600 baud: "]);
-    let both = folder.stiction(&["info", "--socket", "a", "--tcp", "b:1"]);
-    assert_error(&both, &["cannot be used with"]);
-    assert_error(&folder.stiction(&["info"]), &["--port", "--emulate"]);
-}
-
-#[test]
-fn a_silent_board_is_an_error_after_the_time_given() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        silent_after: Some(0),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--timeout", "0.3", "--out", "trace.jsonl"]);
-    assert_error(
-        &output,
-        &["no answer to hello within 0.3 s; not a single byte came"],
-    );
-    assert_eq!(folder.names(), ["line", "scene.toml"]);
-}
-
-#[test]
-fn an_echo_is_distinguished_from_a_board() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        echo: true,
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--timeout", "0.3"]);
-    assert_error(&output, &["no answer to hello", "an echo"]);
-}
-
-#[test]
-fn another_version_is_an_error() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        version: Some(1),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    assert_error(
-        &board(&folder, &[]),
-        &["another version of the wire format, allowed: 2"],
-    );
+    for (line, expected) in [
+        ("info --socket nowhere", "nowhere: "),
+        ("info --port /dev/nowhere", "/dev/nowhere at 921600 baud: "),
+        ("info --socket a --tcp b:1", "cannot be used with"),
+        ("info", "--port"),
+        ("info", "--emulate"),
+    ] {
+        folder.refused(line, &[expected]);
+    }
 }
 
 /// A board without room for obstacles, or of version 2, says nothing of room.
 #[test]
 fn a_board_without_room_for_obstacles_is_an_error_with_the_numbers() {
-    let obstacle =
-        "[[obstacle]]\nname = \"post\"\nvertices = [[0.5, 0.0], [0.6, 0.0], [0.6, 0.1]]\n[hand]";
-    let (folder, socket) = place(&DRAGGED.replace("[hand]", obstacle));
+    let (folder, socket) = place(&with_obstacle("[[0.5, 0.0], [0.6, 0.0], [0.6, 0.1]]"));
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
+    let room = "the scene has 1 obstacles with 3 corners, allowed on this board: none";
+    let output = board(&folder, "");
     assert_error(
-        &board(&folder, &[]),
-        &[
-            "the scene has 1 obstacles with 3 corners, allowed on this board: none",
-            "feature `obstacles`",
-            "version 3",
-        ],
+        "no room",
+        &output,
+        &[room, "feature `obstacles`", "version 3"],
     );
 }
 
-#[test]
-fn an_obstacle_that_cannot_be_used_is_said_with_its_line() {
-    let obstacle = "[[obstacle]]\nvertices = [[0.5, 0.0], [0.6, 0.1], [0.6, 0.0]]\n[hand]";
-    let (folder, _) = place(&DRAGGED.replace("[hand]", obstacle));
-    let parts = ["scene.toml, line ", "obstacle[0].vertices["];
-    assert_error(&board(&folder, &[]), &parts);
+fn with_obstacle(vertices: &str) -> String {
+    let obstacle = format!("[[obstacle]]\nname = \"post\"\nvertices = {vertices}\n[hand]");
+    DRAGGED.replace("[hand]", &obstacle)
 }
 
 #[test]
 fn a_scene_that_cannot_be_used_is_said_before_anything_is_opened() {
-    let (folder, _) = place(&DRAGGED.replace("offset = 0.0", "offset = 1.0"));
-    assert_error(&board(&folder, &[]), &["scene.toml", "line "]);
-    let emulated = folder.stiction(&["board", "scene.toml", "--emulate", "toaster"]);
-    assert_error(&emulated, &["toaster", "olimex-stm32-h405, microbit"]);
+    let (folder, _) = place(&with_obstacle("[[0.5, 0.0], [0.6, 0.1], [0.6, 0.0]]"));
+    let parts = ["scene.toml, line ", "obstacle[0].vertices["];
+    assert_error("obstacle", &board(&folder, ""), &parts);
+    folder.write(
+        "scene.toml",
+        DRAGGED.replace("offset = 0.0", "offset = 1.0"),
+    );
+    assert_error("start", &board(&folder, ""), &["scene.toml", "line "]);
+    let boards = ["toaster", "olimex-stm32-h405, microbit"];
+    folder.refused("board scene.toml --emulate toaster", &boards);
 }

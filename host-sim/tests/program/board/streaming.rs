@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::fake::{Tricks, behind_socket};
-use super::{DRAGGED, SAMPLES, assert_error, board, place, said};
-use crate::common::{records, text};
+use super::fake::{Seen, Tricks, behind_socket};
+use super::{DRAGGED, SAMPLES, board, place, streamed, tricks};
+use crate::common::{VERTICES, assert_all, assert_error, records, said, text};
 
 /// The number at the beginning of a row of the summary.
 fn counted(said: &str, row: &str) -> u64 {
@@ -20,18 +20,12 @@ fn counted(said: &str, row: &str) -> u64 {
 
 #[test]
 fn lost_poses_are_counted_and_not_in_the_trace() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        lost: vec![0, 7, 150, 300],
-        forceless: vec![9],
-        ..Tricks::default()
-    };
-    let fake = behind_socket::<f32>(&socket, 1, tricks);
+    let faults = tricks(|t| (t.lost, t.forceless) = (vec![0, 7, 150, 300], vec![9]));
     // The last one is waited for.
-    let output = board(&folder, &["--out", "trace.jsonl", "--timeout", "1"]);
+    let (folder, output, seen) = streamed(faults, "--out trace.jsonl --timeout 1");
     let said = said(&output);
     assert!(output.status.success(), "{said}");
-    assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
+    assert_eq!(seen.samples, SAMPLES);
     assert_eq!(counted(&said, "samples"), SAMPLES, "{said}");
     assert_eq!(counted(&said, "poses"), SAMPLES - 4, "{said}");
     assert_eq!(
@@ -50,65 +44,31 @@ fn lost_poses_are_counted_and_not_in_the_trace() {
 
 #[test]
 fn a_stream_of_every_sample_leaves_the_trace_of_the_host() {
-    let (folder, socket) = place(&DRAGGED);
-    let fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let output = board(&folder, &["--out", "board.csv", "--quiet"]);
+    let (folder, output, _) = streamed(Tricks::default(), "--out board.csv --quiet");
     assert!(
         output.status.success() && output.stdout.is_empty(),
         "{}",
         said(&output)
     );
-    fake.join().expect("no panic");
-    folder.stiction(&["run", "scene.toml", "--out", "run.csv"]);
+    folder.done("run scene.toml --out run.csv");
     assert_eq!(folder.read("board.csv"), folder.read("run.csv"));
 }
 
 #[test]
-fn a_board_that_measures_the_hand_itself_ends_the_stream() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        measures: true,
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &[]);
-    assert_error(
-        &output,
-        &["refuses the hand", "no use for it", "no samples"],
-    );
-}
-
-#[test]
-fn a_refused_tick_rate_is_said_with_the_nearest() {
-    let (folder, socket) = place(&DRAGGED);
-    let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let output = board(&folder, &["--tick", "9000", "--out", "trace.jsonl"]);
-    let parts = [
-        "refuses the mode",
-        "9000.0 Hz",
-        "allowed: 1 to 5000",
-        "the nearest: 5000.0 Hz",
-    ];
-    assert_error(&output, &parts);
-    assert_eq!(folder.names(), ["line", "scene.toml"]);
-}
-
-#[test]
 fn a_scene_that_is_too_large_for_the_board_is_said() {
-    let many: String = (0..9)
-        .map(|i| {
-            format!(
-                "[[surface]]\nname = \"s{i}\"\nnormal = [0.0, 1.0]\noffset = -{}.0\n",
-                i + 1
-            )
-        })
-        .collect();
+    let surface =
+        |i| format!("[[surface]]\nname = \"s{i}\"\nnormal = [0.0, 1.0]\noffset = -{i}.0\n");
+    let many: String = (1..=9).map(surface).collect();
     let (hand, rest) = DRAGGED.split_at(DRAGGED.find("[hand]").expect("a hand"));
     let body = &hand[..hand.find("[[surface]]").expect("a surface")];
     let (folder, socket) = place(&format!("{body}{many}{rest}"));
     let fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let output = board(&folder, &[]);
-    assert_error(&output, &["refuses the scene", "number of surfaces is 9.0"]);
+    let output = board(&folder, "");
+    assert_error(
+        "surfaces",
+        &output,
+        &["refuses the scene", "number of surfaces is 9.0"],
+    );
     assert_eq!(fake.join().expect("no panic").samples, 0);
     // A frame longer than any that the board takes would never be answered.
     let corner = |i: i32| {
@@ -116,40 +76,27 @@ fn a_scene_that_is_too_large_for_the_board_is_said() {
         format!("[{:?}, {:?}]", 0.05 * angle.cos(), 0.05 * angle.sin())
     };
     let corners: Vec<String> = (0..60).map(corner).collect();
-    let own = "vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
     let vertices = format!("vertices = [{}]", corners.join(", "));
-    let (folder, socket) = place(&DRAGGED.replace(own, &vertices));
+    let (folder, socket) = place(&DRAGGED.replace(VERTICES, &vertices));
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    assert_error(
-        &board(&folder, &[]),
-        &[
-            "60 vertices and 2 surfaces",
-            "allowed: 16 vertices, 8 surfaces",
-        ],
-    );
+    let parts = [
+        "60 vertices and 2 surfaces",
+        "allowed: 16 vertices, 8 surfaces",
+    ];
+    assert_error("corners", &board(&folder, ""), &parts);
 }
 
 #[test]
 fn a_slow_line_gets_what_it_carries() {
-    for (arguments, tick_rate, pose_every) in [(&[][..], 1000, 3), (&["--verify"][..], 400, 1)] {
-        let (folder, socket) = place(&DRAGGED);
-        let tricks = Tricks {
-            line_rate: Some(40_000.0),
-            ..Tricks::default()
-        };
-        let fake = behind_socket::<f32>(&socket, 1, tricks);
-        let output = board(&folder, arguments);
+    for (options, tick_rate, pose_every) in [("", 1000, 3), ("--verify", 400, 1)] {
+        let slow = tricks(|t| t.line_rate = Some(40_000.0));
+        let (_, output, Seen { mode, .. }) = streamed(slow, options);
         assert!(output.status.success(), "{}", said(&output));
-        let mode = fake.join().expect("no panic").mode;
         assert_eq!(
             (mode.tick_rate, mode.pose_every, mode.forces_every),
             (tick_rate, pose_every, pose_every)
         );
-        assert!(
-            said(&output).contains("the line carries"),
-            "{}",
-            said(&output)
-        );
+        assert_all(options, &said(&output), &["the line carries"]);
     }
 }
 
@@ -158,26 +105,15 @@ fn a_board_that_comes_back_goes_on() {
     let (start, _) = DRAGGED.split_at(DRAGGED.find("[hand]").expect("a hand"));
     let hand = "[hand]\nrate = 100.0\nkeyframes = [[0.0, 0.2, 0.14, 0.5], [4.0, 0.2, 0.06, 0.5]]\n";
     let (folder, socket) = place(&format!("{start}{hand}"));
-    let tricks = Tricks {
-        leaves_after: Some(30),
-        ..Tricks::default()
-    };
-    let fake = behind_socket::<f32>(&socket, 2, tricks);
-    let output = board(&folder, &["--out", "trace.jsonl"]);
+    let fake = behind_socket::<f32>(&socket, 2, tricks(|t| t.leaves_after = Some(30)));
+    let output = board(&folder, "--out trace.jsonl");
     let said = said(&output);
     assert!(output.status.success(), "{said}");
     let seen = fake.join().expect("no panic").samples;
-    assert_eq!(
-        said.matches("looking for the board once a second").count(),
-        1,
-        "{said}"
-    );
-    assert_eq!(said.matches("the board is back").count(), 1, "{said}");
-    let (samples, poses, lost) = (
-        counted(&said, "samples"),
-        counted(&said, "poses"),
-        counted(&said, "lost"),
-    );
+    for once in ["looking for the board once a second", "the board is back"] {
+        assert_eq!(said.matches(once).count(), 1, "{said}");
+    }
+    let [samples, poses, lost] = ["samples", "poses", "lost"].map(|row| counted(&said, row));
     assert_eq!((samples, poses + lost), (401, 401), "{said}");
     assert!(seen >= poses && poses > 30, "{said}");
     // Nothing was there for 0.3 s of the path.
@@ -196,18 +132,10 @@ fn a_board_that_comes_back_goes_on() {
 
 #[test]
 fn a_board_that_does_not_come_back_is_an_error_and_the_trace_stays() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        leaves_after: Some(100),
-        ..Tricks::default()
-    };
-    let fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--out", "trace.jsonl", "--timeout", "0.5"]);
-    assert_error(&output, &["looking for the board", "error: "]);
-    fake.join().expect("no panic");
-    let recorded = records(&folder.read("trace.jsonl")).len();
-    assert!(
-        recorded < 100 && recorded as u64 == counted(&text(&output.stdout), "poses"),
-        "{recorded}"
-    );
+    let leaves = tricks(|t| t.leaves_after = Some(100));
+    let (folder, output, _) = streamed(leaves, "--out trace.jsonl --timeout 0.5");
+    assert_error("it leaves", &output, &["looking for the board", "error: "]);
+    let recorded = records(&folder.read("trace.jsonl")).len() as u64;
+    let poses = counted(&text(&output.stdout), "poses");
+    assert!(recorded < 100 && recorded == poses, "{recorded}");
 }

@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use super::fake::{Tricks, behind_socket};
 use super::lines::terminal;
-use super::{DRAGGED, assert_error, board, place};
-use crate::common::{Folder, Signal, numbers, records, send, text};
+use super::{DRAGGED, board, place};
+use crate::common::{Folder, Signal, assert_error, numbers, records, send, text};
 
 /// A record: thousandths of an inch, fortieths of a degree.
 fn record(flags: u8, position: [i32; 3], angles: [u16; 3]) -> Vec<u8> {
@@ -107,12 +107,9 @@ fn records_of_a_tracker_behind_a_socket_are_the_hand() {
         answers(line, 40, false);
     });
     let fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let arguments = ["--tracker", "tracker", "--verify", "--out", "trace.jsonl"];
-    let output = board(&folder, &arguments);
-    assert_error(
-        &output,
-        &["tracker tracker: it was closed at the other end"],
-    );
+    let output = board(&folder, "--tracker tracker --verify --out trace.jsonl");
+    let closed = "tracker tracker: it was closed at the other end";
+    assert_error("it leaves", &output, &[closed]);
     assert_eq!(fake.join().expect("no panic").samples, 40);
     let said = text(&output.stdout);
     assert!(said.contains("40 of 40 frames equal"), "{said}");
@@ -125,17 +122,9 @@ fn a_tracker_on_a_serial_port_is_followed_until_ctrl_c() {
     let (line, port, _open) = terminal();
     let _tracker = answers(line, 1_000_000, true);
     let fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let arguments = [
-        "board",
-        "scene.toml",
-        "--socket",
-        "line",
-        "--tracker",
-        &port,
-    ];
+    let line = format!("board scene.toml --socket line --tracker {port} --out trace.jsonl");
     let child = Command::new(env!("CARGO_BIN_EXE_stiction"))
-        .args(arguments)
-        .args(["--out", "trace.jsonl", "--timeout", "20"])
+        .args(format!("{line} --timeout 20").split(' '))
         .current_dir(folder.file(""))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -160,8 +149,9 @@ fn a_tracker_that_is_silent_is_an_error() {
     let (line, port, _open) = terminal();
     let _tracker = answers(line, 0, true);
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let output = board(&folder, &["--tracker", &port, "--timeout", "0.4"]);
-    assert_error(&output, &["no record within 0.4 s, allowed: a Logitech"]);
-    let missing = board(&folder, &["--tracker", "/dev/nowhere", "--timeout", "0.4"]);
-    assert_error(&missing, &["error: "]);
+    let output = board(&folder, &format!("--tracker {port} --timeout 0.4"));
+    let silent = "no record within 0.4 s, allowed: a Logitech";
+    assert_error("silent", &output, &[silent]);
+    let missing = board(&folder, "--tracker /dev/nowhere --timeout 0.4");
+    assert_error("missing", &missing, &["error: "]);
 }

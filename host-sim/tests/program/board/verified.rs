@@ -1,85 +1,59 @@
 //! `--verify`: equal bits are equal, one bit that is not is found, what is lost is not equal.
 
+use std::collections::BTreeSet;
+
 use stiction_core::{Fixed, Real};
 
 use super::fake::{Part, Tricks, behind_socket};
-use super::{DRAGGED, SAMPLES, assert_error, board, place, said};
-use crate::common::{records, text};
+use super::{DRAGGED, SAMPLES, board, place, streamed, tricks};
+use crate::common::{records, said, text};
 
 /// The last line of `--verify` and the exit status.
-fn verdict<R: Real<Si = f32>>(tricks: Tricks, arguments: &[&str]) -> (String, Option<i32>) {
-    let (folder, socket) = place(&DRAGGED);
-    let fake = behind_socket::<R>(&socket, 1, tricks);
-    let output = board(&folder, &[&["--verify", "--quiet"], arguments].concat());
-    let said = said(&output);
-    assert!(output.status.code() != Some(2), "{said}");
-    assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
-    (said.trim().to_owned(), output.status.code())
+fn verdict(faults: Tricks) -> (String, Option<i32>) {
+    let (_, output, seen) = streamed(faults, "--verify --quiet");
+    assert_eq!(seen.samples, SAMPLES);
+    (said(&output).trim().to_owned(), output.status.code())
 }
 
-fn trace_is_that_of_the_host<R: Real<Si = f32>>(number: &str, arguments: &[&str]) {
+fn trace_is_that_of_the_host<R: Real<Si = f32>>(number: &str, options: &str) {
     let (folder, socket) = place(&DRAGGED);
     let fake = behind_socket::<R>(&socket, 1, Tricks::default());
-    let with_trace = [&["--verify", "--out", "board.jsonl"], arguments].concat();
-    let output = board(&folder, &with_trace);
+    let output = board(&folder, &format!("--verify --out board.jsonl {options}"));
     assert!(output.status.success(), "{}", said(&output));
     assert!(text(&output.stdout).ends_with("301 of 301 frames equal\n"));
     assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
-    let run = [
-        "run",
-        "scene.toml",
-        "--out",
-        "run.jsonl",
-        "--number",
-        number,
-    ];
-    let output = folder.stiction(&[&run[..], arguments].concat());
-    assert!(output.status.success(), "{}", said(&output));
+    folder.done(&format!(
+        "run scene.toml --out run.jsonl --number {number} {options}"
+    ));
     let trace = folder.read("board.jsonl");
-    assert_eq!(trace, folder.read("run.jsonl"), "{number} {arguments:?}");
-    let mut states: Vec<String> = records(&trace)
+    assert_eq!(trace, folder.read("run.jsonl"), "{number} {options}");
+    let trace = records(&trace);
+    let states: BTreeSet<_> = trace
         .iter()
-        .map(|record| record["state"].to_string())
+        .filter_map(|record| record["state"].as_str())
         .collect();
-    states.sort();
-    states.dedup();
     assert!(states.len() >= 3, "the scene is poor: {states:?}");
 }
 
 #[test]
 fn equal_answers_are_equal_and_leave_the_trace_of_the_host() {
-    trace_is_that_of_the_host::<f32>("f32", &[]);
-    trace_is_that_of_the_host::<f32>("f32", &["--evolution", "frame"]);
-    trace_is_that_of_the_host::<Fixed>("fixed", &[]);
+    trace_is_that_of_the_host::<f32>("f32", "");
+    trace_is_that_of_the_host::<f32>("f32", "--evolution frame");
+    trace_is_that_of_the_host::<Fixed>("fixed", "");
 }
 
 /// Its body is behind the hand where much happens in a step.
 #[test]
 fn the_budget_of_a_tick_is_that_of_both() {
-    let arguments = ["--tick", "2000", "--rate", "50"];
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        work_rate: Some(500_000),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let record = [
-        "--verify",
-        "--record",
-        "recording.jsonl",
-        "--out",
-        "board.jsonl",
-    ];
-    let output = board(&folder, &[&record[..], &arguments].concat());
+    let working = tricks(|t| t.work_rate = Some(500_000));
+    let options = "--verify --record recording.jsonl --out board.jsonl --tick 2000 --rate 50";
+    let (folder, output, _) = streamed(working, options);
     assert!(output.status.success(), "{}", said(&output));
     let recording = folder.read("recording.jsonl");
     assert!(recording.contains(r#","budget":250,"#) && recording.contains(r#""status":"behind""#));
-    let run = ["run", "scene.toml", "--out", "run.jsonl", "--budget", "250"];
-    let output_of_run = folder.stiction(&[&run[..], &arguments[2..]].concat());
-    assert!(output_of_run.status.success(), "{}", said(&output_of_run));
+    folder.done("run scene.toml --out run.jsonl --budget 250 --rate 50");
     assert_eq!(folder.read("board.jsonl"), folder.read("run.jsonl"));
-    let output = folder.stiction(&["replay", "recording.jsonl"]);
-    assert!(output.status.success(), "{}", said(&output));
+    folder.done("replay recording.jsonl");
 }
 
 #[test]
@@ -91,11 +65,7 @@ fn one_flipped_bit_is_found_in_its_frame() {
         (60, Part::Friction, "T of contact"),
         (60, Part::Sliding, "sliding of contact"),
     ] {
-        let tricks = Tricks {
-            flip: Some((frame, part)),
-            ..Tricks::default()
-        };
-        let (said, status) = verdict::<f32>(tricks, &[]);
+        let (said, status) = verdict(tricks(|t| t.flip = Some((frame, part))));
         let expected = format!("300 of 301 frames equal; first difference: frame {frame} (t = ");
         assert!(said.starts_with(&expected) && said.contains(what), "{said}");
         assert_eq!(status, Some(1), "{said}");
@@ -104,12 +74,8 @@ fn one_flipped_bit_is_found_in_its_frame() {
 
 #[test]
 fn lost_answers_are_not_equal() {
-    let tricks = Tricks {
-        lost: vec![50, 51, 200],
-        forceless: vec![220],
-        ..Tricks::default()
-    };
-    let (said, status) = verdict::<f32>(tricks, &[]);
+    let faults = tricks(|t| (t.lost, t.forceless) = (vec![50, 51, 200], vec![220]));
+    let (said, status) = verdict(faults);
     assert_eq!(
         said,
         "297 of 301 frames equal, 4 lost; first difference: frame 50 (t = 0.05 s), no pose came"
@@ -120,12 +86,8 @@ fn lost_answers_are_not_equal() {
 #[test]
 fn garbage_on_the_line_changes_nothing() {
     let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        garbage: true,
-        ..Tricks::default()
-    };
-    let fake = behind_socket::<Fixed>(&socket, 1, tricks);
-    let output = board(&folder, &["--verify"]);
+    let fake = behind_socket::<Fixed>(&socket, 1, tricks(|t| t.garbage = true));
+    let output = board(&folder, "--verify");
     let said = said(&output);
     assert!(output.status.success(), "{said}");
     assert!(said.contains("301 of 301 frames equal"), "{said}");
@@ -133,57 +95,10 @@ fn garbage_on_the_line_changes_nothing() {
         .lines()
         .find(|line| line.contains("garbled"))
         .expect("a count");
-    let count: u64 = garbled
-        .split_whitespace()
-        .last()
-        .expect("a number")
-        .parse()
-        .expect("a number");
-    assert!(count >= 2 * SAMPLES, "{said}");
-    assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
-}
-
-#[test]
-fn a_board_that_goes_away_cannot_be_verified() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        leaves_after: Some(100),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--verify", "--out", "trace.jsonl"]);
-    assert_error(&output, &["line: "]);
+    let count = garbled.split_whitespace().last().expect("a number");
     assert!(
-        !text(&output.stdout).contains("301 of"),
-        "{}",
-        said(&output)
+        count.parse().is_ok_and(|count: u64| count >= 2 * SAMPLES),
+        "{said}"
     );
-}
-
-#[test]
-fn a_board_that_falls_silent_is_named() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        silent_after: Some(100),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--verify", "--timeout", "0.5"]);
-    assert_error(&output, &["no answer to a sample within 0.5 s"]);
-}
-
-/// What it says is no answer to what it was given.
-#[test]
-fn a_board_that_says_everything_but_answers_is_named() {
-    let (folder, socket) = place(&DRAGGED);
-    let tricks = Tricks {
-        floods_after: Some(100),
-        ..Tricks::default()
-    };
-    let _fake = behind_socket::<f32>(&socket, 1, tricks);
-    let output = board(&folder, &["--verify", "--timeout", "0.5"]);
-    assert_error(
-        &output,
-        &["no answer to a sample within 0.5 s; ", " frames came"],
-    );
+    assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
 }

@@ -49,16 +49,14 @@ const IN_OBSTACLES: &[Mistake] = &[
 fn mistakes_in_obstacles_are_refused() {
     let sound = format!("{SCENE}{OBSTACLES}");
     let folder = Folder::new();
-    assert_eq!(folder.trace(&sound, &[]).len(), 11);
+    assert_eq!(folder.trace(&sound, "").len(), 11);
     for &(name, from, to, expected) in IN_OBSTACLES {
         assert!(OBSTACLES.contains(from), "{name}");
         let folder = Folder::new();
-        folder.write(
-            "scene.toml",
-            SCENE.to_owned() + &OBSTACLES.replacen(from, to, 1),
-        );
+        let obstacles = OBSTACLES.replacen(from, to, 1);
+        folder.write("scene.toml", format!("{SCENE}{obstacles}"));
         for number in ["f32", "fixed"] {
-            assert_refused(name, &folder, &["--number", number], expected);
+            assert_refused(name, &folder, &format!("--number {number}"), expected);
         }
     }
 }
@@ -71,7 +69,7 @@ fn more_obstacles_or_corners_than_there_is_room_for_are_refused() {
         .collect();
     folder.write("scene.toml", format!("{SCENE}\n{pins}"));
     let expected = ["line 132", "`obstacle` is given 33 times, allowed: 0 to 32"];
-    assert_refused("obstacles", &folder, &[], &expected);
+    assert_refused("obstacles", &folder, "", &expected);
     let box_at = |k: i32| {
         format!("[[0.1, {k}.5], [0.2, {k}.5], [0.2, {k}.6], [0.15, {k}.65], [0.1, {k}.6]]")
     };
@@ -83,5 +81,5 @@ fn more_obstacles_or_corners_than_there_is_room_for_are_refused() {
         "line 111",
         "`obstacle` is given with 130 corners in all, allowed: at most 128",
     ];
-    assert_refused("corners", &folder, &[], &expected);
+    assert_refused("corners", &folder, "", &expected);
 }

@@ -6,7 +6,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use super::{folder, table};
-use crate::common::{Folder, SCENE, text};
+use crate::common::{Folder, SCENE};
 #[cfg(unix)]
 use crate::common::{Signal, send};
 
@@ -29,15 +29,7 @@ fn slow() -> Folder {
 
 fn start(folder: &Folder) -> Child {
     Command::new(env!("CARGO_BIN_EXE_stiction"))
-        .args([
-            "sweep",
-            "sweep.toml",
-            "--out",
-            "out.csv",
-            "--threads",
-            "2",
-            "--quiet",
-        ])
+        .args("sweep sweep.toml --out out.csv --threads 2 --quiet".split(' '))
         .current_dir(folder.file(""))
         .stdout(Stdio::null())
         .stderr(Stdio::null())
@@ -55,14 +47,12 @@ fn wait_for(folder: &Folder, lines: usize) {
 }
 
 /// The sweep is refused with a message that holds `expected`, and nothing is changed.
-fn assert_refused(folder: &Folder, expected: &[&str]) {
+fn assert_refused(folder: &Folder, options: &str, expected: &[&str]) {
     let (names, before) = (folder.names(), folder.read("out.csv"));
-    let output = folder.stiction(&["sweep", "sweep.toml", "--out", "out.csv"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    for part in expected {
-        assert!(message.contains(part), "{part:?} is not in: {message}");
-    }
+    folder.refused(
+        &format!("sweep sweep.toml --out out.csv {options}"),
+        expected,
+    );
     assert_eq!((folder.names(), folder.read("out.csv")), (names, before));
 }
 
@@ -71,29 +61,41 @@ fn assert_refused(folder: &Folder, expected: &[&str]) {
 #[test]
 fn a_pipe_beside_the_table_is_refused() {
     let folder = folder(SWEEP);
-    table(&folder, "out.csv", &[]);
+    table(&folder, "out.csv", "");
     let beside = folder.file("out.csv.sweep");
     fs::remove_file(&beside).expect("the digests");
     nix::unistd::mkfifo(&beside, nix::sys::stat::Mode::S_IRWXU).expect("a pipe");
-    assert_refused(&folder, &["out.csv.sweep: ", "it is not a file on a disk"]);
+    assert_refused(
+        &folder,
+        "",
+        &["out.csv.sweep: ", "it is not a file on a disk"],
+    );
 }
 
 #[test]
 fn a_row_without_end_is_refused() {
     let folder = folder(SWEEP);
-    let mut rows = table(&folder, "out.csv", &[]);
+    let mut rows = table(&folder, "out.csv", "");
     rows.push_str(&"1".repeat(3 << 20));
     folder.write("out.csv", rows);
-    assert_refused(&folder, &["out.csv, line 26: is not the row of index 24"]);
+    assert_refused(
+        &folder,
+        "",
+        &["out.csv, line 26: is not the row of index 24"],
+    );
 }
 
 #[test]
 fn any_number_of_threads_gives_the_same_bytes() {
     let folder = folder(SWEEP);
-    let one = table(&folder, "1.csv", &["--threads", "1"]);
+    let one = table(&folder, "1.csv", "--threads 1");
     for threads in ["2", "3", "8"] {
         assert_eq!(
-            table(&folder, &format!("{threads}.csv"), &["--threads", threads]),
+            table(
+                &folder,
+                &format!("{threads}.csv"),
+                &format!("--threads {threads}")
+            ),
             one
         );
     }
@@ -102,14 +104,14 @@ fn any_number_of_threads_gives_the_same_bytes() {
 #[test]
 fn a_killed_sweep_continues_to_the_bytes_of_one_that_was_not() {
     let folder = slow();
-    let whole = table(&folder, "whole.csv", &[]);
+    let whole = table(&folder, "whole.csv", "");
     for moment in (0..300).step_by(30) {
         let mut child = start(&folder);
         sleep(Duration::from_millis(moment));
         child.kill().expect("the program is killed");
         child.wait().expect("the program ends");
     }
-    assert_eq!(table(&folder, "out.csv", &[]), whole);
+    assert_eq!(table(&folder, "out.csv", ""), whole);
     // Killed when rows are there for sure.
     for lines in [1, 2, 9, 20] {
         let _ = fs::remove_file(folder.file("out.csv"));
@@ -118,7 +120,7 @@ fn a_killed_sweep_continues_to_the_bytes_of_one_that_was_not() {
         child.kill().expect("the program is killed");
         child.wait().expect("the program ends");
         assert!(whole.starts_with(&folder.read("out.csv")));
-        assert_eq!(table(&folder, "out.csv", &[]), whole);
+        assert_eq!(table(&folder, "out.csv", ""), whole);
     }
 }
 
@@ -126,13 +128,13 @@ fn a_killed_sweep_continues_to_the_bytes_of_one_that_was_not() {
 fn a_table_that_is_cut_at_any_byte_is_completed() {
     let folder = folder(SWEEP);
     for shard in ["1/1", "2/2"] {
-        let whole = table(&folder, "out.csv", &["--shard", shard]);
+        let whole = table(&folder, "out.csv", &format!("--shard {shard}"));
         // The last rows, and all that can be left of the header.
         let header = 0..=whole.find('\n').expect("a line").min(20);
         for length in header.chain(whole.len() - 300..=whole.len()) {
             folder.write("out.csv", &whole[..length]);
             assert_eq!(
-                table(&folder, "out.csv", &["--shard", shard]),
+                table(&folder, "out.csv", &format!("--shard {shard}")),
                 whole,
                 "{length}"
             );
@@ -145,14 +147,14 @@ fn a_table_that_is_cut_at_any_byte_is_completed() {
 #[test]
 fn an_interrupted_sweep_leaves_whole_rows_and_says_so_in_its_status() {
     let folder = slow();
-    let whole = table(&folder, "whole.csv", &[]);
+    let whole = table(&folder, "whole.csv", "");
     let mut child = start(&folder);
     wait_for(&folder, 2);
     send(Signal::SIGINT, &child);
     assert_eq!(child.wait().expect("the program ends").code(), Some(1));
     let part = folder.read("out.csv");
     assert!(whole.starts_with(&part) && part.ends_with('\n') && part.len() < whole.len());
-    assert_eq!(table(&folder, "out.csv", &[]), whole);
+    assert_eq!(table(&folder, "out.csv", ""), whole);
 }
 
 #[test]
@@ -160,13 +162,7 @@ fn two_sweeps_do_not_write_one_table() {
     let folder = slow();
     let mut child = start(&folder);
     wait_for(&folder, 1);
-    let output = folder.stiction(&["sweep", "sweep.toml", "--out", "out.csv"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        text(&output.stderr).contains("another sweep"),
-        "{}",
-        text(&output.stderr)
-    );
+    folder.refused("sweep sweep.toml --out out.csv", &["another sweep"]);
     child.kill().expect("the program is killed");
     child.wait().expect("the program ends");
 }
@@ -174,32 +170,30 @@ fn two_sweeps_do_not_write_one_table() {
 #[test]
 fn rows_of_other_input_are_not_continued() {
     let folder = folder(SWEEP);
-    table(&folder, "out.csv", &[]);
+    table(&folder, "out.csv", "");
     folder.write("sweep.toml", SWEEP.replace("0.25", "0.3"));
-    assert_refused(&folder, &["out.csv", "(sweep file)", "allowed"]);
+    assert_refused(&folder, "", &["out.csv", "(sweep file)", "allowed"]);
     folder.write("sweep.toml", SWEEP);
     folder.write("scene.toml", SCENE.replace("0.3", "0.31"));
-    assert_refused(&folder, &["out.csv", "(scene \"scene.toml\")"]);
+    assert_refused(&folder, "", &["out.csv", "(scene \"scene.toml\")"]);
     folder.write("scene.toml", SCENE);
-    let output = folder.stiction(&["sweep", "sweep.toml", "--out", "out.csv", "--shard", "1/2"]);
-    assert!(text(&output.stderr).contains("(shard)"));
-    let output = folder.stiction(&["sweep", "sweep.toml", "--out", "out.csv", "--time"]);
-    assert!(text(&output.stderr).contains("(columns)"));
+    assert_refused(&folder, "--shard 1/2", &["(shard)"]);
+    assert_refused(&folder, "--time", &["(columns)"]);
 }
 
 #[test]
 fn recorded_hands_are_input_too() {
     let folder = folder("scenes = [\"scene.toml\"]\n[vary]\n\"run.hand\" = [\"hand.csv\"]\n");
     folder.write("hand.csv", "t,x,y,phi\n0,0.2,0.14,0.5\n");
-    table(&folder, "out.csv", &[]);
+    table(&folder, "out.csv", "");
     folder.write("hand.csv", "t,x,y,phi\n0,0.2,0.15,0.5\n");
-    assert_refused(&folder, &["(hand 1 \"hand.csv\")"]);
+    assert_refused(&folder, "", &["(hand 1 \"hand.csv\")"]);
 }
 
 #[test]
 fn a_row_that_was_changed_is_found() {
     let folder = folder(SWEEP);
-    let whole = table(&folder, "out.csv", &[]);
+    let whole = table(&folder, "out.csv", "");
     for (line, row) in (1..).zip(whole.lines()).skip(1) {
         // Its last digit is another one.
         let digit = row.rfind(|c: char| c.is_ascii_digit()).expect("a number");
@@ -207,13 +201,8 @@ fn a_row_that_was_changed_is_found() {
         let mut changed = row.to_owned();
         changed.replace_range(digit..=digit, other);
         folder.write("out.csv", whole.replacen(row, &changed, 1));
-        assert_refused(
-            &folder,
-            &[&format!(
-                "out.csv, line {line}: is not the row of index {}",
-                line - 2
-            )],
-        );
+        let expected = format!("out.csv, line {line}: is not the row of index {}", line - 2);
+        assert_refused(&folder, "", &[&expected]);
     }
     // A row of which nothing is known is made again.
     folder.write("out.csv", whole.replacen("ok", "good", 1));
@@ -225,7 +214,7 @@ fn a_row_that_was_changed_is_found() {
         format!("{inputs}rows:\n0123"),
     ] {
         folder.write("out.csv.sweep", left);
-        assert_eq!(table(&folder, "out.csv", &[]), whole);
+        assert_eq!(table(&folder, "out.csv", ""), whole);
         assert_eq!(folder.read("out.csv.sweep"), beside);
     }
 }
@@ -233,7 +222,7 @@ fn a_row_that_was_changed_is_found() {
 #[test]
 fn files_that_are_not_as_a_sweep_left_them_are_refused() {
     let folder = folder(SWEEP);
-    let whole = table(&folder, "out.csv", &[]);
+    let whole = table(&folder, "out.csv", "");
     let without_a_row: String = whole
         .lines()
         .enumerate()
@@ -241,12 +230,12 @@ fn files_that_are_not_as_a_sweep_left_them_are_refused() {
         .map(|(_, line)| format!("{line}\n"))
         .collect();
     folder.write("out.csv", without_a_row);
-    assert_refused(&folder, &["out.csv, line 6", "index 4"]);
+    assert_refused(&folder, "", &["out.csv, line 6", "index 4"]);
     folder.write("out.csv", whole.replacen("index", "number", 1));
-    assert_refused(&folder, &["out.csv, line 1", "header"]);
+    assert_refused(&folder, "", &["out.csv, line 1", "header"]);
     folder.write("out.csv", format!("{whole}24,more\n"));
-    assert_refused(&folder, &["out.csv, line 26"]);
+    assert_refused(&folder, "", &["out.csv, line 26"]);
     folder.write("out.csv", "notes\n");
     fs::remove_file(folder.file("out.csv.sweep")).expect("the file beside the table");
-    assert_refused(&folder, &["out.csv", "no sweep wrote it"]);
+    assert_refused(&folder, "", &["out.csv", "no sweep wrote it"]);
 }

@@ -24,7 +24,7 @@ seed = 7
 
 #[test]
 fn a_grid_holds_every_point_once_the_last_key_fastest() {
-    let rows = rows(&table(&folder(GRID), "out.csv", &[]));
+    let rows = rows(&table(&folder(GRID), "out.csv", ""));
     let mut expected = Vec::new();
     for scene in ["scene.toml", "point-stick-slip"] {
         for friction in [0.5, 0.75] {
@@ -57,8 +57,8 @@ fn keys_may_be_written_without_quotes() {
         .replace("'spring.rotation'", "spring.rotation")
         .replace("'body.weight'", "body.weight");
     assert_eq!(
-        table(&folder(&bare), "out.csv", &[]),
-        table(&folder(GRID), "out.csv", &[])
+        table(&folder(&bare), "out.csv", ""),
+        table(&folder(GRID), "out.csv", "")
     );
 }
 
@@ -67,7 +67,7 @@ fn without_keys_every_scene_is_a_point() {
     let rows = rows(&table(
         &folder("scenes = [\"scene.toml\", \"snap\"]"),
         "out.csv",
-        &[],
+        "",
     ));
     let scenes: Vec<&str> = rows.iter().map(|row| &*row["scene"]).collect();
     assert_eq!(scenes, ["scene.toml", "snap"]);
@@ -86,7 +86,7 @@ fn distance_from_uniform(mut parts: Vec<f64>) -> f64 {
 
 #[test]
 fn random_points_are_distributed_as_the_file_says() {
-    let rows = rows(&table(&folder(RANDOM), "out.csv", &[]));
+    let rows = rows(&table(&folder(RANDOM), "out.csv", ""));
     assert_eq!(rows.len(), 3000);
     let (friction, rotation) = (
         column(&rows, "friction.static"),
@@ -116,11 +116,11 @@ fn random_points_are_distributed_as_the_file_says() {
 fn shards_hold_the_points_of_the_whole() {
     for sweep in [GRID, RANDOM] {
         let folder = folder(&sweep.replace("random = 3000", "random = 100"));
-        let whole = table(&folder, "out.csv", &[]);
+        let whole = table(&folder, "out.csv", "");
         let mut parts = String::new();
         for part in 1..=3 {
             let (name, shard) = (format!("part.{part}.csv"), format!("{part}/3"));
-            parts += &table(&folder, &name, &["--shard", &shard]);
+            parts += &table(&folder, &name, &format!("--shard {shard}"));
         }
         assert_eq!(parts.lines().next(), whole.lines().next());
         let number = |line: &&str| {
@@ -138,9 +138,7 @@ fn shards_hold_the_points_of_the_whole() {
 fn shards_that_are_not_named_lie_in_order() {
     let folder = folder(GRID);
     for part in ["10", "2", "1"] {
-        let shard = format!("{part}/12");
-        let output = folder.stiction(&["sweep", "sweep.toml", "--shard", &shard]);
-        assert!(output.status.success());
+        folder.done(&format!("sweep sweep.toml --shard {part}/12"));
     }
     let tables = folder
         .names()
@@ -161,7 +159,7 @@ fn another_seed_gives_other_points() {
     let few = RANDOM.replace("random = 3000", "random = 3");
     let values = |sweep: &str| {
         column(
-            &rows(&table(&folder(sweep), "out.csv", &[])),
+            &rows(&table(&folder(sweep), "out.csv", "")),
             "friction.static",
         )
     };
@@ -173,9 +171,7 @@ fn another_seed_gives_other_points() {
 fn a_dry_run_tells_the_points_and_writes_nothing() {
     let folder = folder(GRID);
     let before = folder.names();
-    let output = folder.stiction(&["sweep", "sweep.toml", "--dry-run", "--shard", "2/2"]);
-    let printed = super::text(&output.stdout);
-    assert!(output.status.success());
+    let printed = folder.done("sweep sweep.toml --dry-run --shard 2/2");
     let lines: Vec<&str> = printed.lines().collect();
     assert_eq!(lines[0], "36 points, 18 of them in this shard");
     assert_eq!(lines[2], "1,scene.toml,0.5,0.1,1.0");

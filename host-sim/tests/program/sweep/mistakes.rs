@@ -1,7 +1,6 @@
 //! Sweep files that cannot be used: exit status 2, a message with the key or the line and what is allowed, and no table.
 
 use super::folder;
-use crate::common::text;
 
 /// What is below `scenes` and `[vary]`, and what the message must hold.
 #[rustfmt::skip]
@@ -71,17 +70,8 @@ fn assert_refused(sweep: &str, expected: &[&str]) {
     let folder = folder(sweep);
     folder.write("broken.toml", "[body");
     let before = folder.names();
-    for more in [&[][..], &["--dry-run"]] {
-        let output = folder.stiction(&[&["sweep", "sweep.toml"], more].concat());
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{sweep}: {message}");
-        for part in expected {
-            assert!(
-                message.contains(part),
-                "{sweep}: {part:?} is not in: {message}"
-            );
-        }
-        assert!(output.stdout.is_empty());
+    for more in ["", "--dry-run"] {
+        folder.refused(&format!("sweep sweep.toml {more}"), expected);
         assert_eq!(folder.names(), before, "{sweep}");
     }
 }
@@ -103,17 +93,14 @@ fn mistakes_in_sweep_files_are_refused() {
 fn options_that_cannot_be_used_are_refused() {
     let folder = folder("scenes = [\"scene.toml\"]");
     let before = folder.names();
-    for (arguments, expected) in [
-        (&["--shard", "0/3"][..], "from 1 to N"),
-        (&["--shard", "4/3"], "from 1 to N"),
-        (&["--shard", "3"], "from 1 to N"),
-        (&["--threads", "0"], "--threads"),
-        (&["--out", "absent/out.csv"], "absent"),
+    for (options, expected) in [
+        ("--shard 0/3", "from 1 to N"),
+        ("--shard 4/3", "from 1 to N"),
+        ("--shard 3", "from 1 to N"),
+        ("--threads 0", "--threads"),
+        ("--out absent/out.csv", "absent"),
     ] {
-        let output = folder.stiction(&[&["sweep", "sweep.toml"], arguments].concat());
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.contains(expected), "{message}");
+        folder.refused(&format!("sweep sweep.toml {options}"), &[expected]);
         assert_eq!(folder.names(), before);
     }
 }

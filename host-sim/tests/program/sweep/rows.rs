@@ -1,13 +1,11 @@
 //! What a row says: the same as `stiction run` with the same values, and what the law of friction says.
 
 use super::{column, folder, rows, table};
-use crate::common::{Folder, SCENE, text};
+use crate::common::{Folder, SCENE};
 
 /// The last pose, the slips and the frames of `stiction run` of `scene.toml` with these options, as they are written.
-fn run(folder: &Folder, options: &[&str]) -> [String; 5] {
-    let arguments = [&["run", "scene.toml", "--out", "trace.csv"], options].concat();
-    let output = folder.stiction(&arguments);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+fn run(folder: &Folder, options: &str) -> [String; 5] {
+    folder.done(&format!("run scene.toml --out trace.csv {options}"));
     let records = rows(&folder.read("trace.csv"));
     let slips: f64 = column(&records, "slips").iter().sum();
     let last = records.last().expect("a record");
@@ -37,7 +35,7 @@ scenes = ["scene.toml"]
 "#;
     let folder = folder(sweep);
     folder.write("scene.toml", dragged());
-    let rows = rows(&table(&folder, "out.csv", &[]));
+    let rows = rows(&table(&folder, "out.csv", ""));
     assert_eq!(rows.len(), 96);
     let (mut slips_seen, mut limited) = (0, [0.0; 2]);
     for row in rows {
@@ -47,13 +45,9 @@ scenes = ["scene.toml"]
         );
         folder.write("scene.toml", dragged().replace("name = \"floor\"", &floor));
         let dials = ["number", "evolution", "rate", "budget"];
-        let options: Vec<String> = dials
-            .iter()
-            .map(|dial| format!("--{dial}={}", row[&format!("run.{dial}")]))
-            .collect();
-        let options: Vec<&str> = options.iter().map(String::as_str).collect();
+        let options = dials.map(|dial| format!("--{dial}={}", row[&format!("run.{dial}")]));
         let given = ["x", "y", "theta", "slips", "frames"].map(|name| row[name].clone());
-        assert_eq!(given, run(&folder, &options), "{row:?}");
+        assert_eq!(given, run(&folder, &options.join(" ")), "{row:?}");
         let few = usize::from(row["run.budget"] == "1");
         limited[few] += row["frames_behind"].parse::<f64>().expect("a number");
         slips_seen += given[3].parse::<u64>().expect("a number");
@@ -71,7 +65,7 @@ scenes = ["box-flat"]
 "spring.translation" = [50.0, 5000.0]
 "run.number" = ["f64"]
 "#;
-    for row in rows(&table(&folder(sweep), "out.csv", &[])) {
+    for row in rows(&table(&folder(sweep), "out.csv", "")) {
         let [mu, stiffness, slip, force] = [
             "friction.static",
             "spring.translation",
@@ -96,14 +90,14 @@ scenes = ["box-flat"]
 #[test]
 fn every_point_of_the_example_runs() {
     let example = include_str!("../../../sweeps/friction-stiffness.toml");
-    let rows = rows(&table(&folder(example), "out.csv", &[]));
+    let rows = rows(&table(&folder(example), "out.csv", ""));
     assert!(rows.len() == 25 && rows.iter().all(|row| row["status"] == "ok"));
 }
 
 #[test]
 fn shares_of_the_states_are_parts_of_the_time() {
     let folder = folder("scenes = [\"scene.toml\", \"corner-stick-slip\", \"locked\"]");
-    for row in rows(&table(&folder, "out.csv", &[])) {
+    for row in rows(&table(&folder, "out.csv", "")) {
         let shares = row.iter().filter(|(name, _)| name.starts_with("share_"));
         let shares: Vec<f64> = shares
             .map(|(_, share)| share.parse().expect("a number"))
@@ -117,7 +111,7 @@ fn shares_of_the_states_are_parts_of_the_time() {
 fn a_refused_scene_is_a_row_with_its_message() {
     let sweep = "scenes = [\"scene.toml\"]\n[vary]\n\"friction.static\" = [0.5, 0.2]\n\"run.number\" = [\"f32\", \"f64\"]\n";
     let folder = folder(sweep);
-    let rows = rows(&table(&folder, "out.csv", &[]));
+    let rows = rows(&table(&folder, "out.csv", ""));
     let status: Vec<&str> = rows.iter().map(|row| &*row["status"]).collect();
     let refused = "`friction.static` is 0.2, allowed: not less than the dynamic friction";
     assert_eq!(status, ["ok", "ok", refused, refused]);
@@ -128,7 +122,7 @@ fn a_refused_scene_is_a_row_with_its_message() {
 fn elements_of_arrays_can_be_varied() {
     let sweep = "scenes = [\"scene.toml\"]\n[vary]\nhand.keyframes.1.1 = [0.2, 0.35]\n\"body.start\" = [[0.2, 0.12, 0.5], [0.2, 0.5, 0.0]]\n";
     let folder = folder(sweep);
-    let rows = rows(&table(&folder, "out.csv", &[]));
+    let rows = rows(&table(&folder, "out.csv", ""));
     assert_eq!(rows[3]["body.start"], "[0.2, 0.5, 0.0]");
     let x = column(&rows, "x");
     assert!(x[0] < 0.3 && x[2] > 0.3, "{x:?}");
@@ -139,7 +133,7 @@ fn recorded_hands_can_be_varied() {
     let folder =
         folder("scenes = [\"scene.toml\"]\n[vary]\n\"run.hand\" = [\"up.csv\", \"absent.csv\"]\n");
     folder.write("up.csv", "t,x,y,phi\n0,0.2,0.14,0.5\n0.5,0.2,0.2,0.5\n");
-    let rows = rows(&table(&folder, "out.csv", &["--time"]));
+    let rows = rows(&table(&folder, "out.csv", "--time"));
     assert_eq!((&*rows[0]["status"], &*rows[0]["seconds"]), ("ok", "0.5"));
     assert!(
         rows[0]["solver_seconds"]

@@ -1,23 +1,19 @@
 //! The solver runs on a board: clients see the board's answers, and the reference runs in parallel.
 
-use std::fs;
-
 use serde_json::{Value, json};
 
 use super::program::{Client, View};
 use super::station::Board;
-use crate::common::{Folder, text};
+use crate::common::{Folder, numbers, records, text};
 
 /// A board of f32, and the view that it is the source of.
 pub(crate) fn with_board(scene: &str) -> (Board, View) {
     let folder = Folder::new();
     let board = Board::f32(&folder.file("line"));
-    let arguments = [scene, "--socket", "line", "--timeout", "20"];
-    (board, View::in_folder(folder, &arguments))
-}
-
-pub(crate) fn numbers(value: &Value) -> Vec<f64> {
-    serde_json::from_value(value.clone()).expect("numbers")
+    (
+        board,
+        View::in_folder(folder, &format!("{scene} --socket line --timeout 20")),
+    )
 }
 
 /// The next frame in which the board has answered this hand.
@@ -107,43 +103,30 @@ fn parameters_scene_and_evolution_of_a_board_change() {
 fn what_a_board_refuses_changes_nothing() {
     let (_board, view) = with_board("box-flat");
     let mut client = view.client();
-    let refused = |client: &mut Client, message: Value, part: &str| {
+    let set = |parameters: Value| json!({"type": "set", "parameters": parameters});
+    let stiffness = set(json!({"stiffness_translation": -1.0}));
+    let friction = set(json!({"static": 0.1, "dynamic": 0.3}));
+    let demonstration = json!({"type": "replay", "what": "scene", "demonstration": true});
+    for (message, part) in [
+        (
+            json!({"type": "number", "value": "f64"}),
+            "allowed on this board: f32",
+        ),
+        (stiffness, "allowed"),
+        (friction, "allowed"),
+        (set(json!({"memory": -1e-5})), "memory of surface 0"),
+        (
+            set(json!({"weight": 1.0})),
+            "a board keeps the weight of its scene, allowed",
+        ),
+        (demonstration, "a board gives no demonstration, allowed"),
+    ] {
         let error = client.ask(message.clone()).expect_err("a refusal");
         assert!(error.contains(part), "{message}: {error}");
-    };
-    refused(
-        &mut client,
-        json!({"type": "number", "value": "f64"}),
-        "allowed on this board: f32",
-    );
-    refused(
-        &mut client,
-        json!({"type": "set", "parameters": {"stiffness_translation": -1.0}}),
-        "allowed",
-    );
-    refused(
-        &mut client,
-        json!({"type": "set", "parameters": {"static": 0.1, "dynamic": 0.3}}),
-        "allowed",
-    );
-    refused(
-        &mut client,
-        json!({"type": "set", "parameters": {"memory": -1e-5}}),
-        "memory of surface 0",
-    );
-    refused(
-        &mut client,
-        json!({"type": "set", "parameters": {"weight": 1.0}}),
-        "a board keeps the weight of its scene, allowed",
-    );
-    refused(
-        &mut client,
-        json!({"type": "replay", "what": "scene", "demonstration": true}),
-        "a board gives no demonstration, allowed",
-    );
+    }
     let frame = client.frame(|_| true);
     assert_eq!(frame["board"]["connected"], true);
-    client.done(json!({"type": "set", "parameters": {"static": 0.6}}));
+    client.done(set(json!({"static": 0.6})));
 }
 
 /// The box over a floor and walls with frictions of their own.
@@ -166,7 +149,7 @@ fn a_board_has_one_friction_for_all_surfaces() {
     let folder = Folder::new();
     let _board = Board::f32(&folder.file("line"));
     folder.write("walls.toml", walls(2));
-    let view = View::in_folder(folder, &["walls.toml", "--socket", "line"]);
+    let view = View::in_folder(folder, "walls.toml --socket line");
     let mut client = view.client();
     let error = client.ask(json!({"type": "set", "parameters": {"stiffness_rotation": 1.0}}));
     assert!(error.is_err_and(|error| error.contains("frictions of their own")));
@@ -186,10 +169,7 @@ fn a_scene_that_a_board_has_no_room_for_is_an_error() {
     let folder = Folder::new();
     let _board = Board::f32(&folder.file("line"));
     folder.write("walls.toml", walls(3));
-    let output = folder.stiction(&["view", "walls.toml", "--socket", "line"]);
-    assert_eq!(output.status.code(), Some(2));
-    let said = text(&output.stderr);
-    assert!(said.contains("surfaces is 3"), "{said}");
+    folder.refused("view walls.toml --socket line", &["surfaces is 3"]);
 }
 
 #[test]
@@ -217,11 +197,7 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
     let last = lead(&mut client, [0.0, 0.04, 0.0], [0.03, 0.04, 0.0]);
     client.done(json!({"type": "record", "value": false}));
     client.state(|state| !state["recorded"].is_null());
-    let trace = text(&view.get("/recording/trace.jsonl"));
-    let records: Vec<Value> = trace
-        .lines()
-        .map(|line| serde_json::from_str(line).expect("a record"))
-        .collect();
+    let records = records(&text(&view.get("/recording/trace.jsonl")));
     assert!(records.iter().any(|record| *record == last["frame"]));
     let times: Vec<f64> = records.iter().filter_map(|r| r["t"].as_f64()).collect();
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
@@ -261,30 +237,13 @@ fn what_a_board_said_is_what_this_computer_runs_where_no_sample_was_overtaken() 
         for name in ["scene.toml", "hand.csv", "trace.jsonl"] {
             folder.write(name, text(&view.get(&format!("/recording/{name}"))));
         }
-        let lines = |name| {
-            fs::read_to_string(folder.file(name))
-                .expect("it is there")
-                .lines()
-                .count()
-        };
+        let lines = |name| folder.read(name).lines().count();
         if lines("trace.jsonl") + 1 != lines("hand.csv") {
             return false;
         }
-        let run = folder.stiction(&[
-            "run",
-            "scene.toml",
-            "--hand",
-            "hand.csv",
-            "--out",
-            "run.jsonl",
-            "--quiet",
-        ]);
-        assert!(run.status.success());
-        let read = |name| fs::read(folder.file(name)).expect("it is there");
-        assert!(
-            read("trace.jsonl") == read("run.jsonl"),
-            "not the same bytes"
-        );
+        folder.done("run scene.toml --hand hand.csv --out run.jsonl --quiet");
+        let [recorded, run] = ["trace.jsonl", "run.jsonl"].map(|name| folder.read(name));
+        assert!(recorded == run, "not the same bytes");
         true
     });
     assert!(compared, "samples were overtaken even in slow motion");
@@ -294,19 +253,16 @@ fn what_a_board_said_is_what_this_computer_runs_where_no_sample_was_overtaken() 
 fn changes_that_nobody_waits_for_are_made_one_after_the_other() {
     let (_board, view) = with_board("box-flat");
     let mut client = view.client();
-    for (id, message) in [
+    let changes = [
         json!({"type": "scene", "name": "vertex-stick-slip"}),
         json!({"type": "set", "parameters": {"stiffness_translation": 321.0}}),
         json!({"type": "set", "parameters": {"static": 0.75}}),
         json!({"type": "evolution", "value": "frame"}),
         json!({"type": "record", "value": true}),
         json!({"type": "record", "value": false}),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let mut message = message;
-        message["id"] = json!(100 + id);
+    ];
+    for (id, mut message) in (100..).zip(changes) {
+        message["id"] = json!(id);
         client.say(&message);
     }
     for id in 100..106 {
@@ -338,7 +294,7 @@ fn a_change_that_makes_the_body_slip_counts_the_slip_once() {
     };
     let (_board, view) = with_board("box-flat");
     let on_board = slips_of(&view);
-    assert_eq!(on_board, slips_of(&View::start(&["box-flat"])));
+    assert_eq!(on_board, slips_of(&View::start("box-flat")));
     assert!(on_board > Some(0));
 }
 
@@ -383,7 +339,7 @@ fn an_echo_is_of_the_answered_hand() {
 fn the_reference_beside_a_board_of_fixed_point() {
     let folder = Folder::new();
     let _board = Board::fixed(&folder.file("line"));
-    let view = View::in_folder(folder, &["box-flat", "--socket", "line"]);
+    let view = View::in_folder(folder, "box-flat --socket line");
     let mut client = view.client();
     assert_eq!(client.state(|_| true)["number"], "fixed");
     let frame = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);

@@ -3,32 +3,22 @@
 use serde_json::{Value, json};
 
 use super::program::{Client, View};
-use crate::common::{Folder, numbers, text};
+use crate::common::{Folder, numbers, on_the_floor, text};
 
 /// A scene whose path takes 0.2 s: a box is lowered onto the floor and dragged along it.
-const SHORT: &str = r#"# A box is set down and dragged.
-[body]
-rectangle = [0.10, 0.06]
-start = [0.0, 0.05, 0.0]
-[grasp]
-point = [0.0, 0.02]
-[spring]
-translation = 500.0
-rotation = 0.5
-[friction]
-static = 0.5
-dynamic = 0.3
-[[surface]]
-normal = [0.0, 1.0]
-offset = 0.0
-[hand]
-keyframes = [[0.0, 0.0, 0.07, 0.0], [0.1, 0.0, 0.04, 0.0], [0.2, 0.03, 0.04, 0.0]]
-"#;
+fn scene() -> String {
+    let keyframes =
+        "keyframes = [[0.0, 0.0, 0.07, 0.0], [0.1, 0.0, 0.04, 0.0], [0.2, 0.03, 0.04, 0.0]]";
+    format!(
+        "# A box is set down and dragged.{}",
+        on_the_floor(keyframes)
+    )
+}
 
-fn short(options: &[&str]) -> View {
+fn short(options: &str) -> View {
     let folder = Folder::new();
-    folder.write("short.toml", SHORT);
-    View::in_folder(folder, &[&["short.toml"], options].concat())
+    folder.write("short.toml", scene());
+    View::in_folder(folder, &format!("short.toml {options}"))
 }
 
 fn demonstration(client: &mut Client) -> Result<(), String> {
@@ -37,7 +27,7 @@ fn demonstration(client: &mut Client) -> Result<(), String> {
 
 #[test]
 fn every_scene_has_a_story_and_a_picture() {
-    let view = short(&[]);
+    let view = short("");
     let hello = view.client().hello;
     let list = |key: &str| hello[key].as_array().expect("a list").clone();
     let (scenes, stories) = (list("scenes"), list("stories"));
@@ -71,7 +61,7 @@ fn every_scene_has_a_story_and_a_picture() {
 
 #[test]
 fn a_demonstration_goes_on_until_somebody_takes_the_hand() {
-    let view = short(&[]);
+    let view = short("");
     let (mut page, mut other) = (view.client(), view.client());
     let before = page.state(|_| true);
     assert_eq!(before["replay"], Value::Null);
@@ -112,7 +102,7 @@ fn a_demonstration_goes_on_until_somebody_takes_the_hand() {
 
 #[test]
 fn a_hand_that_comes_from_elsewhere_is_not_taken() {
-    for options in [&["--osc-in", "0"], &["--opentrack-in", "0"]] {
+    for options in ["--osc-in 0", "--opentrack-in 0"] {
         let view = short(options);
         let why = demonstration(&mut view.client()).expect_err("a tracker leads the hand");
         assert!(why.contains("allowed"), "{why}");
@@ -122,7 +112,7 @@ fn a_hand_that_comes_from_elsewhere_is_not_taken() {
 /// The box on the floor: the reaction is what the spring presses, 500 N/m by 10 mm, and the weight.
 #[test]
 fn the_weight_adds_to_the_reaction() {
-    let view = short(&[]);
+    let view = short("");
     let mut client = view.client();
     let down = [0.0, 0.04, 0.0];
     client.lead([0.0, 0.07, 0.0], down, 20);

@@ -3,14 +3,11 @@
 use serde_json::json;
 
 use super::program::{Client, View};
-
-fn numbers(value: &serde_json::Value) -> Vec<f64> {
-    serde_json::from_value(value.clone()).expect("numbers")
-}
+use crate::common::numbers;
 
 #[test]
 fn hello_and_the_state_tell_what_there_is() {
-    let view = View::start(&["ladder"]);
+    let view = View::start("ladder");
     let mut client = view.client();
     let hello = client.hello.clone();
     assert_eq!((&hello["version"], &hello["you"]), (&json!(1), &json!(1)));
@@ -42,7 +39,7 @@ fn hello_and_the_state_tell_what_there_is() {
 
 #[test]
 fn a_frame_tells_of_the_springs_the_reference_and_the_strip() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
     let frame = client.frame(|frame| frame["frame"]["hand"][1] == json!(0.04));
@@ -73,7 +70,7 @@ fn a_frame_tells_of_the_springs_the_reference_and_the_strip() {
 
 #[test]
 fn a_hand_that_lets_go_leaves_the_body_where_it_is() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     client.say(&json!({"type": "hand", "pose": [0.0, 0.07, 0.0], "held": false}));
     let free = client.frame(|frame| frame["frame"]["held"] == false);
@@ -88,7 +85,7 @@ fn a_hand_that_lets_go_leaves_the_body_where_it_is() {
 
 #[test]
 fn pause_steps_speed_and_reset() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     assert!(
         client.ask(json!({"type": "step", "ticks": 1})).is_err(),
@@ -116,7 +113,7 @@ fn pause_steps_speed_and_reset() {
 
 #[test]
 fn parameters_number_and_evolution_change_while_the_body_stays() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.01, 0.04, 0.0], 20);
     let pose = |client: &mut Client| {
@@ -160,7 +157,7 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
 
 #[test]
 fn a_hold_that_was_taken_on_the_way_goes_on_under_other_parameters() {
-    let view = View::start(&["box-flat", "--number", "f64"]);
+    let view = View::start("box-flat --number f64");
     let mut client = view.client();
     client.say(&json!({"type": "hand", "pose": [0.0, 0.07, 0.0], "held": false}));
     let free = client.frame(|frame| frame["frame"]["held"] == false);
@@ -189,57 +186,4 @@ fn a_hold_that_was_taken_on_the_way_goes_on_under_other_parameters() {
     for (a, b) in numbers(&before["pose"]).iter().zip(numbers(&after["pose"])) {
         assert!((a - b).abs() < 1e-5, "{before} {after}");
     }
-}
-
-#[test]
-fn scenes_are_changed() {
-    let view = View::start(&["box-flat"]);
-    let mut client = view.client();
-    for name in [
-        "ladder",
-        "snap",
-        "locked",
-        "parallel-walls",
-        "point-frictionless",
-        "rod-on-floor",
-        "slide",
-        "burst",
-    ] {
-        client.done(json!({"type": "scene", "name": name}));
-        client.state(|state| state["scene"]["title"] == name);
-        client.frame(|frame| frame["tick"].as_u64() > Some(5));
-    }
-    let refusal = client
-        .ask(json!({"type": "scene", "name": "nowhere"}))
-        .expect_err("no such scene");
-    assert!(refusal.contains("ladder"), "{refusal}");
-}
-
-/// A press and a move that the solver hears of between two ticks: the body goes with the hand from where it was taken.
-#[test]
-fn the_body_is_held_where_the_press_was() {
-    let view = View::start(&["box-flat"]);
-    let mut client = view.client();
-    client.done(json!({"type": "pause", "value": true}));
-    let steps = |client: &mut Client, ticks: u64| {
-        // Paused, only a client that comes gets a frame.
-        let now = view.client().frame(|_| true);
-        let tick = now["tick"].as_u64().expect("a tick");
-        client.done(json!({"type": "step", "ticks": ticks}));
-        client.frame(|frame| frame["tick"] == json!(tick + ticks))
-    };
-    let hand = |x: f64, held: bool| json!({"type": "hand", "pose": [x, 0.07, 0.0], "held": held});
-    client.done(hand(0.0, false));
-    let before = steps(&mut client, 30);
-    assert!(before["holding"].is_null());
-    for sample in [hand(0.01, true), hand(0.055, true)] {
-        client.done(sample);
-    }
-    let x = |value: &serde_json::Value| numbers(value)[0];
-    let closed = steps(&mut client, 1);
-    assert_eq!(x(&closed["frame"]["hand"]), 0.01);
-    assert!((x(&closed["holding"]) - 0.01).abs() < 1e-6);
-    let after = steps(&mut client, 30);
-    let way = x(&after["frame"]["pose"]) - x(&before["frame"]["pose"]);
-    assert!((way - 0.045).abs() < 1e-6, "{way}");
 }

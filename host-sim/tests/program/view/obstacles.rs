@@ -29,7 +29,7 @@ fn with_two_points(client: &mut Client) -> Value {
 
 #[test]
 fn the_state_tells_of_the_obstacles_and_of_the_peg() {
-    let view = View::start(&["peg-in-hole"]);
+    let view = View::start("peg-in-hole");
     let mut client = view.client();
     let scenes = client.hello["scenes"].as_array().expect("names").clone();
     for name in ["table-edge", "peg-in-hole", "hook"] {
@@ -56,7 +56,7 @@ fn the_state_tells_of_the_obstacles_and_of_the_peg() {
 
 #[test]
 fn a_frame_tells_of_corners_and_of_the_load_beside_the_formulas() {
-    let view = View::start(&["peg-in-hole"]);
+    let view = View::start("peg-in-hole");
     let mut client = view.client();
     let frame = with_two_points(&mut client);
     let contacts = frame["frame"]["contacts"].as_array().expect("contacts");
@@ -85,7 +85,7 @@ fn a_frame_tells_of_corners_and_of_the_load_beside_the_formulas() {
 
 #[test]
 fn friction_number_and_evolution_change_on_the_way() {
-    let view = View::start(&["peg-in-hole"]);
+    let view = View::start("peg-in-hole");
     let mut client = view.client();
     let before = with_two_points(&mut client);
     let depth = |frame: &Value| insertion(frame)["depth"].as_f64().expect("a depth");
@@ -117,7 +117,7 @@ fn friction_number_and_evolution_change_on_the_way() {
 
 #[test]
 fn a_recorded_insertion_is_the_solvers_own_run() {
-    let view = View::start(&["peg-in-hole"]);
+    let view = View::start("peg-in-hole");
     let mut client = view.client();
     client.done(json!({"type": "record", "value": true}));
     with_two_points(&mut client);

@@ -37,7 +37,6 @@ impl Other {
         other
     }
 
-    /// What it received.
     fn next(&mut self) -> Value {
         let line = self.lines.next().expect("a line").expect("text");
         serde_json::from_str(&line).expect("JSON")
@@ -54,7 +53,6 @@ impl Other {
         panic!("what was waited for did not come")
     }
 
-    /// Has it send something.
     fn send(&mut self, message: &Value) {
         writeln!(self.input, "{message}").expect("it is taken");
     }
@@ -77,7 +75,7 @@ fn free_port() -> u16 {
 fn osc_carries_pose_forces_contacts_and_events() {
     let mut other = Other::start("osc");
     let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&["box-flat", "--osc", &to, "--osc-rate", "500"]);
+    let view = View::start(&format!("box-flat --osc {to} --osc-rate 500"));
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
     let land = other.until(|received| received["/stiction/event"] == json!([["land"]]));
@@ -114,7 +112,7 @@ fn osc_carries_pose_forces_contacts_and_events() {
 fn open_track_carries_the_pose_in_centimetres_and_degrees() {
     let mut other = Other::start("opentrack");
     let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&["box-flat", "--number", "f64", "--opentrack", &to]);
+    let view = View::start(&format!("box-flat --number f64 --opentrack {to}"));
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.1, 0.2, 0.5], 20);
     let roll = |received: &Value| received["pose"][5].as_f64().expect("a number");
@@ -137,7 +135,7 @@ fn open_track_carries_the_pose_in_centimetres_and_degrees() {
 #[test]
 fn the_hand_comes_by_osc() {
     let (mut other, port) = (Other::start("osc"), free_port());
-    let view = View::start(&["box-flat", "--osc-in", &port.to_string()]);
+    let view = View::start(&format!("box-flat --osc-in {port}"));
     let mut client = view.client();
     other.send(&json!({"port": port, "hand": [0.01, 0.08, 0.1]}));
     client.state(|state| state["hand"] == json!({"by": "osc", "client": null}));
@@ -152,13 +150,7 @@ fn the_hand_comes_by_osc() {
 #[test]
 fn the_hand_comes_from_open_track() {
     let (mut other, port) = (Other::start("opentrack"), free_port());
-    let view = View::start(&[
-        "box-flat",
-        "--number",
-        "f64",
-        "--opentrack-in",
-        &port.to_string(),
-    ]);
+    let view = View::start(&format!("box-flat --number f64 --opentrack-in {port}"));
     let mut client = view.client();
     other.send(&json!({"port": port, "pose": [1.0, 8.0, 3.0, 0.0, 0.0, 90.0]}));
     client.state(|state| state["hand"]["by"] == "opentrack");

@@ -31,26 +31,16 @@ pub(crate) fn run_again(view: &View, number: &str, evolution: &str) -> (Vec<u8>,
     let folder = Folder::new();
     folder.write("scene.toml", view.get("/recording/scene.toml"));
     folder.write("hand.csv", view.get("/recording/hand.csv"));
-    let output = folder.stiction(&[
-        "run",
-        "scene.toml",
-        "--hand",
-        "hand.csv",
-        "--number",
-        number,
-        "--evolution",
-        evolution,
-        "--out",
-        "trace.jsonl",
-    ]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    folder.done(&format!(
+        "run scene.toml --hand hand.csv --number {number} --evolution {evolution} --out trace.jsonl"
+    ));
     let again = folder.read("trace.jsonl").into_bytes();
     (view.get("/recording/trace.jsonl"), again)
 }
 
 #[test]
 fn a_box_dragged_over_the_floor_is_the_solvers_own_run_of_the_same_samples() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     let seen = dragged(&mut client);
     let (trace, again) = run_again(&view, "f32", "path");
@@ -82,7 +72,7 @@ fn a_box_dragged_over_the_floor_is_the_solvers_own_run_of_the_same_samples() {
 
 #[test]
 fn every_setting_records_what_it_runs() {
-    let view = View::start(&["corner-stick-slip"]);
+    let view = View::start("corner-stick-slip");
     let mut client = view.client();
     for (number, evolution) in [("f64", "frame"), ("fixed", "path")] {
         client.done(json!({"type": "number", "value": number}));
@@ -103,7 +93,7 @@ fn every_setting_records_what_it_runs() {
 
 #[test]
 fn a_recording_is_replayed_as_it_was_and_sought() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     dragged(&mut client);
     let trace = records(&text(&view.get("/recording/trace.jsonl")));
@@ -127,7 +117,7 @@ fn a_recording_is_replayed_as_it_was_and_sought() {
 
 #[test]
 fn the_path_of_a_scene_and_one_that_is_sent_are_those_of_a_run() {
-    let view = View::start(&["ladder"]);
+    let view = View::start("ladder");
     let mut client = view.client();
     client.done(json!({"type": "pause", "value": true}));
     let folder = Folder::new();
@@ -140,13 +130,10 @@ fn the_path_of_a_scene_and_one_that_is_sent_are_those_of_a_run() {
         (200, &json!({"seconds": 0.7, "records": 3}))
     );
     for (what, name, hand) in [
-        ("scene", "scene", None),
-        ("upload", "my hand.csv", Some("hand.csv")),
+        ("scene", "scene", ""),
+        ("upload", "my hand.csv", "--hand hand.csv"),
     ] {
-        let mut arguments = vec!["run", "ladder", "--rate", "1000", "--out", "trace.jsonl"];
-        arguments.extend(hand.iter().flat_map(|file| ["--hand", file]));
-        let output = folder.stiction(&arguments);
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        folder.done(&format!("run ladder --rate 1000 --out trace.jsonl {hand}"));
         let trace = records(&folder.read("trace.jsonl"));
         client.done(json!({"type": "replay", "what": what}));
         let state = client.state(|state| !state["replay"].is_null());
@@ -166,10 +153,7 @@ fn the_path_of_a_scene_and_one_that_is_sent_are_those_of_a_run() {
 fn a_path_of_the_command_line_is_followed_from_the_beginning() {
     let folder = Folder::new();
     folder.write("hand.csv", "t,x,y,phi\n0,0,0.07,0\n0.05,0.001,0.04,0\n");
-    let view = View::in_folder(
-        folder,
-        &["box-flat", "--hand", "hand.csv", "--number", "f64"],
-    );
+    let view = View::in_folder(folder, "box-flat --hand hand.csv --number f64");
     let mut client = view.client();
     let end = client.frame(|frame| frame["tick"] == 50);
     assert_eq!(end["frame"]["hand"], json!([0.001, 0.04, 0.0]));

@@ -4,8 +4,8 @@ use std::sync::atomic::Ordering;
 
 use serde_json::json;
 
-use super::boards::{lead, numbers, with_board, with_hand};
-use crate::common::{Folder, text};
+use super::boards::{lead, with_board, with_hand};
+use crate::common::{Folder, numbers};
 
 #[test]
 fn a_board_that_was_pulled_out_comes_back_at_the_start() {
@@ -40,11 +40,11 @@ fn a_board_that_is_away_changes_nothing_and_ctrl_c_ends_the_view() {
 #[test]
 fn without_a_board_there_is_nothing_to_view() {
     let folder = Folder::new();
-    let output = folder.stiction(&["view", "--socket", "nowhere", "--timeout", "1"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("nowhere"));
-    let output = folder.stiction(&["view", "--socket", "nowhere", "--number", "f64"]);
-    assert!(text(&output.stderr).contains("cannot be used with"));
+    folder.refused("view --socket nowhere --timeout 1", &["nowhere"]);
+    folder.refused(
+        "view --socket nowhere --number f64",
+        &["cannot be used with"],
+    );
 }
 
 #[cfg(target_os = "linux")]
@@ -65,7 +65,7 @@ mod emulated {
         if if_installed(image).is_none() {
             return;
         }
-        let mut view = View::start(&["box-flat", "--emulate", "--timeout", "60"]);
+        let mut view = View::start("box-flat --emulate --timeout 60");
         let mut client = view.client();
         let source = &client.hello["source"];
         assert_eq!(
@@ -82,7 +82,6 @@ mod emulated {
         assert!(!emulators[0].exists(), "the emulator ends with it");
     }
 
-    /// The processes that one has started.
     fn children(id: u32) -> Vec<PathBuf> {
         let all = fs::read_dir("/proc").expect("the processes").flatten();
         let is_child = |process: &PathBuf| {

@@ -17,10 +17,8 @@ use crate::common::{Signal, send};
 /// Whatever is waited for comes within this, or not at all.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A running `stiction view`.
 pub(crate) struct View {
     pub(crate) child: Child,
-    /// Address and port.
     pub(crate) place: String,
     /// Where it runs.
     folder: Option<Folder>,
@@ -29,37 +27,33 @@ pub(crate) struct View {
 
 impl View {
     /// `stiction view` with these arguments, on a free port.
-    pub(crate) fn start(arguments: &[&str]) -> Self {
-        Self::in_folder(Folder::new(), arguments)
+    pub(crate) fn start(line: &str) -> Self {
+        Self::in_folder(Folder::new(), line)
     }
 
-    pub(crate) fn in_folder(folder: Folder, arguments: &[&str]) -> Self {
-        Self::by(
-            Command::new(env!("CARGO_BIN_EXE_stiction")),
-            folder,
-            arguments,
-        )
+    pub(crate) fn in_folder(folder: Folder, line: &str) -> Self {
+        let program = Command::new(env!("CARGO_BIN_EXE_stiction"));
+        Self::by(program, folder, line)
     }
 
     /// Its files may be so long (blocks of 512 bytes): then the system takes no more, as where a disk is full.
     #[cfg(unix)]
-    pub(crate) fn with_room(blocks: u32, folder: Folder, arguments: &[&str]) -> Self {
+    pub(crate) fn with_room(blocks: u32, folder: Folder, line: &str) -> Self {
         let mut shell = Command::new("sh");
         let limit = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
         shell.args(["-c", &limit, env!("CARGO_BIN_EXE_stiction")]);
-        Self::by(shell, folder, arguments)
+        Self::by(shell, folder, line)
     }
 
-    fn by(mut program: Command, folder: Folder, arguments: &[&str]) -> Self {
+    fn by(mut program: Command, folder: Folder, line: &str) -> Self {
         // Not among those of whoever runs the tests.
-        let recordings: &[&str] = match arguments.contains(&"--recordings") {
-            true => &[],
-            false => &["--recordings", "recordings"],
+        let own = if line.contains("--recordings") {
+            ""
+        } else {
+            "--recordings recordings"
         };
         let mut child = program
-            .args(["view", "--listen", "127.0.0.1:0"])
-            .args(recordings)
-            .args(arguments)
+            .args(format!("view --listen 127.0.0.1:0 {own} {line}").split_whitespace())
             .current_dir(folder.file(""))
             .stdout(Stdio::piped())
             .spawn()
@@ -100,7 +94,6 @@ impl View {
         self.folder.take().expect("its folder")
     }
 
-    /// Ctrl-C.
     #[cfg(unix)]
     pub(crate) fn interrupt(&self) {
         send(Signal::SIGINT, &self.child);
@@ -183,14 +176,12 @@ impl Drop for View {
     }
 }
 
-/// An answer over HTTP.
 pub(crate) struct Answer {
     pub(crate) status: u16,
     pub(crate) head: String,
     pub(crate) body: Vec<u8>,
 }
 
-/// A client of the socket.
 pub(crate) struct Client {
     pub(crate) socket: WebSocket<TcpStream>,
     pub(crate) hello: Value,
@@ -200,19 +191,16 @@ pub(crate) struct Client {
 }
 
 impl Client {
-    /// Sends a message.
     pub(crate) fn say(&mut self, message: &Value) {
         self.send(&message.to_string());
     }
 
-    /// Sends text.
     pub(crate) fn send(&mut self, text: &str) {
         self.socket
             .send(Message::text(text))
             .expect("a message is taken");
     }
 
-    /// The next message.
     pub(crate) fn next(&mut self) -> Value {
         loop {
             match self.socket.read().expect("a message") {

@@ -10,7 +10,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use super::program::{Client, View};
-use crate::common::{Folder, numbers, records, text};
+use crate::common::{Folder, numbers, records, said, text};
 
 /// The hand of box-flat at the beginning, on the floor, and farther along.
 const HOME: [f64; 3] = [0.0, 0.07, 0.0];
@@ -19,10 +19,9 @@ const ALONG: [f64; 3] = [0.03, 0.04, 0.0];
 /// The first recording of box-flat.
 const FILE: &str = "recordings/box-flat-1.jsonl";
 
-fn replayed(folder: &Folder, file: &str, options: &[&str]) -> (Option<i32>, String) {
-    let output = folder.stiction(&[&["replay", file], options].concat());
-    let all = text(&output.stdout) + &text(&output.stderr);
-    (output.status.code(), all)
+fn replayed(folder: &Folder, file: &str, options: &str) -> (Option<i32>, String) {
+    let output = folder.stiction(&format!("replay {file} {options}"));
+    (output.status.code(), said(&output))
 }
 
 /// Begins to record; where the body is then.
@@ -62,7 +61,7 @@ fn last_frame(client: &mut Client) -> Option<Value> {
 fn a_recording_survives_kill_9_at_any_moment() {
     let mut folder = Folder::new();
     for k in 1..=20 {
-        let view = View::in_folder(folder, &["box-flat"]);
+        let view = View::in_folder(folder, "box-flat");
         let mut client = view.client();
         client.done(json!({"type": "rate", "value": 1000}));
         recording(&mut client);
@@ -79,7 +78,7 @@ fn a_recording_survives_kill_9_at_any_moment() {
         let lines: Vec<Value> = records(&recorded[..whole]);
         let tick = (seen["t"].as_f64().expect("a time") * 1000.0).round() as usize;
         assert_eq!(lines[tick + 1]["answer"], seen, "recording {k}");
-        let (status, message) = replayed(&folder, &file, &[]);
+        let (status, message) = replayed(&folder, &file, "");
         assert_eq!(status, Some(1), "{message}");
         let count = lines.len() - 1;
         let compared = format!("{count} of {count} frames compared, the same bits");
@@ -89,13 +88,13 @@ fn a_recording_survives_kill_9_at_any_moment() {
 
 #[test]
 fn what_was_recorded_is_offered_again_at_the_next_start() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     recording(&mut client);
     client.lead(HOME, DOWN, 20);
     client.lead(DOWN, ALONG, 40);
     let last = client.frame(|frame| frame["frame"]["hand"][0] == json!(0.03));
-    let view = View::in_folder(view.kill(), &["ladder"]);
+    let view = View::in_folder(view.kill(), "ladder");
     let mut client = view.client();
     let state = client.state(|state| !state["recorded"].is_null());
     let offered = &state["recorded"];
@@ -122,13 +121,13 @@ fn what_was_recorded_is_offered_again_at_the_next_start() {
 #[cfg(unix)]
 #[test]
 fn a_program_that_is_ended_ends_its_recording() {
-    let mut view = View::start(&["box-flat"]);
+    let mut view = View::start("box-flat");
     let mut client = view.client();
     recording(&mut client);
     client.lead(HOME, DOWN, 20);
     view.interrupt();
     assert!(view.child.wait().expect("it ends").success());
-    let (status, message) = replayed(view.folder(), FILE, &[]);
+    let (status, message) = replayed(view.folder(), FILE, "");
     assert_eq!(status, Some(0), "{message}");
 }
 
@@ -136,7 +135,7 @@ fn a_program_that_is_ended_ends_its_recording() {
 #[test]
 fn a_recording_begins_where_the_body_is() {
     for number in ["f32", "f64", "fixed"] {
-        let view = View::start(&["box-flat", "--number", number]);
+        let view = View::start(&format!("box-flat --number {number}"));
         let mut client = view.client();
         client.lead(HOME, [0.02, 0.06, 0.1], 20);
         for held in [false, true] {
@@ -174,7 +173,7 @@ fn a_recording_begins_where_the_body_is() {
 
 #[test]
 fn a_changed_setting_is_in_the_recording() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     client.lead(HOME, DOWN, 20);
     recording(&mut client);
@@ -196,8 +195,8 @@ fn a_changed_setting_is_in_the_recording() {
     let written = folder.read(FILE);
     assert_eq!(written.matches(r#"{"change":{"number":"#).count(), 4);
     assert_eq!(written, text(&view.get("/recording/recording.jsonl")));
-    let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
-    let (status, message) = replayed(folder, FILE, &again);
+    let again = "--out again.jsonl --record again-recording.jsonl";
+    let (status, message) = replayed(folder, FILE, again);
     assert_eq!(status, Some(0), "{message}");
     assert_eq!(
         folder.read("again.jsonl"),
@@ -224,7 +223,7 @@ fn a_changed_setting_is_in_the_recording() {
 fn a_folder_that_cannot_be_written_is_reported_and_nothing_changes() {
     let folder = Folder::new();
     folder.write("taken", "");
-    let view = View::in_folder(folder, &["box-flat", "--recordings", "taken"]);
+    let view = View::in_folder(folder, "box-flat --recordings taken");
     let mut client = view.client();
     let refusal = client
         .ask(json!({"type": "record", "value": true}))
@@ -251,7 +250,7 @@ fn the_start_tells_how_many_recordings_there_are_and_how_long() {
         nix::sys::stat::Mode::S_IRWXU,
     )
     .expect("a pipe");
-    let mut view = View::in_folder(folder, &["box-flat"]);
+    let mut view = View::in_folder(folder, "box-flat");
     let printed = view.line();
     let place = view.folder().file("recordings");
     let expected = format!(
@@ -267,7 +266,7 @@ fn the_start_tells_how_many_recordings_there_are_and_how_long() {
 #[test]
 fn a_recording_ends_where_there_is_no_room_and_says_so() {
     const BLOCKS: u32 = 200;
-    let mut view = View::with_room(BLOCKS, Folder::new(), &["box-flat"]);
+    let mut view = View::with_room(BLOCKS, Folder::new(), "box-flat");
     let mut client = view.client();
     client.done(json!({"type": "record", "value": true}));
     let state = client.state(|state| !state["recorded"].is_null());
@@ -285,7 +284,7 @@ fn a_recording_ends_where_there_is_no_room_and_says_so() {
     client.frame(|_| true);
     let written = view.folder().read(FILE);
     assert_eq!(written.len(), BLOCKS as usize * 512);
-    let (status, message) = replayed(view.folder(), FILE, &[]);
+    let (status, message) = replayed(view.folder(), FILE, "");
     let whole = written.matches('\n').count() - 1;
     assert_eq!(status, Some(1), "{message}");
     let compared = format!("{whole} of {whole} frames compared, the same bits");
@@ -296,7 +295,7 @@ fn a_recording_ends_where_there_is_no_room_and_says_so() {
 #[cfg(unix)]
 #[test]
 fn a_recording_without_room_is_refused_and_leaves_no_file() {
-    let view = View::with_room(0, Folder::new(), &["box-flat"]);
+    let view = View::with_room(0, Folder::new(), "box-flat");
     let refusal = view.client().ask(json!({"type": "record", "value": true}));
     let refusal = refusal.expect_err("a refusal");
     assert!(

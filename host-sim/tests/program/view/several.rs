@@ -6,7 +6,7 @@ use super::program::View;
 
 #[test]
 fn one_client_holds_the_hand_until_it_lets_go_or_is_gone() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let (mut first, mut second) = (view.client(), view.client());
     second.state(|state| state["clients"] == 2);
     let number = |client: &super::program::Client| client.hello["you"].clone();
@@ -30,7 +30,7 @@ fn one_client_holds_the_hand_until_it_lets_go_or_is_gone() {
 
 #[test]
 fn both_see_the_same_and_an_echo_goes_to_its_sender() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let (mut first, mut second) = (view.client(), view.client());
     first.say(&json!({"type": "hand", "pose": [0.01, 0.07, 0.0], "held": true, "sent": 4.5}));
     let own = first.frame(|frame| !frame["echo"].is_null());
@@ -54,7 +54,7 @@ fn both_see_the_same_and_an_echo_goes_to_its_sender() {
 
 #[test]
 fn a_client_that_never_reads_costs_the_solver_nothing() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut stalled = view.client();
     stalled.say(&json!({"type": "rate", "value": 1000}));
     let mut other = view.client();

@@ -9,33 +9,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
+use stiction_core::{Fixed, Full, Real};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
+use stiction_tests::station::BOX;
 use stiction_wire::{Mode, NumberType, frame_bytes, scene_bytes};
 
 const V: usize = 8;
 const S: usize = 2;
 const LONGEST: usize = frame_bytes(scene_bytes(V, S));
-
-/// What it has after power-up; a client sends its own.
-const SCENE: Description<'static, f32> = Description {
-    vertices: &[[0.0, 0.0]],
-    start: [0.0, 1.0, 0.0],
-    weight: 0.0,
-    holding_point: None,
-    reach: 1.0,
-    stiffness_translation: 100.0,
-    stiffness_rotation: 0.0,
-    surfaces: &[SurfaceDescription {
-        normal: [0.0, 1.0],
-        offset: 0.0,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    }],
-};
 
 /// A board, until it is dropped.
 pub(crate) struct Board {
@@ -46,12 +29,10 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// With a solver in f32.
     pub(crate) fn f32(place: &Path) -> Self {
         Self::behind::<f32>(place, NumberType::F32)
     }
 
-    /// With a solver in fixed point.
     pub(crate) fn fixed(place: &Path) -> Self {
         Self::behind::<Fixed>(place, NumberType::Fixed)
     }
@@ -66,7 +47,8 @@ impl Board {
             limits: Limits::DEFAULT,
             passivity: None,
             mode: Mode::DEFAULT,
-            scene: SCENE,
+            // A client sends its own.
+            scene: BOX,
         };
         // A station has its setup for good.
         let setup: &'static Setup = Box::leak(Box::new(setup));

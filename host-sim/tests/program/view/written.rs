@@ -33,14 +33,14 @@ fn run_shown(view: &View) -> String {
     let scene = text(&view.get("/scene.toml"));
     let folder = Folder::new();
     folder.write("shown.toml", &scene);
-    let output = folder.stiction(&["run", "shown.toml", "--quiet"]);
+    let output = folder.stiction("run shown.toml --quiet");
     assert!(output.status.success(), "{}\n{scene}", text(&output.stderr));
     scene
 }
 
 #[test]
 fn a_scene_that_is_sent_is_shown_and_stays_among_those_to_choose_from() {
-    let view = View::start(&["ladder"]);
+    let view = View::start("ladder");
     let mut client = view.client();
     let answer = post(&view, "/scene?name=folder%2Frod.toml", ROD);
     assert_eq!(text(&answer.body), r#"{"scene":"rod"}"#);
@@ -100,7 +100,7 @@ fn edit() -> Value {
 
 #[test]
 fn an_edit_changes_the_scene_and_moves_the_hands_path_with_the_holding_point() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     let before = client.state(|_| true);
     let answer = post(&view, "/edit?name=box-flat", &edit().to_string());
@@ -137,7 +137,7 @@ fn an_edit_changes_the_scene_and_moves_the_hands_path_with_the_holding_point() {
 
 #[test]
 fn a_reset_restores_the_parameters_where_it_says_so_and_defaults_leave_the_body() {
-    let view = View::start(&["box-flat"]);
+    let view = View::start("box-flat");
     let mut client = view.client();
     let file = client.state(|_| true)["parameters"].clone();
     let changed =
@@ -164,7 +164,7 @@ fn a_reset_restores_the_parameters_where_it_says_so_and_defaults_leave_the_body(
 fn a_file_that_is_edited_is_shown_anew_and_a_broken_one_is_reported_with_its_line() {
     let folder = Folder::new();
     folder.write("mine.toml", ROD);
-    let mut view = View::in_folder(folder, &["mine.toml"]);
+    let mut view = View::in_folder(folder, "mine.toml");
     let mut client = view.client();
     assert_eq!(client.state(|_| true)["scene_problem"], Value::Null);
     view.folder()

@@ -1,12 +1,11 @@
 //! Text files that are too much of something, or that end in the middle.
 
 use super::{NO_FILE, assert_refused, zeros};
-use crate::common::{Folder, SCENE, scene_with_path};
+use crate::common::{Folder, SCENE, VERTICES, scene_with_path};
 
 /// The scene with something in the place of its vertices.
 fn vertices(list: &str) -> String {
-    let own = "[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
-    SCENE.replacen(own, list, 1)
+    SCENE.replacen(VERTICES, &format!("vertices = {list}"), 1)
 }
 
 /// The scene with something behind its surfaces.
@@ -59,10 +58,10 @@ fn scenes_made_to_harm_are_refused() {
     for (name, scene, expected) in cases {
         let folder = Folder::new();
         folder.write("scene.toml", scene);
-        assert_refused(name, &folder, &["run", "scene.toml"], expected);
-        let check = ["check", "trace.jsonl", "--scene", "scene.toml"];
+        assert_refused(name, &folder, "run scene.toml", expected);
+        let check = "check trace.jsonl --scene scene.toml";
         folder.write("trace.jsonl", "");
-        assert_refused(&format!("{name}, judged"), &folder, &check, &[]);
+        assert_refused(&format!("{name}, judged"), &folder, check, &[]);
     }
 }
 
@@ -87,13 +86,13 @@ fn recorded_paths_made_to_harm_are_refused() {
         let folder = Folder::new();
         folder.write("scene.toml", scene_with_path("hand.csv", "rate = 10.0"));
         folder.write("hand.csv", path);
-        assert_refused(name, &folder, &["run", "scene.toml"], expected);
+        assert_refused(name, &folder, "run scene.toml", expected);
     }
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     zeros(&folder, "hand.csv", 200 << 20);
-    let arguments = ["run", "scene.toml", "--hand", "hand.csv"];
-    assert_refused("line of 200 MB", &folder, &arguments, &["line 1", too_long]);
+    let line = "run scene.toml --hand hand.csv";
+    assert_refused("line of 200 MB", &folder, line, &["line 1", too_long]);
 }
 
 #[test]
@@ -114,12 +113,8 @@ fn traces_made_to_harm_are_refused() {
         let folder = Folder::new();
         folder.write("scene.toml", SCENE);
         folder.write(file, trace);
-        assert_refused(
-            name,
-            &folder,
-            &["check", file, "--scene", "scene.toml"],
-            expected,
-        );
+        let line = format!("check {file} --scene scene.toml");
+        assert_refused(name, &folder, &line, expected);
     }
 }
 
@@ -129,14 +124,7 @@ fn recordings_made_to_harm_are_refused() {
     let too_long = "is longer than 6356992 bytes, allowed: at most 6356992 in a line";
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
-    let run = [
-        "run",
-        "scene.toml",
-        "--record",
-        "recording.jsonl",
-        "--quiet",
-    ];
-    assert!(folder.stiction(&run).status.success());
+    folder.done("run scene.toml --record recording.jsonl --quiet");
     let recording = folder.read("recording.jsonl");
     let (head, first) = recording.split_once('\n').expect("a head");
     let first = first.lines().next().expect("a sample");
@@ -153,9 +141,9 @@ fn recordings_made_to_harm_are_refused() {
     for (name, recording, expected) in cases {
         let folder = Folder::new();
         folder.write("bad.jsonl", recording);
-        let replay = ["replay", "bad.jsonl", "--out", "trace.jsonl"];
+        let replay = "replay bad.jsonl --out trace.jsonl";
         let expected = [&["bad.jsonl"], *expected].concat();
-        assert_refused(name, &folder, &replay, &expected);
+        assert_refused(name, &folder, replay, &expected);
         assert_eq!(folder.names(), ["bad.jsonl"], "{name}");
     }
 }
@@ -180,7 +168,6 @@ fn sweeps_made_to_harm_are_refused() {
         let folder = Folder::new();
         folder.write("scene.toml", SCENE);
         folder.write("sweep.toml", sweep);
-        let arguments = ["sweep", "sweep.toml", "--quiet"];
-        assert_refused(name, &folder, &arguments, expected);
+        assert_refused(name, &folder, "sweep sweep.toml --quiet", expected);
     }
 }
