@@ -24,7 +24,6 @@ pub(crate) struct Residual {
 }
 
 impl Residual {
-    /// For a run before its first frame.
     pub(crate) fn new(run: &Run) -> Self {
         Self {
             balance: Balance::new(run),
@@ -33,7 +32,6 @@ impl Residual {
         }
     }
 
-    /// Adds a frame.
     pub(crate) fn add(&mut self, frame: &Frame) {
         let (largest, Imbalance { force, moment }) = self.balance.of(frame);
         self.largest_force = self.largest_force.max(largest);

@@ -121,7 +121,6 @@ pub fn judge(scene: Scene, number: Number, evolution: Evolution) -> Judge {
     Judge::new(scene, bounds, evolution)
 }
 
-/// A scene file, or the bundled scene of a name.
 fn open_scene(name: &Path) -> Result<Scene, InputError> {
     if name.exists() {
         return Scene::read(name);

@@ -11,7 +11,6 @@ const FIRST: [&str; 4] = [
     "stiction run ladder --plot plots",
 ];
 
-/// A command and its examples.
 const ALL: &[(&str, &[&str])] = &[
     (
         "view",

@@ -96,7 +96,6 @@ impl Device {
     }
 }
 
-/// The format of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ImageFormat {
     Uf2,
@@ -174,7 +173,6 @@ fn features(args: &ImageArgs) -> Result<String, ImageError> {
     Ok(all.join(","))
 }
 
-/// The file and its format.
 fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {
     let board = args.board;
     args.out.clone().unwrap_or_else(|| {
@@ -186,14 +184,12 @@ fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {
     })
 }
 
-/// A scene that the board supports.
 fn usable_scene(name: &Path) -> Result<SceneFile, InputError> {
     let scene = open_scene(name, Number::F32)?;
     suits_boards(&scene)?;
     Ok(scene)
 }
 
-/// The image of a board with a scene compiled in.
 fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf, EmulatorError> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.toml");

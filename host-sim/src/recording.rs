@@ -38,7 +38,6 @@ use stiction_live::number::{parse_evolution, parse_number};
 pub(crate) use reader::{Recording, RecordingError, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
-/// The version of the format.
 const VERSION: u32 = 2;
 /// Size of the buffer for a line that is being written (bytes); a longer one is written in pieces.
 const PIECE: usize = 64 << 10;
@@ -66,7 +65,6 @@ pub(crate) struct Head {
     pub(crate) scene: String,
 }
 
-/// The running program, and the machine.
 pub(crate) fn this_build() -> String {
     let version = env!("CARGO_PKG_VERSION");
     let (arch, os) = (std::env::consts::ARCH, std::env::consts::OS);
@@ -96,7 +94,6 @@ impl Maker {
 }
 
 impl Head {
-    /// Of a run of this program.
     pub(crate) fn new(scene: &SceneFile, settings: &Settings) -> Self {
         let maker = Maker {
             budget: settings.budget,
@@ -143,9 +140,6 @@ pub(crate) struct Change {
 
 impl Change {
     /// The setting with these names and this text; `name`: of the scene.
-    ///
-    /// # Errors
-    /// Fails if a name is unknown, or the text is no scene.
     pub(crate) fn setting(&self, name: PathBuf) -> Result<Setting, String> {
         let refused =
             |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");

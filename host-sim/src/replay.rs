@@ -105,7 +105,6 @@ struct Again {
     result: Comparison,
 }
 
-/// The comparison with the recorded answers.
 #[derive(Default)]
 struct Comparison {
     count: u64,
@@ -180,7 +179,6 @@ impl Comparison {
     }
 }
 
-/// The scene of a recording and its settings.
 fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
     let head = &recording.head;
     let number = parse_number(&head.number)

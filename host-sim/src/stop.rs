@@ -19,7 +19,6 @@ pub(crate) fn listen() {
     LISTENED.store(true, Ordering::Relaxed);
 }
 
-/// Returns whether an end was requested.
 pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }

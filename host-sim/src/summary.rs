@@ -32,7 +32,6 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// For a run before its first frame.
     pub(crate) fn new(run: &Run) -> Self {
         let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
@@ -81,7 +80,6 @@ impl Summary {
         last - first
     }
 
-    /// Sets the total time of the solver's steps.
     pub(crate) fn set_solver_time(&mut self, time: Duration) {
         self.solver_time = time;
     }

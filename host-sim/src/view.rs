@@ -241,7 +241,6 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     result.and(ended.map_err(ViewError::Solver))
 }
 
-/// The thread of the solver, which runs until `ending`.
 fn started(
     engine: Engine,
     inbox: mpsc::Receiver<Order>,
@@ -315,7 +314,6 @@ fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     report::print(&format!("{what}   Ctrl-C ends it\n{board}"));
 }
 
-/// State of the main thread while clients are served.
 struct Watched<'a> {
     /// Signals the end to all tasks.
     stopper: watch::Sender<bool>,

@@ -22,7 +22,6 @@ use crate::vector::{between, distance, length, sub};
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// The events of a frame, between the one before it and itself.
 pub(crate) struct Events<'a> {
     pub(crate) model: &'a Model,
     pub(crate) last: &'a Frame,

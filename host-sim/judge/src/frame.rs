@@ -177,7 +177,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Whether the contacts are those of another frame.
     pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
         self.contacts.len() == other.contacts.len()
             && (self.contacts.iter()).all(|contact| other.contact(contact.touch).is_some())
@@ -188,7 +187,6 @@ impl Frame {
         !self.contacts.is_empty() && (self.contacts.iter()).all(|contact| contact.sliding.is_some())
     }
 
-    /// Whether a contact slides.
     pub(crate) fn slides(&self) -> bool {
         !self.contacts.iter().all(Contact::rests)
     }
@@ -198,7 +196,6 @@ impl Frame {
         (self.contacts.iter()).find(|contact| contact.touch == touch)
     }
 
-    /// Whether it has a contact with an obstacle.
     pub(crate) fn meets_obstacles(&self) -> bool {
         let mut touches = self.contacts.iter().map(|contact| contact.touch);
         touches.any(|touch| touch.obstacle().is_some())

@@ -21,7 +21,6 @@ const BEYOND: f64 = 17.0 / 16.0;
 /// A load this large (k_h L) needs large reactions in any case, and some number types refuse it.
 const LOAD: f64 = 16.0;
 
-/// The findings on contacts that hold, from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
     let jammed = is_rightly_jammed(step).map(|holds| Finding::whether(law::JAMMED, holds));

@@ -38,11 +38,9 @@ struct Anchor {
     place: Vec2,
 }
 
-/// What is known of the hand's grip.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hold {
     grip: Option<Grip>,
-    /// Whether the hand has held the body before.
     was_held: bool,
 }
 

@@ -33,7 +33,6 @@ pub(crate) fn depth(model: &Model, frame: &Frame) -> f64 {
     -apart.fold(f64::INFINITY, f64::min)
 }
 
-/// Whether two contacts with one obstacle are at the same place.
 pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
     let place = |contact: &Contact| model.foot(frame.pose, contact.touch);
     (frame.contacts.iter().enumerate()).any(|(i, a)| {

@@ -47,7 +47,6 @@ fn in_body(pose: [f64; 3], place: Vec2) -> Vec2 {
 }
 
 impl Model {
-    /// Whether the scene has this pair.
     pub(crate) fn has(&self, touch: Touch) -> bool {
         let corners = |obstacle: usize| self.scene.obstacles.get(obstacle).map(|o| &o.vertices);
         let body = &self.scene.vertices;
@@ -68,7 +67,6 @@ impl Model {
         }
     }
 
-    /// Line and friction of a contact.
     pub(crate) fn face(&self, pose: [f64; 3], touch: Touch) -> Face {
         let normal = self.facing(touch).at(pose[2]);
         let of = |obstacle: &Obstacle| Face {
@@ -98,7 +96,6 @@ impl Model {
         }
     }
 
-    /// The position of a contact.
     pub(crate) fn foot(&self, pose: [f64; 3], touch: Touch) -> Vec2 {
         match touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {

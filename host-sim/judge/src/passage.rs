@@ -26,7 +26,6 @@ const PLACES: u32 = 64;
 /// Halvings when locating the point at which a gap closes.
 const HALVINGS: u32 = 40;
 
-/// The findings on obstacles from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);

@@ -83,7 +83,6 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     Some(fits(1.0) || fits(-1.0))
 }
 
-/// The findings on slides from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     findings.extend(reported(step).map(|holds| Finding::whether(law::SLIDE_REPORTED, holds)));

@@ -202,7 +202,6 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// The spot of a contact in a frame.
     fn spot(&self, frame: &Frame, contact: &Contact) -> Spot {
         Spot {
             held: self.model.held(frame.pose, contact.touch),

@@ -11,7 +11,6 @@ use crate::scene::Scene;
 use crate::touch::Touch;
 use crate::vector::{add, cross, distance, dot, length, sub};
 
-/// Every number is finite.
 pub(crate) fn finite(frame: &Frame) -> Finding {
     let contact = |c: &Contact| {
         let [x, y] = c.direction.unwrap_or_default();
@@ -64,7 +63,6 @@ fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> 
     }
 }
 
-/// Findings on vertices, surfaces, obstacles and contacts.
 pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut inside, mut off, mut apart) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -136,7 +134,6 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         .collect()
 }
 
-/// Without a hand there is no wrench.
 pub(crate) fn idle(frame: &Frame) -> Finding {
     Finding::whether(law::IDLE, frame.wrench == [0.0; 3])
 }

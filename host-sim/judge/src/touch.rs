@@ -69,9 +69,7 @@ impl Touch {
 pub(crate) struct Face {
     /// Unit normal n towards the body, world frame.
     pub(crate) normal: Vec2,
-    /// mu_s
     pub(crate) friction_static: f64,
-    /// mu_d
     pub(crate) friction_dynamic: f64,
     /// D_c (m), as given.
     pub(crate) memory: Option<f64>,

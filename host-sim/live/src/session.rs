@@ -82,7 +82,6 @@ where
     }
 }
 
-/// Accepts any solver.
 struct Boxed;
 
 impl Task for Boxed {

@@ -41,7 +41,6 @@ impl BoardBuild {
         }
     }
 
-    /// The capacity that the package's features ask for.
     fn room_of_features(&self) -> SceneModel {
         match env::var_os("CARGO_FEATURE_OBSTACLES") {
             Some(_) => self.room,

@@ -15,9 +15,7 @@ use crate::written::WrittenScene;
 /// The environment variable with the scene file that replaces a board's own.
 const SCENE: &str = "STICTION_SCENE";
 
-/// The scene that is compiled into a board by default.
 pub(crate) struct OwnScene {
-    /// The scene file.
     pub(crate) file: PathBuf,
     /// The model has capacity for what arrives over the wire.
     pub(crate) room: SceneModel,
@@ -25,9 +23,6 @@ pub(crate) struct OwnScene {
 
 /// Writes `scene.rs` into a folder: the board's own scene, or, in its smallest model, the scene of the file named by the
 /// environment variable `STICTION_SCENE`. Reports the dependencies to cargo.
-///
-/// # Errors
-/// The scene is unusable, or the code cannot be written.
 pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Result<(), InputError> {
     println!("cargo::rerun-if-env-changed={SCENE}");
     let named = env::var_os(SCENE).filter(|name| !name.is_empty());

@@ -30,7 +30,6 @@ pub struct ObstacleInfo {
     pub memory: Option<f64>,
 }
 
-/// The obstacles of a file.
 pub(crate) fn obstacles(
     check: Check<'_>,
     document: &Document,

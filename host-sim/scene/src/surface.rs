@@ -31,7 +31,6 @@ pub struct SurfaceInfo {
     pub memory: Option<f64>,
 }
 
-/// The surfaces of a file.
 pub(crate) fn surfaces(
     check: Check<'_>,
     document: &Document,

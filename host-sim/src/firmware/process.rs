@@ -144,7 +144,6 @@ fn install_qemu(package: &str, codename: Option<&str>) -> String {
     )
 }
 
-/// The first number in QEMU's version message.
 fn major_version(said: &str) -> Option<u32> {
     let (_, version) = said.split_once("version ")?;
     version.split('.').next()?.parse().ok()
@@ -177,7 +176,6 @@ fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError 
     }
 }
 
-/// The command that installs a program.
 pub(crate) fn install(program: &str) -> String {
     let qemu = |package| install_qemu(package, codename().as_deref());
     match program {

@@ -10,7 +10,6 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let touched = touched(run);
     let mut legend = Vec::new();
@@ -57,7 +56,6 @@ struct Solid<'a> {
     contacts: Box<dyn Fn(&ContactRecord) -> bool>,
 }
 
-/// Those that are touched.
 fn touched(run: &Run) -> Vec<Solid<'_>> {
     let surfaces = run.surfaces.iter().enumerate().map(|(k, surface)| Solid {
         name: &surface.name,
@@ -75,7 +73,6 @@ fn touched(run: &Run) -> Vec<Solid<'_>> {
     surfaces.chain(obstacles).filter(is_touched).collect()
 }
 
-/// The panel of a surface or an obstacle.
 fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
     let sum = |force: fn(&ContactRecord) -> f64| -> Vec<f64> {
         let of_solid = |frame: &Frame| {
@@ -114,7 +111,6 @@ fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
     }
 }
 
-/// The panel of the hand's spring.
 fn hand(run: &Run) -> TimePanel {
     let force = |axis: usize| run.frames.iter().map(|frame| frame.wrench[axis]).collect();
     TimePanel {

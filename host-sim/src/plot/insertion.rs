@@ -20,7 +20,6 @@ const MOST_POINTS: usize = 6000;
 /// The two sides of the parallelogram on which two points slide in, and those of one wall.
 const TWO_POINTS: RGBColor = FRICTION;
 const ONE_WALL: RGBColor = SLIDE;
-/// The formulas.
 const ONE_POINT_FORMULA: RGBColor = HAND_FORCE;
 const TWO_POINT_FORMULA: RGBColor = NORMAL;
 
@@ -78,7 +77,6 @@ fn entries(readings: &[(&Frame, Insertion)]) -> Vec<Entry> {
 /// Frames with these verdicts have dots.
 const MARKED: [(Verdict, RGBColor); 2] = [(Verdict::Jammed, SLIP), (Verdict::Wedged, INK)];
 
-/// A panel with its axes.
 struct DiagramAxes<'a> {
     x: (Range<f64>, &'a str),
     y: (Range<f64>, &'a str),

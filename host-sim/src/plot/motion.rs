@@ -11,7 +11,6 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let offset = |frame: &Frame| (hand_angle(run, frame) - frame.hand[2]).abs() > LEAST_OFFSET;
     let hand_text = if run.frames.iter().any(offset) {

@@ -40,7 +40,6 @@ impl<'a> View<'a> {
             .draw(&PathElement::new(points.to_vec(), stroke(color, width)))
     }
 
-    /// A filled polygon.
     pub(super) fn fill(&self, corners: &[Point], color: impl Into<RGBAColor>) -> Drawn {
         let color: RGBAColor = color.into();
         self.plane
@@ -110,7 +109,6 @@ impl<'a> View<'a> {
         self.fill(&arrow.head, color)
     }
 
-    /// A coil between two points.
     pub(super) fn spring(&self, from: Point, to: Point, color: RGBColor) -> Drawn {
         match spring(from, to, self.pixel) {
             Some(coil) => self.line(&coil, color, 1.3),

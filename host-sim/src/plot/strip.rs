@@ -20,7 +20,6 @@ const SIDE: f64 = 234.0;
 const CAPTION: f64 = 56.0;
 const GAP: f64 = (WIDTH - 2.0 * MARGIN - COLUMNS as f64 * SIDE) / (COLUMNS - 1) as f64;
 
-/// The scales that all snapshots share.
 struct Scales {
     /// Side of a snapshot [m].
     window: f64,
@@ -30,7 +29,6 @@ struct Scales {
     moment: f64,
 }
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let frames: Vec<&Frame> = choose(run, SNAPSHOTS)
         .into_iter()
@@ -57,7 +55,6 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     })
 }
 
-/// The contents of a snapshot.
 fn extent(run: &Run, frame: &Frame) -> Window {
     let hand = frame.held.then_some((frame.hand[0], frame.hand[1]));
     Window::around(placed(&run.body, frame.pose).into_iter().chain(hand))
@@ -136,7 +133,6 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     area.draw(&edge)
 }
 
-/// The reactions at the contacts.
 fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
         let [nx, ny] = contact.normal_among(&run.surfaces);
@@ -193,7 +189,6 @@ fn arc(view: &View, place: (f64, f64), share: f64) -> Drawn {
     view.arrow(turn.tip, turn.along, HAND_FORCE, 2.4)
 }
 
-/// Time, state, pose and events below a snapshot.
 fn caption(area: &Area, frame: &Frame, scale: &Scales) -> Drawn {
     let (unit, per_metre) = length_unit(scale.window);
     let [x, y, theta] = frame.pose;

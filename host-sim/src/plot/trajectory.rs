@@ -16,7 +16,6 @@ const HEIGHTS: (f64, f64) = (240.0, 760.0);
 const MOST_POINTS: usize = 12_000;
 const MOST_DOTS: usize = 4000;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let bounds = bounds(run);
     let height = (INNER * bounds.height() / bounds.width())

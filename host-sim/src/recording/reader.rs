@@ -73,7 +73,6 @@ pub(crate) enum RecordingLine {
     Change(Change),
 }
 
-/// A recording that is read line by line.
 #[derive(Debug)]
 pub(crate) struct Recording {
     file: PathBuf,
@@ -97,9 +96,6 @@ enum Ending {
 
 impl Recording {
     /// Opens a recording and reads its head.
-    ///
-    /// # Errors
-    /// Fails if it cannot be read, or is no recording.
     pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
         // Of any length: it is read line by line.
         let opened = stiction_scene::text::open(file, u64::MAX);
@@ -132,9 +128,6 @@ impl Recording {
     }
 
     /// Returns the next line; nothing at the end.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be read, the line is neither a sample nor a change, or the count in the last line is wrong.
     pub(crate) fn next(&mut self) -> Result<Option<RecordingLine>, RecordingError> {
         if !self.advance()? {
             return Ok(None);
@@ -172,7 +165,6 @@ impl Recording {
         advanced.map_err(|problem| self.error(problem))
     }
 
-    /// Processes the last line.
     fn end(&mut self, end: &End) -> Result<(), RecordingError> {
         let (counted, there) = (end.samples, self.samples);
         if counted != there {

@@ -23,7 +23,6 @@ fn digest(row: &[u8]) -> [u8; DIGEST] {
     line
 }
 
-/// The path of the file.
 pub(super) fn beside(table: &Path) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(".sweep");
@@ -41,9 +40,6 @@ pub(super) struct Beside {
 
 impl Beside {
     /// Creates the file for a table without rows, made from `inputs`.
-    ///
-    /// # Errors
-    /// Fails if it cannot be written.
     pub(super) fn begin(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let text = format!("{inputs}{ROWS}");
@@ -52,9 +48,6 @@ impl Beside {
     }
 
     /// Opens the file of an existing table.
-    ///
-    /// # Errors
-    /// Fails if the file is missing, or the rows were made from other inputs.
     pub(super) fn open(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let file = match OpenOptions::new().read(true).write(true).open(&place) {
@@ -88,9 +81,6 @@ impl Beside {
     }
 
     /// Returns whether a row is the one that was written next; nothing if none was.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be read.
     pub(super) fn is_next(&mut self, row: &[u8]) -> Result<Option<bool>, OutputError> {
         let mut line = [0; DIGEST];
         match self.file.read_exact(&mut line) {
@@ -101,9 +91,6 @@ impl Beside {
     }
 
     /// Keeps the digests of `rows` rows; the next one follows.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn cut(&mut self, rows: u64) -> Result<(), OutputError> {
         let length = self.begin + rows * DIGEST as u64;
         let cut = self.file.get_ref().set_len(length);
@@ -112,9 +99,6 @@ impl Beside {
     }
 
     /// Adds the digest of a row.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         let written = self.file.get_mut().write_all(&digest(row));
         written.map_err(write_error(&self.place))

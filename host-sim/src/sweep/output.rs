@@ -65,21 +65,17 @@ pub enum OutputError {
     },
 }
 
-/// The rows of a table.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     /// The first line; the tables of all shards but the first have none.
     pub(super) header: Option<Vec<u8>>,
-    /// The index of the first row.
     pub(super) first: u64,
     /// The step between indices.
     pub(super) step: u64,
-    /// The number of rows.
     pub(super) count: u64,
 }
 
 impl Rows {
-    /// The index of row `k`.
     pub(super) fn index(&self, k: u64) -> u64 {
         self.first + k * self.step
     }
@@ -96,9 +92,6 @@ pub(super) struct Output {
 
 impl Output {
     /// Opens the table at `place`, or creates it; `inputs`: the inputs of the rows, line by line.
-    ///
-    /// # Errors
-    /// Fails if an existing table belongs to something else, or it cannot be written.
     pub(super) fn open(place: &Path, inputs: &str, rows: &Rows) -> Result<Self, OutputError> {
         let cannot_write = write_error(place);
         let file = OpenOptions::new()
@@ -135,15 +128,11 @@ impl Output {
         Ok(output)
     }
 
-    /// The number of existing rows.
     pub(super) fn rows(&self) -> u64 {
         self.rows
     }
 
     /// Adds a row; on return, the system has accepted it.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         self.write(row)?;
         self.beside.append(row)?;
@@ -200,9 +189,6 @@ impl Output {
 }
 
 /// The length of a file on a disk (bytes).
-///
-/// # Errors
-/// Fails for anything else, which need not have an end.
 pub(super) fn length_of(file: &File) -> io::Result<u64> {
     let there = file.metadata()?;
     match there.is_file() {

@@ -25,7 +25,6 @@ const CONTACT_COLUMNS: [(&str, Shown); 13] = [
     ("direction_y", Shown::AmongObstacles),
 ];
 
-/// The traces in which a column is present.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shown {
     Always,
@@ -62,7 +61,6 @@ const INSERTION: [&str; 7] = ["depth", "fx", "fz", "m", "lambda", "margin", "ver
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Has {
     pub(super) obstacles: bool,
-    /// A peg and a hole.
     pub(super) meter: bool,
 }
 
@@ -104,7 +102,6 @@ impl CsvTable {
     }
 }
 
-/// The names of the columns.
 fn header(has_budget: bool, has: Has) -> Vec<String> {
     let mut names: Vec<String> = COLUMNS.map(String::from).to_vec();
     for contact in 0..CONTACTS {
@@ -124,7 +121,6 @@ fn shown(has_obstacles: bool) -> impl Iterator<Item = usize> {
     (0..CONTACT_COLUMNS.len()).filter(is_shown)
 }
 
-/// The columns of a record.
 fn row(record: &Record<'_>, has: Has) -> Vec<String> {
     let mut row = vec![format!("{:?}", record.t)];
     row.extend(record.hand.map(digits));

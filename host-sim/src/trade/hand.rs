@@ -71,7 +71,6 @@ pub(super) fn synthetic(seconds: f64) -> HandPath {
     HandPath::new(samples)
 }
 
-/// One movement of the hand.
 struct Reach {
     from: [f64; 3],
     to: [f64; 3],

@@ -20,15 +20,12 @@ use stiction_live::simulate::simulate;
 /// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Row {
-    /// The setting.
     pub(super) setting: Setting,
     /// Frames per second (Hz).
     pub(super) rate: f64,
     /// The scenes; `None`: all of them.
     pub(super) group: Option<Group>,
-    /// Accuracy.
     pub(super) accuracy: Accuracy,
-    /// Cost.
     pub(super) cost: Cost,
 }
 
@@ -109,7 +106,6 @@ impl Row {
     }
 }
 
-/// The data from which a row is computed.
 #[derive(Clone, Debug, Default)]
 struct Tally {
     errors: Errors,
@@ -141,9 +137,6 @@ impl Tally {
 
 /// Measures all settings at all rates; `done` is called for every finished scene. Each combination has a row over all scenes,
 /// followed by one for each group.
-///
-/// # Errors
-/// Fails if a number type refuses a scene.
 pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
     let settings: Vec<Setting> = Setting::all().collect();
     let combinations: Vec<_> = (settings.iter())
@@ -185,7 +178,6 @@ pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<
         .collect())
 }
 
-/// Runs a scene through a setting at a rate.
 struct Ride<'a> {
     case: &'a Case,
     setting: Setting,
@@ -196,7 +188,6 @@ struct Ride<'a> {
 }
 
 impl Ride<'_> {
-    /// Converts the name of a number type to the type.
     fn measure(&self, tally: &mut Tally) -> Result<(), InputError> {
         match self.setting.number {
             Number::F64 => self.run::<f64>(tally),

@@ -24,9 +24,6 @@ const PACKET: usize = 2048;
 const CENTIMETRES: f64 = 100.0;
 
 /// A socket that sends to an address.
-///
-/// # Errors
-/// Fails if there is no such host, or no port.
 pub(super) fn to(address: &str) -> io::Result<StdSocket> {
     let resolved = address.to_socket_addrs()?.next();
     let to = resolved.ok_or_else(|| io::Error::other("no such host"))?;
@@ -44,16 +41,12 @@ pub(super) fn to(address: &str) -> io::Result<StdSocket> {
 }
 
 /// A socket that listens on a port.
-///
-/// # Errors
-/// Fails if the port is taken.
 pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
     let socket = StdSocket::bind((address, port))?;
     socket.set_nonblocking(true)?;
     Ok(socket)
 }
 
-/// The format of a sent pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum PoseFormat {
     Osc,
@@ -61,9 +54,6 @@ pub(super) enum PoseFormat {
 }
 
 /// Sends the newest pose at this rate (Hz).
-///
-/// # Errors
-/// Fails if the socket cannot be used.
 pub(super) async fn send(
     socket: StdSocket,
     format: PoseFormat,
@@ -100,7 +90,6 @@ pub(super) async fn send(
     }
 }
 
-/// A frame as messages.
 fn parts(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> Vec<Message> {
     let float = |value: f64| Argument::Float(value as f32);
     let text = |value: &str| Argument::Text(value.to_owned());
@@ -162,10 +151,6 @@ fn doubles(frame: &Frame) -> [u8; 48] {
     bytes
 }
 
-/// Receives the hand.
-///
-/// # Errors
-/// Fails if the socket cannot be used.
 pub(super) async fn receive(
     socket: StdSocket,
     format: PoseFormat,
@@ -191,7 +176,6 @@ pub(super) async fn receive(
     }
 }
 
-/// The latest state of a tracker.
 #[derive(Clone, Copy, Debug)]
 struct Tracker {
     hand: Option<HandPose>,

@@ -7,7 +7,6 @@ use std::sync::{LazyLock, OnceLock};
 use flate2::{Compression, write::GzEncoder};
 use stiction_live::script::without_comments;
 
-/// A file of the page.
 struct File {
     path: &'static str,
     kind: &'static str,
@@ -23,10 +22,8 @@ struct PageContent {
     packed: Option<Vec<u8>>,
 }
 
-/// An answer to a request for a file.
 #[derive(Clone, Copy)]
 pub(super) struct Found {
-    /// The media type.
     pub(super) kind: &'static str,
     pub(super) bytes: &'static [u8],
     /// Whether the bytes are gzip-compressed.

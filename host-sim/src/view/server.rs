@@ -37,7 +37,6 @@ const AT_ONCE: usize = 4 << 10;
 /// A file is sent in pieces of this size (bytes).
 const PIECE: usize = 64 << 10;
 
-/// Data that every client needs.
 pub(super) struct Hub {
     pub(super) feed: Arc<SharedFeed>,
     pub(super) orders: mpsc::Sender<Order>,

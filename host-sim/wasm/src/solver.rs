@@ -172,7 +172,6 @@ fn budget(value: &JsValue) -> Result<u32, JsError> {
     Err(JsError::new(&problem))
 }
 
-/// Answers column by column.
 #[derive(Debug, Default)]
 struct Table {
     t: Vec<f64>,

@@ -72,7 +72,6 @@ impl Chain<'_> {
         Some((pin(1.0).reaction(turn), turn))
     }
 
-    /// The start of the next slip, if there is one.
     fn begins(&self, link: Link, jumps: bool) -> Option<Option<Link>> {
         let part = |u: f64| link.part + (1.0 - link.part) * u;
         let excess = |u: f64| {
@@ -96,7 +95,6 @@ impl Chain<'_> {
         Some(Some(Link { part, turn, ..link }))
     }
 
-    /// The end of a slip.
     fn ends(&self, begin: Link) -> Option<Link> {
         let along = |from: Link, place: f64| {
             let (reaction, turn) = self.reaction(from, place, begin.part)?;

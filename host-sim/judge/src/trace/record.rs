@@ -9,7 +9,6 @@ use crate::frame::{Contact, Event, Frame, State, Status};
 use crate::scene::Scene;
 use crate::touch::Touch;
 
-/// A record with the keys of JSON.
 #[derive(Deserialize)]
 pub(super) struct Record<'a> {
     #[serde(deserialize_with = "number")]
@@ -100,7 +99,6 @@ impl Record<'_> {
     }
 }
 
-/// The sign of the slide of a contact.
 fn sliding(contact: usize, sign: i64) -> Result<i8, String> {
     match sign {
         -1..=1 => Ok(sign as i8),

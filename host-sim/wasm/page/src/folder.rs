@@ -11,7 +11,6 @@ use stiction_scene::Source;
 use crate::module::{For, Module, workspace};
 use crate::{BuildError, of};
 
-/// A name and bytes.
 pub(crate) type File = (String, Vec<u8>);
 
 /// Whether a file is for the tools of the page, and not part of it.
@@ -27,14 +26,12 @@ const WHOLE: &str = "stiction_whole";
 /// A mark that tells the page that it contains the solver itself.
 const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 
-/// The parts of the page.
 #[derive(Debug)]
 pub(crate) struct Page {
     /// The files of `host-sim/web`.
     pub(crate) web: Vec<File>,
     /// Names and pictures of the scenes.
     pub(crate) pictures: Vec<(String, String)>,
-    /// The worker's script.
     worker: Vec<u8>,
     part: Bound,
     pub(crate) whole: Bound,
@@ -116,7 +113,6 @@ impl Page {
     }
 }
 
-/// The pictures of the bundled scenes.
 fn pictures() -> Result<Vec<(String, String)>, BuildError> {
     let picture = |&(name, text): &(&str, &str)| {
         let svg = thumbnail(&Source::new(format!("{name}.toml"), text));
@@ -142,7 +138,6 @@ fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), Buil
     Ok(())
 }
 
-/// The files of the npm package.
 pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
     let wasm = workspace().join("host-sim/wasm");
     let mut files = module.bound(For::Package)?;
@@ -178,7 +173,6 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
     Ok(files)
 }
 
-/// Writes files into a folder.
 pub(crate) fn write(folder: &Path, files: &[File]) -> Result<(), BuildError> {
     for (name, bytes) in files {
         let place = folder.join(name);

@@ -41,12 +41,9 @@ enum BuildError {
     /// wasm-bindgen rejects the compiler's output.
     #[error("wasm-bindgen: {0}")]
     Bindgen(String),
-    /// A file cannot be read or written.
     #[error("{}: {error}", .place.display())]
     File {
-        /// Its path.
         place: PathBuf,
-        /// The system's error.
         error: io::Error,
     },
     /// A file of the page does not have the form that this program expects.

@@ -12,7 +12,6 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// A profile of the workspace.
 const PROFILE: &str = "wasm";
 
-/// The compiled module.
 #[derive(Debug)]
 pub(crate) struct Module {
     file: PathBuf,
@@ -36,13 +35,11 @@ pub(crate) enum For {
     Package,
 }
 
-/// The workspace.
 pub(crate) fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
 }
 
 impl Module {
-    /// Compiles the module.
     pub(crate) fn compile(extent: Extent) -> Result<Self, BuildError> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);

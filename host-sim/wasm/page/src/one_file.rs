@@ -139,7 +139,6 @@ fn closed(content: &str) -> Result<&str, BuildError> {
     }
 }
 
-/// The compressed bytes, as text.
 fn packed(bytes: &[u8]) -> String {
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
     // Writing to memory cannot fail.
