@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_judge::{Bounds, InputError, Judge, Scene, Status, Survey, Trace};
+use stiction_judge::{Bounds, InputError, Judge, STATUSES, Scene, Status, Survey, Trace};
 
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
@@ -114,10 +114,6 @@ pub fn judge(scene: Scene, number: Number, evolution: Evolution) -> Judge {
     } else {
         Bounds::DOUBLE
     };
-    let evolution = match evolution {
-        Evolution::Path => stiction_judge::Evolution::Path,
-        Evolution::Frame => stiction_judge::Evolution::Frame,
-    };
     Judge::new(scene, bounds, evolution)
 }
 
@@ -149,8 +145,10 @@ pub fn verdict(survey: &Survey, notes: &Remarks) -> String {
     if !notes.statuses.is_empty() {
         text.push_str("\nframes with a status\n");
     }
-    for (status, frames) in &notes.statuses {
-        let _ = writeln!(text, "  {:<45}{frames:>10}", status.name());
+    for status in STATUSES {
+        if let Some(frames) = notes.statuses.get(&status) {
+            let _ = writeln!(text, "  {:<45}{frames:>10}", status.name());
+        }
     }
     if let Some(hand) = &notes.hand {
         let _ = writeln!(text, "\n{hand}");

@@ -8,15 +8,16 @@
 
 use std::cmp::Ordering;
 
+use stiction_core::{Event, Evolution, StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::obstacles::placed;
 use crate::pairs::Facing;
 use crate::pin::{Foot, Pin, Spot, follow};
 use crate::slide::is_idle;
 use crate::slip::{EVENTS, Step};
-use crate::touch::Touch;
 use crate::vector::{between, distance, length, sub};
 
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
@@ -215,7 +216,7 @@ fn moves(
         return None;
     }
     // Events of a body that is out of balance may lead nowhere: contacts open and close again at the same place.
-    if !next.status.is_followed() {
+    if !next.is_followed() {
         return None;
     }
     let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
@@ -252,7 +253,7 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         [Event::Snap] => true,
         _ => return None,
     };
-    let is_usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
+    let is_usable = |frame: &Frame| frame.held && frame.complete && frame.is_followed();
     if !next.has_contacts_of(last)
         || last.state != next.state
         || ![last, next].into_iter().all(is_usable)

@@ -4,13 +4,14 @@
 //! **Tolerance.** Two contacts on one obstacle that are closer than 2^-19 L are one, so the ends of sides are known only to that
 //! accuracy, in addition to the tolerance of gaps. A touch is certain only if the gap is within rounding in two consecutive frames.
 
+use stiction_core::{Event, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame};
+use crate::frame::{Contact, Frame};
 use crate::model::Model;
 use crate::pairs::Lined;
 use crate::scene::Scene;
 use crate::shape::{ends, separation};
-use crate::touch::Touch;
 use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Contacts on one obstacle that are closer than this (L) are one.
@@ -98,7 +99,7 @@ impl Unreported {
         bounds: &Bounds,
         (last, frame): (Option<&Frame>, &Frame),
     ) -> Option<Finding> {
-        let is_usable = frame.held && frame.complete && frame.status.is_followed();
+        let is_usable = frame.held && frame.complete && frame.is_followed();
         if !is_usable || model.scene.obstacles.is_empty() {
             self.pairs.clear();
             return None;

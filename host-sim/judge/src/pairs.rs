@@ -1,11 +1,13 @@
 //! The geometry of a pair in a pose: its position, its line, its gap, its position on its side, and whether the adjacent sides leave
 //! it space. World frame unless stated otherwise (m).
 
+use stiction_core::Touch;
+
 use crate::frame::Contact;
 use crate::model::Model;
 use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
-use crate::touch::{Face, Touch};
+use crate::touch::{Face, share_vertex};
 use crate::vector::{Vec2, cross, dot, scaled, sub, turned};
 
 /// Lines whose angle (rad) and distance (L) do not exceed this may be the same.
@@ -200,7 +202,7 @@ impl Model {
         if let (Some(a), Some(b)) = (a.surface(), b.surface()) {
             return if a == b { Lined::Yes } else { Lined::No };
         }
-        if a.shares_vertex(b) {
+        if share_vertex(a, b) {
             return Lined::No;
         }
         let on = |touch| match touch {

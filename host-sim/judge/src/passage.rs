@@ -9,8 +9,10 @@
 //! A vertex passes through a side if its gap to the side closes between the side's ends; a corner does if its gap to a side of the
 //! body closes. The amount is the smaller of its greatest depth and of its distance from the end where it entered.
 
+use stiction_core::{Event, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame};
+use crate::frame::{Contact, Frame};
 use crate::model::Model;
 use crate::obstacles::{OVERLAP, placed};
 use crate::onset::Way;
@@ -18,7 +20,6 @@ use crate::pin::{Foot, Spot, follow};
 use crate::scene::Scene;
 use crate::shape::{ends, gap_of_segments, outward, separation};
 use crate::slip::{Step, static_excess};
-use crate::touch::Touch;
 use crate::vector::{Vec2, add, between, distance, dot, scaled, sub, turned};
 
 /// Points on a path at which the pose is evaluated.
@@ -27,7 +28,7 @@ const PLACES: u32 = 64;
 const HALVINGS: u32 = 40;
 
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
-    let usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
+    let usable = |frame: &Frame| frame.held && frame.complete && frame.is_followed();
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
     let taken = step.next.events.iter().any(is_taken);
     if step.model.scene.obstacles.is_empty() || !usable(step.last) || !usable(step.next) || taken {

@@ -10,13 +10,15 @@
 //! and go that far beyond it. A slip is lawful if its end is valid for some tau in that range. If the limit is met steeply,
 //! as is usual, the range is a point; if it is met at a grazing angle, the uncertainty of tau is not held against the trace.
 
+use stiction_core::{Event, Evolution, StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
 use crate::slide::has_stiction;
-use crate::touch::{Face, Touch};
+use crate::touch::Face;
 use crate::vector::{between, dot, sub};
 use vertex::Slide;
 
@@ -95,7 +97,7 @@ impl<'a> Step<'a> {
     /// Whether all contacts stuck before and still exist.
     fn slips_alone(&self, last: &Frame) -> bool {
         let next = self.next;
-        next.status.is_followed()
+        next.is_followed()
             && next.complete
             && last.held
             && next.held
@@ -293,7 +295,7 @@ impl<'a> Step<'a> {
         if !is_last || next.events.iter().any(opens) {
             return None;
         }
-        if !next.status.is_followed() || !next.held || next.slides() || !face.jumps() {
+        if !next.is_followed() || !next.held || next.slides() || !face.jumps() {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {

@@ -2,13 +2,15 @@
 
 use std::collections::BTreeSet;
 
+use stiction_core::{StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::obstacles;
 use crate::pairs::Lined;
 use crate::scene::Scene;
-use crate::touch::Touch;
+use crate::touch::share_vertex;
 use crate::vector::{add, cross, distance, dot, length, sub};
 
 pub(crate) fn finite(frame: &Frame) -> Finding {
@@ -53,7 +55,7 @@ pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 
 
 /// Whether two contacts have the state's name, according to what they have in common.
 fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> bool {
-    if pair[0].shares_vertex(pair[1]) {
+    if share_vertex(pair[0], pair[1]) {
         return frame.state == State::Corner;
     }
     match model.lined(frame.pose, pair, model.carried(frame, bounds)) {

@@ -63,7 +63,9 @@ impl Run {
     /// Returns the obstacles and their corners that are touched in any frame.
     pub fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
         let contacts = self.frames.iter().flat_map(|frame| &frame.contacts);
-        contacts.filter_map(ContactRecord::corner).collect()
+        contacts
+            .filter_map(|contact| contact.touch.corner())
+            .collect()
     }
 
     /// Returns the part of the scene that its trace needs.
@@ -155,43 +157,9 @@ pub struct ContactRecord {
 }
 
 impl ContactRecord {
-    /// Returns the vertex of the body, if it is a vertex that touches.
-    pub fn vertex(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => Some(vertex),
-            Touch::Corner { .. } => None,
-        }
-    }
-
-    /// Returns the surface, if it is a surface that is touched.
-    pub fn surface(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { surface, .. } => Some(surface),
-            Touch::Side { .. } | Touch::Corner { .. } => None,
-        }
-    }
-
-    /// Returns the obstacle, if it is an obstacle that is touched.
-    pub fn obstacle(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { .. } => None,
-            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => Some(obstacle),
-        }
-    }
-
-    /// Returns the obstacle and its corner, if it is a corner that touches.
-    pub fn corner(&self) -> Option<[usize; 2]> {
-        match self.touch {
-            Touch::Corner {
-                obstacle, corner, ..
-            } => Some([obstacle, corner]),
-            Touch::Surface { .. } | Touch::Side { .. } => None,
-        }
-    }
-
     /// Returns the unit normal n towards the body.
     pub fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
-        let of_surface = || Some(surfaces.get(self.surface()?)?.normal);
+        let of_surface = || Some(surfaces.get(self.touch.surface()?)?.normal);
         self.direction.or_else(of_surface).unwrap_or_default()
     }
 }

@@ -139,10 +139,14 @@ impl<'a> ContactEntry<'a> {
             } => (None, Some(corner), Some(body_side)),
         };
         Self {
-            vertex: contact.vertex(),
+            vertex: contact.touch.vertex(),
             corner,
-            surface: contact.surface().map(|k| name(&scenery.names.surfaces, k)),
+            surface: contact
+                .touch
+                .surface()
+                .map(|k| name(&scenery.names.surfaces, k)),
             obstacle: contact
+                .touch
                 .obstacle()
                 .map(|k| name(&scenery.names.obstacles, k)),
             side,

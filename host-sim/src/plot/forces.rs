@@ -60,13 +60,13 @@ fn touched(run: &Run) -> Vec<Solid<'_>> {
     let surfaces = run.surfaces.iter().enumerate().map(|(k, surface)| Solid {
         name: &surface.name,
         friction: [surface.friction_static, surface.friction_dynamic],
-        contacts: Box::new(move |contact| contact.surface() == Some(k)),
+        contacts: Box::new(move |contact| contact.touch.surface() == Some(k)),
     });
     let obstacles = run.obstacles.iter().enumerate();
     let obstacles = obstacles.map(|(k, obstacle)| Solid {
         name: &obstacle.name,
         friction: [obstacle.friction_static, obstacle.friction_dynamic],
-        contacts: Box::new(move |contact| contact.obstacle() == Some(k)),
+        contacts: Box::new(move |contact| contact.touch.obstacle() == Some(k)),
     });
     let contacts = || run.frames.iter().flat_map(|frame| &frame.contacts);
     let is_touched = |solid: &Solid<'_>| contacts().any(&solid.contacts);

@@ -87,10 +87,10 @@ fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
         lines.push(Curve::new(FRICTION, 2.4, values(run, |_| true, touching)));
     };
     for vertex in 0..run.body.len() {
-        follow(&|contact| contact.vertex() == Some(vertex));
+        follow(&|contact| contact.touch.vertex() == Some(vertex));
     }
     for corner in run.touched_corners() {
-        follow(&|contact| contact.corner() == Some(corner));
+        follow(&|contact| contact.touch.corner() == Some(corner));
     }
     TimePanel {
         label: label.to_owned(),

@@ -53,10 +53,10 @@ fn entries(run: &Run) -> Vec<Entry> {
     if run.frames.iter().any(|frame| !frame.held) {
         entries.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
     }
-    if contacts(run).any(|contact| contact.vertex().is_some()) {
+    if contacts(run).any(|contact| contact.touch.vertex().is_some()) {
         entries.push(Entry::new(Mark::Dot(FRICTION), "vertices in contact"));
     }
-    if contacts(run).any(|contact| contact.vertex().is_none()) {
+    if contacts(run).any(|contact| contact.touch.vertex().is_none()) {
         entries.push(Entry::new(Mark::Ring(FRICTION), "corners in contact"));
     }
     entries
@@ -143,7 +143,7 @@ fn bodies(view: &View, run: &Run) -> Drawn {
 
 fn paths(view: &View, run: &Run) -> Drawn {
     for vertex in 0..run.body.len() {
-        let contacts = contacts(run).filter(|contact| contact.vertex() == Some(vertex));
+        let contacts = contacts(run).filter(|contact| contact.touch.vertex() == Some(vertex));
         let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
         for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS / run.body.len()) {
             view.dot(point, 2.2, FRICTION)?;

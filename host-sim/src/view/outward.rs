@@ -104,13 +104,17 @@ fn parts(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> Vec<Messa
         message("wrench", frame.wrench.map(float).to_vec()),
     ];
     for contact in &frame.contacts {
-        let surface = contact.surface().and_then(|k| scene.surfaces.get(k));
-        let obstacle = contact.obstacle().and_then(|k| scene.obstacles.get(k));
+        let surface = contact.touch.surface().and_then(|k| scene.surfaces.get(k));
+        let obstacle = contact
+            .touch
+            .obstacle()
+            .and_then(|k| scene.obstacles.get(k));
         let name = surface
             .map(|surface| &surface.name)
             .or(obstacle.map(|obstacle| &obstacle.name));
         // -1: a corner of an obstacle, on a side of the body.
         let vertex = contact
+            .touch
             .vertex()
             .map(|k| i32::try_from(k).unwrap_or(i32::MAX));
         let [x, y] = contact.point.map(float);

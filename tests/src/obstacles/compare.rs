@@ -4,7 +4,6 @@ use super::laws::Laws;
 use super::run::{Run, touches};
 use super::shape::{Point, outward, placed};
 use super::worlds::world;
-use crate::laws::named;
 use crate::number::Number;
 use crate::reference::{ContactForce, Reference, Scene};
 use stiction_core::Evolution;
@@ -79,7 +78,7 @@ pub fn frame_of(scene: &Scene, body: &Reference, (t, hand): (f64, [f64; 3])) -> 
         held: true,
         pose,
         depth: 0.0,
-        state: named(State::named, body.state()),
+        state: named(body.state()),
         contacts: body.contacts().iter().map(contact).collect(),
         complete: true,
         wrench: [
@@ -98,6 +97,12 @@ pub fn frame_of(scene: &Scene, body: &Reference, (t, hand): (f64, [f64; 3])) -> 
         },
         behind: None,
     }
+}
+
+/// The state of this name.
+fn named(name: &str) -> State {
+    let state = State::ALL.into_iter().find(|state| state.name() == name);
+    state.unwrap_or_else(|| panic!("the judge does not know {name:?}"))
 }
 
 /// Runs a scene with both.

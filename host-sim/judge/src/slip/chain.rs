@@ -3,7 +3,9 @@
 
 use super::vertex::PLACES;
 use super::{Step, drive, static_excess};
-use crate::frame::{Contact, Evolution, State};
+use stiction_core::{Evolution, StateKind as State};
+
+use crate::frame::Contact;
 use crate::model::borne;
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};

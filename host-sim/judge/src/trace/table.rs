@@ -9,10 +9,10 @@ use std::io::{self, BufReader, Read};
 use std::rc::Rc;
 
 use csv::{Reader, StringRecord};
+use stiction_core::StateKind as State;
 
 use super::record::{Entry, Names, Record};
 use super::{LONGEST_RECORD, Line};
-use crate::frame::State;
 
 const CONTACTS: usize = 4;
 

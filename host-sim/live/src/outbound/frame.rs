@@ -135,8 +135,8 @@ fn strip(frame: &Frame, [surfaces, obstacles]: [usize; 2]) -> Vec<f64> {
     let mut row = vec![0.0; 1 + 2 * (surfaces + obstacles)];
     row[0] = frame.t;
     for contact in &frame.contacts {
-        let of_obstacle = contact.obstacle().map(|k| surfaces + k);
-        let Some(solid) = contact.surface().or(of_obstacle) else {
+        let of_obstacle = contact.touch.obstacle().map(|k| surfaces + k);
+        let Some(solid) = contact.touch.surface().or(of_obstacle) else {
             continue;
         };
         let place = 1 + 2 * solid;

@@ -42,10 +42,7 @@ enum BuildError {
     #[error("wasm-bindgen: {0}")]
     Bindgen(String),
     #[error("{}: {error}", .place.display())]
-    File {
-        place: PathBuf,
-        error: io::Error,
-    },
+    File { place: PathBuf, error: io::Error },
     /// A file of the page does not have the form that this program expects.
     #[error("{0}")]
     Page(String),
