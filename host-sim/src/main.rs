@@ -44,17 +44,17 @@ fn main() -> ExitCode {
 fn done(command: Command) -> ExitCode {
     // False if the command ran but its result is bad.
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
-        Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
-        Command::Replay(args) => replay(&args).map_err(Into::into),
+        Command::Run(args) => run(&args).map(|()| true),
+        Command::Replay(args) => replay(&args),
         Command::Check(args) => check(&args),
-        Command::Trade(args) => trade(&args).map(|()| true).map_err(Into::into),
-        Command::Sweep(args) => sweep(&args).map_err(Into::into),
+        Command::Trade(args) => trade(&args).map(|()| true),
+        Command::Sweep(args) => sweep(&args),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
         Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),
         Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
-        Command::Scenes(args) => scenes(&args).map(|()| true).map_err(Into::into),
-        Command::New(args) => new(&args).map(|()| true).map_err(Into::into),
+        Command::Scenes(args) => scenes(&args).map(|()| true),
+        Command::New(args) => new(&args).map(|()| true),
         Command::Completions(args) => completions(&args).map(|()| true).map_err(Into::into),
         Command::Man(args) => man(&args).map(|()| true).map_err(Into::into),
         Command::View(args) => view(&args).map(|()| true).map_err(Into::into),

@@ -32,10 +32,9 @@ use stiction_scene::{SceneFile, Source};
 
 use crate::settings::Settings;
 use stiction_live::body::Setting;
-use stiction_live::number::Number;
-use stiction_live::number::{parse_evolution, parse_number};
+use stiction_live::number::{Number, parse_kind};
 
-pub(crate) use reader::{Recording, RecordingError, RecordingLine};
+pub(crate) use reader::{Recording, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
 const VERSION: u32 = 2;
@@ -141,12 +140,7 @@ pub(crate) struct Change {
 impl Change {
     /// The setting with these names and this text; `name`: of the scene.
     pub(crate) fn setting(&self, name: PathBuf) -> Result<Setting, String> {
-        let refused =
-            |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");
-        let number = parse_number(&self.number)
-            .map_err(|allowed| refused("number", &self.number, allowed))?;
-        let evolution = parse_evolution(&self.evolution)
-            .map_err(|allowed| refused("evolution", &self.evolution, allowed))?;
+        let (number, evolution) = parse_kind(&self.number, &self.evolution)?;
         let source = Source::new(name, self.scene.as_str());
         let scene = SceneFile::parse(source, number.limit()).map_err(|error| error.to_string())?;
         Ok(Setting {

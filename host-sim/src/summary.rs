@@ -35,8 +35,8 @@ impl Summary {
     pub(crate) fn new(run: &Run) -> Self {
         let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
-            title: format!("{} ({number}, {evolution})", run.title),
-            residual: Residual::new(run),
+            title: format!("{} ({number}, {evolution})", run.scene.title),
+            residual: Residual::new(&run.scene),
             frames: 0,
             span: None,
             seconds: [0.0; StateKind::ALL.len()],

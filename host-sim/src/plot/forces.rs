@@ -41,7 +41,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     panels.push(hand(run));
     Timeline {
         run,
-        title: format!("{}: forces on the body", run.title),
+        title: format!("{}: forces on the body", run.scene.title),
         legend,
         panels,
     }
@@ -57,12 +57,17 @@ struct Solid<'a> {
 }
 
 fn touched(run: &Run) -> Vec<Solid<'_>> {
-    let surfaces = run.surfaces.iter().enumerate().map(|(k, surface)| Solid {
-        name: &surface.name,
-        friction: [surface.friction_static, surface.friction_dynamic],
-        contacts: Box::new(move |contact| contact.touch.surface() == Some(k)),
-    });
-    let obstacles = run.obstacles.iter().enumerate();
+    let surfaces = run
+        .scene
+        .surfaces
+        .iter()
+        .enumerate()
+        .map(|(k, surface)| Solid {
+            name: &surface.name,
+            friction: [surface.friction_static, surface.friction_dynamic],
+            contacts: Box::new(move |contact| contact.touch.surface() == Some(k)),
+        });
+    let obstacles = run.scene.obstacles.iter().enumerate();
     let obstacles = obstacles.map(|(k, obstacle)| Solid {
         name: &obstacle.name,
         friction: [obstacle.friction_static, obstacle.friction_dynamic],

@@ -27,7 +27,7 @@ const TWO_POINT_FORMULA: RGBColor = NORMAL;
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let readings: Vec<(&Frame, Insertion)> = run.readings().collect();
     let heading = Heading {
-        title: format!("{}: the peg in its hole", run.title),
+        title: format!("{}: the peg in its hole", run.scene.title),
         entries: entries(&readings),
         margin: LEFT,
     };
@@ -236,7 +236,10 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     };
     let plane = axes.draw(area)?;
     let (inwards, outwards) = readings.split_at(turn(readings));
-    let springs = [run.stiffness_translation, run.stiffness_rotation];
+    let springs = [
+        run.scene.stiffness_translation,
+        run.scene.stiffness_rotation,
+    ];
     let mut formulas = [Vec::new(), Vec::new()];
     for (frame, found) in inwards {
         let small = small_angles(meter, found.depth, frame, springs);

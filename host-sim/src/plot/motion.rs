@@ -35,7 +35,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     }
     Timeline {
         run,
-        title: format!("{}: motion of hand and body", run.title),
+        title: format!("{}: motion of hand and body", run.scene.title),
         legend,
         panels: vec![
             angles(run),
@@ -75,7 +75,7 @@ fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
     let held = values(
         run,
         |frame| frame.held,
-        |frame| 1e3 * frame.holding_point(run.stiffness_translation)[axis],
+        |frame| 1e3 * frame.holding_point(run.scene.stiffness_translation)[axis],
     );
     let mut lines = vec![Curve::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
@@ -86,7 +86,7 @@ fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
         };
         lines.push(Curve::new(FRICTION, 2.4, values(run, |_| true, touching)));
     };
-    for vertex in 0..run.body.len() {
+    for vertex in 0..run.scene.vertices.len() {
         follow(&|contact| contact.touch.vertex() == Some(vertex));
     }
     for corner in run.touched_corners() {

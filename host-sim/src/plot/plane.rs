@@ -61,8 +61,8 @@ impl<'a> View<'a> {
     /// All that is solid: its inside shaded, its free border hatched.
     pub(super) fn solids(&self, run: &Run) -> Drawn {
         let solids = Solids {
-            surfaces: &run.surfaces,
-            obstacles: &run.obstacles,
+            surfaces: &run.scene.surfaces,
+            obstacles: &run.scene.obstacles,
             window: &self.window,
             pixel: self.pixel,
             spacing: SPACING,
@@ -120,8 +120,8 @@ impl<'a> View<'a> {
 /// Angle of the hand [rad]; while it holds the body less its offset in the grip, so that it differs from the body's angle
 /// only by what the rotational spring yields.
 pub(super) fn hand_angle(run: &Run, frame: &Frame) -> f64 {
-    if frame.held && run.stiffness_rotation > 0.0 {
-        frame.pose[2] + frame.wrench[2] / run.stiffness_rotation
+    if frame.held && run.scene.stiffness_rotation > 0.0 {
+        frame.pose[2] + frame.wrench[2] / run.scene.stiffness_rotation
     } else {
         frame.hand[2]
     }

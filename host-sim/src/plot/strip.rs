@@ -36,7 +36,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         .collect();
     let scale = scale(run, &frames);
     let heading = Heading {
-        title: format!("{}: snapshots", run.title),
+        title: format!("{}: snapshots", run.scene.title),
         entries: entries(&scale),
         margin: MARGIN,
     };
@@ -57,8 +57,12 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
 
 fn extent(run: &Run, frame: &Frame) -> Window {
     let hand = frame.held.then_some((frame.hand[0], frame.hand[1]));
-    Window::around(placed(&run.body, frame.pose).into_iter().chain(hand))
-        .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
+    Window::around(
+        placed(&run.scene.vertices, frame.pose)
+            .into_iter()
+            .chain(hand),
+    )
+    .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
 }
 
 fn scale(run: &Run, frames: &[&Frame]) -> Scales {
@@ -123,8 +127,8 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     let centre = extent(run, frame).centre();
     let view = View::new(area, Window::centred(centre, scale.window, scale.window))?;
     view.solids(run)?;
-    view.names(&run.obstacles, false)?;
-    let body = placed(&run.body, frame.pose);
+    view.names(&run.scene.obstacles, false)?;
+    let body = placed(&run.scene.vertices, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
     forces(&view, run, frame, scale)?;
@@ -135,7 +139,7 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
 
 fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
-        let [nx, ny] = contact.normal_among(&run.surfaces);
+        let [nx, ny] = contact.normal_among(&run.scene.surfaces);
         let point = contact.point.into();
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;
@@ -162,7 +166,7 @@ fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
         pointer((x, y), phi, OPEN_HAND)?;
         return view.ring((x, y), 5.0, OPEN_HAND);
     }
-    let point = frame.holding_point(run.stiffness_translation).into();
+    let point = frame.holding_point(run.scene.stiffness_translation).into();
     let [fx, fy, moment] = frame.wrench;
     view.arrow(
         point,

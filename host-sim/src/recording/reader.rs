@@ -18,23 +18,18 @@ const LONGEST_LINE: usize = 6 * LONGEST_WHOLE as usize + PIECE;
 
 /// The reason why a recording cannot be used.
 #[derive(Debug, thiserror::Error)]
-pub enum RecordingError {
+pub(crate) enum RecordingError {
     /// It is no file on a disk, or the system cannot read it.
     #[error("{}: {problem}", file.display())]
     File {
-        /// The recording.
         file: PathBuf,
-        /// What is wrong, and what is allowed.
         problem: String,
     },
     /// A line is invalid.
     #[error("{}, line {line}: {problem}", file.display())]
     Line {
-        /// The recording.
         file: PathBuf,
-        /// Counted from 1.
         line: usize,
-        /// What is wrong, and what is allowed.
         problem: String,
     },
 }

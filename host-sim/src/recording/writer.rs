@@ -12,16 +12,14 @@ use tempfile::NamedTempFile;
 
 use super::line::{ChangeLine, End, LineOut, WrittenSample};
 use super::{Change, Head, PIECE};
-use crate::trace::Record;
-use stiction_live::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run};
 
 /// A recording that is being written. One in a temporary file appears at its destination with [`RecordingWriter::finish`], or not
 /// at all.
 #[derive(Debug)]
 pub(crate) struct RecordingWriter<W: Write = BufWriter<NamedTempFile>> {
     place: PathBuf,
-    scenery: Scenery,
-    single: bool,
+    run: Run,
     samples: u64,
     writer: W,
 }
@@ -36,8 +34,7 @@ impl<W: Write> RecordingWriter<W> {
         writer.write_all(b"\n")?;
         Ok(Self {
             place: place.to_owned(),
-            scenery: run.scenery(),
-            single: run.number.is_single(),
+            run: run.clone(),
             samples: 0,
             writer,
         })
@@ -47,7 +44,7 @@ impl<W: Write> RecordingWriter<W> {
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
             sample: WrittenSample::new(sample),
-            answer: answer.map(|frame| Record::new(frame, &self.scenery, self.single)),
+            answer: answer.map(|frame| self.run.record(frame)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;
         self.samples += 1;
@@ -56,7 +53,7 @@ impl<W: Write> RecordingWriter<W> {
 
     /// From the next sample on, the body is under another setting, that of `run`.
     pub(crate) fn change(&mut self, change: &Change, run: &Run) -> io::Result<()> {
-        (self.scenery, self.single) = (run.scenery(), run.number.is_single());
+        self.run = run.clone();
         serde_json::to_writer(&mut self.writer, &ChangeLine { change })?;
         self.writer.write_all(b"\n")
     }

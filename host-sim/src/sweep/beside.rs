@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use crate::files::whole as files;
 use sha2::{Digest, Sha256};
 
-use super::output::{OutputError, length_of, write_error};
+use super::output::{OutputError, length_of};
+use crate::files::WriteError;
 
 /// The line after the inputs of the rows.
 const ROWS: &str = "rows:\n";
@@ -43,7 +44,7 @@ impl Beside {
     pub(super) fn begin(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let text = format!("{inputs}{ROWS}");
-        files::write(&place, text.as_bytes()).map_err(write_error(&place))?;
+        files::write(&place, text.as_bytes()).map_err(WriteError::of(&place))?;
         Self::open(table, inputs)
     }
 
@@ -56,9 +57,9 @@ impl Beside {
                 let (place, beside) = (table.to_owned(), place);
                 return Err(OutputError::Stranger { place, beside });
             }
-            Err(error) => return Err(write_error(&place)(error)),
+            Err(error) => return Err(WriteError::of(&place)(error).into()),
         };
-        length_of(&file).map_err(write_error(&place))?;
+        length_of(&file).map_err(WriteError::of(&place))?;
         let mut file = BufReader::new(file);
         let expected = format!("{inputs}{ROWS}");
         let begin = expected.len() as u64;
@@ -66,7 +67,7 @@ impl Beside {
             file.by_ref()
                 .take(begin + stiction_scene::text::LONGEST_WHOLE),
         );
-        let before = before.map_err(write_error(&place))?;
+        let before = before.map_err(WriteError::of(&place))?;
         if before == expected.as_bytes() {
             return Ok(Self { file, place, begin });
         }
@@ -86,7 +87,7 @@ impl Beside {
         match self.file.read_exact(&mut line) {
             Ok(()) => Ok(Some(line == digest(row))),
             Err(error) if error.kind() == ErrorKind::UnexpectedEof => Ok(None),
-            Err(error) => Err(write_error(&self.place)(error)),
+            Err(error) => Err(WriteError::of(&self.place)(error).into()),
         }
     }
 
@@ -95,13 +96,14 @@ impl Beside {
         let length = self.begin + rows * DIGEST as u64;
         let cut = self.file.get_ref().set_len(length);
         let cut = cut.and_then(|()| self.file.seek(SeekFrom::Start(length)));
-        cut.map(drop).map_err(write_error(&self.place))
+        cut.map(drop).map_err(WriteError::of(&self.place))?;
+        Ok(())
     }
 
     /// Adds the digest of a row.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         let written = self.file.get_mut().write_all(&digest(row));
-        written.map_err(write_error(&self.place))
+        Ok(written.map_err(WriteError::of(&self.place))?)
     }
 }
 

@@ -14,7 +14,7 @@ use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use stiction_live::number::Number;
-use stiction_live::record::{Frame, Run};
+use stiction_live::record::Frame;
 use stiction_live::simulate::simulate;
 
 /// The results of a setting at a rate.
@@ -203,12 +203,7 @@ impl Ride<'_> {
         let hands: Vec<Hand<R::Si>> = frames().map(|sample| narrow_hand(&sample.hand)).collect();
         tally.spent += cost::time(&solver, &hands);
         tally.steps += hands.len().saturating_sub(1);
-        let run = Run::of(
-            &self.case.scene,
-            self.setting.number,
-            self.setting.evolution,
-        );
-        let mut residual = Residual::new(&run);
+        let mut residual = Residual::new(&self.case.scene);
         let (mut slips, mut truths) = (0, self.truths.iter());
         simulate(solver, frames(), |frame: Frame| {
             residual.add(&frame);

@@ -38,7 +38,7 @@ impl Archive {
             )
         };
         fs::create_dir_all(&self.0).map_err(|error| refused(&error))?;
-        let title = named(&run.title);
+        let title = named(&run.scene.title);
         let mut names = (1_u32..).map(|n| self.0.join(format!("{title}-{n}.jsonl")));
         let tried = names.find_map(|place| match LiveWriter::live(&place, head, run) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => None,
