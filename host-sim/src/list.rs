@@ -24,10 +24,7 @@ pub struct ScenesArgs {
 }
 
 /// Prints the list, or writes the files.
-///
-/// # Errors
-/// Fails if the folder cannot be written, or has another file with the name of a scene.
-pub fn scenes(args: &ScenesArgs) -> Result<(), Box<dyn Error>> {
+pub(crate) fn scenes(args: &ScenesArgs) -> Result<(), Box<dyn Error>> {
     match &args.out {
         Some(folder) => written(folder),
         None => {

@@ -26,10 +26,7 @@ pub struct NewArgs {
 }
 
 /// Writes the file and prints the next commands to type.
-///
-/// # Errors
-/// Fails if the scene to start from cannot be used, or the file cannot be written or exists already; then nothing is written.
-pub fn new(args: &NewArgs) -> Result<(), Box<dyn Error>> {
+pub(crate) fn new(args: &NewArgs) -> Result<(), Box<dyn Error>> {
     let like = open_scene(&args.like, Number::F32)?;
     let file = file(&args.name);
     let text = explained(like.source().text(), &file);

@@ -37,10 +37,7 @@ pub struct ReplayArgs {
 }
 
 /// Replays a recording and reports whether every answer is the same. Returns false if one differs, or if the recording was cut.
-///
-/// # Errors
-/// Fails if the recording cannot be used, or the output cannot be written.
-pub fn replay(args: &ReplayArgs) -> Result<bool, Box<dyn Error>> {
+pub(crate) fn replay(args: &ReplayArgs) -> Result<bool, Box<dyn Error>> {
     let input = [args.recording.as_path()];
     files::check(
         input,
@@ -83,7 +80,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, Box<dyn Error>> {
 
 /// A recording that is run again.
 struct Again {
-    solver: Solver,
+    solver: Stepper,
     run: Run,
     files: Files,
     result: Comparison,
@@ -162,7 +159,7 @@ impl Comparison {
 }
 
 /// The solver of a recording, in its number type and with the parts that it had, and the settings of the run.
-fn read(recording: &Recording) -> Result<(Solver, Run), Box<dyn Error>> {
+fn read(recording: &Recording) -> Result<(Stepper, Run), Box<dyn Error>> {
     let head = &recording.head;
     let kind = parse_kind(&head.number, &head.evolution);
     let (number, evolution) = kind.map_err(|problem| recording.error(problem))?;
@@ -185,8 +182,8 @@ fn read(recording: &Recording) -> Result<(Solver, Run), Box<dyn Error>> {
         evolution,
     };
     let solver = match has_all {
-        true => Solver::Whole(setting, None),
-        false => Solver::Fixed(session),
+        true => Stepper::Whole(setting, None),
+        false => Stepper::Fixed(session),
     };
     Ok((solver, run))
 }
@@ -221,14 +218,14 @@ where
 }
 
 /// A solver with its state.
-enum Solver {
+enum Stepper {
     /// With a budget, or without some parts: its setting stays.
     Fixed(Session),
     /// With all parts and an unlimited budget: its setting may change.
     Whole(Setting, Option<Box<dyn Body>>),
 }
 
-impl Solver {
+impl Stepper {
     /// Returns the answer to the next sample; the first one starts the scene.
     fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
         match self {

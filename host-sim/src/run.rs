@@ -142,11 +142,3 @@ impl RunProgress {
         }
     }
 }
-
-impl Drop for RunProgress {
-    fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
-        }
-    }
-}

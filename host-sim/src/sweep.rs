@@ -60,7 +60,7 @@ pub struct SweepArgs {
 
 /// Part `part` of `of`, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
+pub(crate) struct Shard {
     part: u64,
     of: u64,
 }
@@ -79,11 +79,7 @@ fn parse_shard(text: &str) -> Result<Shard, String> {
 }
 
 /// Runs the missing rows of a table; returns false if the user ended it before the table was complete.
-///
-/// # Errors
-/// Fails if the input cannot be used, or the table cannot be written or continued; rows that were written before remain, and the
-/// next run continues from them.
-pub fn sweep(args: &SweepArgs) -> Result<bool, Box<dyn Error>> {
+pub(crate) fn sweep(args: &SweepArgs) -> Result<bool, Box<dyn Error>> {
     let plan = Plan::read(&args.sweep)?;
     let shard = args.shard;
     let header = row::line(&row::header(&plan, args.time))?;
@@ -101,12 +97,10 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, Box<dyn Error>> {
     if let Some(threads) = args.threads {
         pool = pool.num_threads(threads.into());
     }
-    let pool = pool.build();
-    let pool = pool.map_err(|error| format!("{error}, allowed: fewer --threads"))?;
-    let place = args
-        .out
-        .clone()
-        .unwrap_or_else(|| place(&args.sweep, shard));
+    let fewer = |error| format!("{error}, allowed: fewer --threads");
+    let pool = pool.build().map_err(fewer)?;
+    let place = args.out.clone();
+    let place = place.unwrap_or_else(|| self::place(&args.sweep, shard));
     let (read, beside) = (plan.files(), beside::beside(&place));
     let written = [place.clone(), beside].map(|file| ("--out", file));
     files::check(read.iter().map(PathBuf::as_path), written)?;

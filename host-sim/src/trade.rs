@@ -40,7 +40,7 @@ use stiction_scene::InputError;
 
 use crate::files::{WriteError, check};
 use crate::plot;
-use crate::progress::measuring;
+use crate::progress::Activity;
 use counts::{Count, counted};
 use files::Folder;
 use machine::processor;
@@ -113,7 +113,7 @@ impl Report {
     /// # Errors
     /// A number type refuses a scene.
     pub fn of(suite: &Suite, counts: &[Count]) -> Result<Self, InputError> {
-        let bar = measuring("scenes on this computer", suite.frame_count() as u64);
+        let bar = Activity::measuring("scenes on this computer", suite.frame_count() as u64);
         let rows = measure(suite, |case| {
             bar.advance(case.frame_count() as u64, &case.scene.title);
         });

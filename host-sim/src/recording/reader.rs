@@ -21,10 +21,7 @@ const LONGEST_LINE: usize = 6 * LONGEST_WHOLE as usize + PIECE;
 pub(crate) enum RecordingError {
     /// It is no file on a disk, or the system cannot read it.
     #[error("{}: {problem}", file.display())]
-    File {
-        file: PathBuf,
-        problem: String,
-    },
+    File { file: PathBuf, problem: String },
     /// A line is invalid.
     #[error("{}, line {line}: {problem}", file.display())]
     Line {
