@@ -126,13 +126,25 @@ impl DiagramAxes<'_> {
         Ok(())
     }
 
-    fn dots(&self, plane: &Plane<'_>, points: &[Point], color: RGBColor) -> Drawn {
+    /// Dots at the readings with the verdicts of [`MARKED`].
+    fn dots(
+        &self,
+        plane: &Plane<'_>,
+        readings: &[(&Frame, Insertion)],
+        points: impl Fn(&[(&Frame, Insertion)]) -> Vec<Point>,
+    ) -> Drawn {
         let [per_x, per_y] = [&self.x.0, &self.y.0].map(|range| HEIGHT / (range.end - range.start));
-        let pixels: Vec<Point> = points.iter().map(|(x, y)| (x * per_x, y * per_y)).collect();
-        for (x, y) in sparse(&pixels, 2.0, MOST_POINTS) {
-            let place = (x / per_x, y / per_y);
-            if self.x.0.contains(&place.0) && self.y.0.contains(&place.1) {
-                plane.draw(&Circle::new(place, px(2.2), color.filled()))?;
+        for (verdict, color) in MARKED {
+            let marked = readings
+                .iter()
+                .filter(|(_, found)| found.verdict == verdict);
+            let points = points(&marked.copied().collect::<Vec<_>>());
+            let pixels: Vec<Point> = points.iter().map(|(x, y)| (x * per_x, y * per_y)).collect();
+            for (x, y) in sparse(&pixels, 2.0, MOST_POINTS) {
+                let place = (x / per_x, y / per_y);
+                if self.x.0.contains(&place.0) && self.y.0.contains(&place.1) {
+                    plane.draw(&Circle::new(place, px(2.2), color.filled()))?;
+                }
             }
         }
         Ok(())
@@ -209,15 +221,7 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
         readings.iter().map(load).collect()
     };
     axes.path(&plane, &loads(readings), BODY, 1.8)?;
-    for (verdict, color) in MARKED {
-        let marked: Vec<_> = readings
-            .iter()
-            .filter(|(_, found)| found.verdict == verdict)
-            .copied()
-            .collect();
-        axes.dots(&plane, &loads(&marked), color)?;
-    }
-    Ok(())
+    axes.dots(&plane, readings, loads)
 }
 
 /// F_z over depth, and the values of the formulas while the peg moves in.
@@ -262,13 +266,5 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     axes.path(&plane, &formulas[1], TWO_POINT_FORMULA, 3.4)?;
     axes.path(&plane, &path(outwards), BODY_THEN, 1.8)?;
     axes.path(&plane, &path(inwards), BODY, 1.8)?;
-    for (verdict, color) in MARKED {
-        let marked: Vec<_> = readings
-            .iter()
-            .filter(|(_, found)| found.verdict == verdict)
-            .copied()
-            .collect();
-        axes.dots(&plane, &path(&marked), color)?;
-    }
-    Ok(())
+    axes.dots(&plane, readings, path)
 }

@@ -9,35 +9,13 @@ use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status, Touch};
 use stiction_live::number::Number;
 use stiction_live::record::{ContactRecord, Frame};
+use stiction_live::scenes;
 use stiction_scene::{Source, WrittenScene};
 
 mod slides;
 
 /// The maximum size of an SVG [bytes].
 const LARGEST_SVG: u64 = 1_000_000;
-
-/// A box over the floor and beside a wall, on the right.
-const SCENE: &str = "
-[body]
-rectangle = [0.1, 0.06]
-start = [0.0, 0.03, 0.0]
-[grasp]
-point = [0.0, 0.02]
-[spring]
-translation = 500.0
-rotation = 0.5
-[friction]
-static = 0.5
-dynamic = 0.3
-[[surface]]
-name = 'floor'
-normal = [0.0, 1.0]
-offset = 0.0
-[[surface]]
-name = 'wall'
-normal = [-1.0, 0.0]
-offset = -0.3
-";
 
 /// A drag of one second in `count` frames: a saw-tooth of 20 slips that ends at the wall.
 fn drag(count: usize) -> Run {
@@ -83,7 +61,8 @@ fn drag(count: usize) -> Run {
             behind: None,
         }
     };
-    let source = Source::new("drag <&> stop.toml", SCENE);
+    let corner = scenes::find(Path::new("corner-stick-slip")).expect("a bundled scene");
+    let source = Source::new("drag <&> stop.toml", corner.text());
     let scene = WrittenScene::parse(source, f64::MAX).expect("a scene");
     Run {
         frames: (0..count).map(frame).collect(),

@@ -15,7 +15,7 @@ use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use stiction_live::number::Number;
 use stiction_live::record::Frame;
-use stiction_live::simulate::simulate;
+use stiction_live::simulate::Running;
 
 /// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -205,7 +205,7 @@ impl Ride<'_> {
         tally.steps += hands.len().saturating_sub(1);
         let mut residual = Residual::new(&self.case.scene);
         let (mut slips, mut truths) = (0, self.truths.iter());
-        simulate(solver, frames(), |frame: Frame| {
+        Running::new(solver).simulate(frames(), |frame: Frame| {
             residual.add(&frame);
             slips += u64::from(frame.slips);
             if let Some(truth) = truths.next() {
