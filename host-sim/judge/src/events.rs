@@ -253,10 +253,9 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         [Event::Snap] => true,
         _ => return None,
     };
-    let is_usable = |frame: &Frame| frame.held && frame.complete && frame.is_followed();
     if !next.has_contacts_of(last)
         || last.state != next.state
-        || ![last, next].into_iter().all(is_usable)
+        || ![last, next].into_iter().all(Frame::is_usable)
     {
         return None;
     }
@@ -290,13 +289,7 @@ fn pinned<'a>(step: &Step<'a>, (touch, slide): (Option<Touch>, Option<f64>), par
     let (model, last) = (step.model, step.last);
     let hand = between(last.hand, step.next.hand, part);
     let (facing, spot) = match touch {
-        Some(touch) => (
-            model.facing(touch),
-            Spot {
-                held: model.held(last.pose, touch),
-                at: model.foot(last.pose, touch),
-            },
-        ),
+        Some(touch) => (model.facing(touch), model.spot(last.pose, touch)),
         None => (
             Facing::World([0.0, 1.0]),
             Spot {

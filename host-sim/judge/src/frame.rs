@@ -100,6 +100,17 @@ impl Frame {
             && (self.contacts.iter()).all(|contact| other.contact(contact.touch).is_some())
     }
 
+    /// Whether a hand holds the body in balance, with contacts that are all known.
+    pub(crate) const fn is_usable(&self) -> bool {
+        self.held && self.complete && self.is_followed()
+    }
+
+    /// Whether the hand grasped the body or let go of it.
+    pub(crate) fn is_taken(&self) -> bool {
+        let taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
+        self.events.iter().any(taken)
+    }
+
     /// Whether it has contacts and reports for each whether it slides.
     pub(crate) fn tells_slides(&self) -> bool {
         !self.contacts.is_empty() && (self.contacts.iter()).all(|contact| contact.sliding.is_some())

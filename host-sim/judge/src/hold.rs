@@ -43,8 +43,7 @@ fn is_fixed(frame: &Frame) -> bool {
 fn let_go(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let follows = last.is_followed();
-    let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
-    if !follows || !is_fixed(last) || !next.held || next.events.iter().any(is_taken) {
+    if !follows || !is_fixed(last) || !next.held || next.is_taken() {
         return None;
     }
     // Slips and slides of contacts that stay, and motions without an event, are judged by other laws.

@@ -99,8 +99,7 @@ impl Unreported {
         bounds: &Bounds,
         (last, frame): (Option<&Frame>, &Frame),
     ) -> Option<Finding> {
-        let is_usable = frame.held && frame.complete && frame.is_followed();
-        if !is_usable || model.scene.obstacles.is_empty() {
+        if !frame.is_usable() || model.scene.obstacles.is_empty() {
             self.pairs.clear();
             return None;
         }

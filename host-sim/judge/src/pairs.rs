@@ -5,6 +5,7 @@ use stiction_core::Touch;
 
 use crate::frame::Contact;
 use crate::model::Model;
+use crate::pin::Spot;
 use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
 use crate::touch::{Face, share_vertex};
@@ -114,6 +115,14 @@ impl Model {
         match touch.vertex() {
             Some(vertex) => self.scene.vertices[vertex],
             None => in_body(pose, self.foot(pose, touch)),
+        }
+    }
+
+    /// Where a contact is, in the body and in the world.
+    pub(crate) fn spot(&self, pose: [f64; 3], touch: Touch) -> Spot {
+        Spot {
+            held: self.held(pose, touch),
+            at: self.foot(pose, touch),
         }
     }
 

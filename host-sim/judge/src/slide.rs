@@ -102,7 +102,7 @@ fn reported(step: &Step<'_>) -> Option<bool> {
             step.model.face(frame.pose, contact.touch).friction_static > 0.0
                 && !is_idle(step.model, step.bounds, step.grip, frame, contact)
         };
-        frame.held && frame.complete && frame.is_followed() && frame.contacts.iter().all(grips)
+        frame.is_usable() && frame.contacts.iter().all(grips)
     };
     let tells = [last, next].map(|frame| frame.contacts.is_empty() || frame.tells_slides());
     if !usable(last) || !usable(next) || tells != [true; 2] || next.events.len() >= EVENTS {

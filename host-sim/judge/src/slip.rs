@@ -179,7 +179,7 @@ impl<'a> Step<'a> {
         };
         let slide = Slide {
             step: self,
-            foot: self.foot(contact),
+            foot: self.foot(contact.touch),
             from: self.spot(self.last, before),
             to: self.spot(self.next, contact),
             sign,
@@ -195,11 +195,11 @@ impl<'a> Step<'a> {
         findings
     }
 
-    fn foot(&self, contact: &Contact) -> Foot<'a> {
+    pub(crate) fn foot(&self, touch: Touch) -> Foot<'a> {
         Foot {
             model: self.model,
             grip: self.grip,
-            facing: self.model.facing(contact.touch),
+            facing: self.model.facing(touch),
             shortest: self.model.carried(self.next, self.bounds),
         }
     }
@@ -301,7 +301,7 @@ impl<'a> Step<'a> {
         if !matches!(next.state, State::SingleVertex | State::Edge) {
             return None;
         }
-        let foot = self.foot(contact);
+        let foot = self.foot(contact.touch);
         let reaction = |back: f64| -> Option<(f64, f64)> {
             if next.state == State::Edge {
                 let load = self.model.load(next.pose, self.hand(1.0 - back), self.grip);

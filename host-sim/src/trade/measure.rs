@@ -75,33 +75,20 @@ impl Row {
     }
 
     fn add_cost(&self, columns: &mut Vec<(String, Value)>) {
-        let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
-        add("host_ns", self.cost.host.into());
+        columns.push(("host_ns".to_owned(), self.cost.host.into()));
         for (chip, counted) in Chip::ALL.iter().zip(self.cost.emulated) {
             let (key, unit) = (chip.key(), chip.unit());
             let time = |counted| chip.microseconds(counted);
-            add(&format!("{key}_{unit}"), counted.map(|c| c.mean).into());
-            add(
-                &format!("{key}_{unit}_worst"),
-                counted.map(|c| c.worst).into(),
-            );
-            add(&format!("{key}_us"), counted.map(|c| time(c.mean)).into());
-            add(
-                &format!("{key}_us_worst"),
-                counted.map(|c| time(f64::from(c.worst))).into(),
-            );
-            add(
-                &format!("{key}_flash_bytes"),
-                counted.map(|c| c.flash).into(),
-            );
-            add(
-                &format!("{key}_state_bytes"),
-                counted.map(|c| c.state).into(),
-            );
-            add(
-                &format!("{key}_stack_bytes"),
-                counted.map(|c| c.stack).into(),
-            );
+            let mut add = |name: &str, value: Option<Value>| {
+                columns.push((format!("{key}_{name}"), value.into()));
+            };
+            add(unit, counted.map(|c| c.mean.into()));
+            add(&format!("{unit}_worst"), counted.map(|c| c.worst.into()));
+            add("us", counted.map(|c| time(c.mean).into()));
+            add("us_worst", counted.map(|c| time(c.worst.into()).into()));
+            add("flash_bytes", counted.map(|c| c.flash.into()));
+            add("state_bytes", counted.map(|c| c.state.into()));
+            add("stack_bytes", counted.map(|c| c.stack.into()));
         }
     }
 }

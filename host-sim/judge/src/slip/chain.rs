@@ -35,7 +35,7 @@ pub(super) fn count(step: &Step<'_>, contact: &Contact) -> Option<u32> {
     let before = step.last.contact(contact.touch)?;
     let chain = Chain {
         step,
-        foot: step.foot(contact),
+        foot: step.foot(contact.touch),
         spots: [step.spot(step.last, before), step.spot(step.next, contact)],
         face: step.one_friction(step.next)?,
         sign: step.direction(contact)?,

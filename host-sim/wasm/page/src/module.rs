@@ -6,7 +6,7 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::{BuildError, of};
+use crate::{Built, of};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// A profile of the workspace.
@@ -15,15 +15,6 @@ const PROFILE: &str = "wasm";
 #[derive(Debug)]
 pub(crate) struct Module {
     file: PathBuf,
-}
-
-/// How much of the solver it contains.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Extent {
-    /// For scenes without obstacles.
-    Part,
-    /// The whole solver.
-    Whole,
 }
 
 /// The environment it is for; the code is the same for both.
@@ -40,13 +31,10 @@ pub(crate) fn workspace() -> PathBuf {
 }
 
 impl Module {
-    pub(crate) fn compile(extent: Extent) -> Result<Self, BuildError> {
+    /// Compiles the whole solver, or a part of it, to a file of this name.
+    pub(crate) fn compile(name: &str, features: &[&str]) -> Built<Self> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);
-        let (name, features): (_, &[&str]) = match extent {
-            Extent::Part => ("part.wasm", &["--no-default-features"]),
-            Extent::Whole => ("whole.wasm", &[]),
-        };
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let done = Command::new(cargo)
             .args(["build", "--locked", "--package", "stiction-wasm"])
@@ -56,7 +44,9 @@ impl Module {
             .current_dir(workspace())
             .status();
         if !done.is_ok_and(|status| status.success()) {
-            return Err(BuildError::Cargo);
+            let problem =
+                "cargo failed; if the target is missing: rustup target add wasm32-unknown-unknown";
+            return Err(problem.into());
         }
         let folder = target.join(TARGET).join(PROFILE);
         // The next one is built at the same path.
@@ -66,8 +56,8 @@ impl Module {
     }
 
     /// The files that wasm-bindgen writes for an environment: names and bytes.
-    pub(crate) fn bound(&self, whom: For) -> Result<Vec<(String, Vec<u8>)>, BuildError> {
-        let refused = |error: &dyn std::fmt::Display| BuildError::Bindgen(error.to_string());
+    pub(crate) fn bound(&self, whom: For) -> Built<Vec<(String, Vec<u8>)>> {
+        let refused = |error: &dyn std::fmt::Display| format!("wasm-bindgen: {error}");
         let mut bindgen = Bindgen::new();
         bindgen
             .input_path(&self.file)
