@@ -6,17 +6,17 @@ mod hand;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use stiction_core::Evolution;
 use stiction_judge::{Bounds, InputError, Judge, STATUSES, Scene, Status, Survey, Trace};
 
+use crate::input::source;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::shell::scene_completer;
 use stiction_live::number::Number;
-use stiction_live::scenes;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
@@ -73,7 +73,7 @@ impl Remarks {
 /// # Errors
 /// Fails if scene, trace or the hand's path cannot be used, or the trace is empty.
 pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
-    let scene = open_scene(&args.scene)?;
+    let scene = Scene::parse(source(&args.scene)?)?;
     let frames = Trace::open(&args.trace, &scene)?;
     let path = hand::given(&args.scene, args.number, args.hand.as_ref(), args.rate)?;
     let mut samples = path.as_ref().ok().map(|(path, rate)| path.frames(*rate));
@@ -115,16 +115,6 @@ pub fn judge(scene: Scene, number: Number, evolution: Evolution) -> Judge {
         Bounds::DOUBLE
     };
     Judge::new(scene, bounds, evolution)
-}
-
-fn open_scene(name: &Path) -> Result<Scene, InputError> {
-    if name.exists() {
-        return Scene::read(name);
-    }
-    match scenes::find(name) {
-        Some(source) => Scene::parse(source),
-        None => Err(InputError::of_file(name, scenes::unknown(name))),
-    }
 }
 
 /// The report: every law, the limits of frames, then the worst frames.
