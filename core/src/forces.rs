@@ -55,6 +55,42 @@ pub enum Touch {
     },
 }
 
+impl Touch {
+    /// The vertex of the body, if it is a vertex that touches.
+    pub const fn vertex(self) -> Option<usize> {
+        match self {
+            Self::Surface { vertex, .. } | Self::Side { vertex, .. } => Some(vertex),
+            Self::Corner { .. } => None,
+        }
+    }
+
+    /// The half-plane, if it is one that is touched.
+    pub const fn surface(self) -> Option<usize> {
+        match self {
+            Self::Surface { surface, .. } => Some(surface),
+            Self::Side { .. } | Self::Corner { .. } => None,
+        }
+    }
+
+    /// The obstacle, if it is one that is touched.
+    pub const fn obstacle(self) -> Option<usize> {
+        match self {
+            Self::Surface { .. } => None,
+            Self::Side { obstacle, .. } | Self::Corner { obstacle, .. } => Some(obstacle),
+        }
+    }
+
+    /// The obstacle and its corner, if it is a corner that touches.
+    pub const fn corner(self) -> Option<[usize; 2]> {
+        match self {
+            Self::Corner {
+                obstacle, corner, ..
+            } => Some([obstacle, corner]),
+            Self::Surface { .. } | Self::Side { .. } => None,
+        }
+    }
+}
+
 /// A contact among obstacles: what touches what, and the direction of its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touching<F> {

@@ -4,9 +4,9 @@
 // Those of libm have the same bits on every machine.
 use libm::{hypot, sincos};
 use stiction_judge::{centroid, size};
-use stiction_scene::SurfaceInfo;
+use stiction_scene::WrittenScene;
 
-use stiction_live::record::{Frame, Run};
+use stiction_live::record::Frame;
 
 /// The imbalance of forces (N) and moments (N·m).
 #[derive(Clone, Copy, Debug, Default)]
@@ -18,24 +18,27 @@ pub(crate) struct Imbalance {
 /// The worst imbalance of a run, and its largest force.
 #[derive(Clone, Debug)]
 pub(crate) struct Residual {
-    balance: Balance,
+    scene: WrittenScene,
+    centroid: [f64; 2],
+    /// Largest distance between two vertices (m), 1 for a point.
+    size: f64,
     largest_force: f64,
     worst: Imbalance,
 }
 
 impl Residual {
-    /// For a run before its first frame.
-    pub(crate) fn new(run: &Run) -> Self {
+    pub(crate) fn new(scene: &WrittenScene) -> Self {
         Self {
-            balance: Balance::new(run),
+            scene: scene.clone(),
+            centroid: centroid(&scene.vertices),
+            size: size(&scene.vertices),
             largest_force: 0.0,
             worst: Imbalance::default(),
         }
     }
 
-    /// Adds a frame.
     pub(crate) fn add(&mut self, frame: &Frame) {
-        let (largest, Imbalance { force, moment }) = self.balance.of(frame);
+        let (largest, Imbalance { force, moment }) = self.of(frame);
         self.largest_force = self.largest_force.max(largest);
         self.worst.force = self.worst.force.max(force);
         self.worst.moment = self.worst.moment.max(moment);
@@ -49,42 +52,18 @@ impl Residual {
     /// Force imbalance relative to the largest force, moment imbalance relative to that force times the body size. For a lightly
     /// loaded body, the reference is the force at which its spring yields by a thousandth of its size.
     pub(crate) fn relative(&self) -> Imbalance {
-        let size = self.balance.size;
-        let least = 1e-3 * self.balance.stiffness_translation * size;
+        let least = 1e-3 * self.scene.stiffness_translation * self.size;
         let force = self.largest_force.max(least);
         Imbalance {
             force: self.worst.force / force,
-            moment: self.worst.moment / (force * size),
-        }
-    }
-}
-
-/// Balance of forces and moments on the body, recomputed from a frame.
-#[derive(Clone, Debug)]
-struct Balance {
-    stiffness_translation: f64,
-    weight: f64,
-    centroid: [f64; 2],
-    /// Largest distance between two vertices (m), 1 for a point.
-    size: f64,
-    surfaces: Vec<SurfaceInfo>,
-}
-
-impl Balance {
-    fn new(run: &Run) -> Self {
-        Self {
-            stiffness_translation: run.stiffness_translation,
-            weight: run.weight,
-            centroid: centroid(&run.body),
-            size: size(&run.body),
-            surfaces: run.surfaces.clone(),
+            moment: self.worst.moment / (force * self.size),
         }
     }
 
     /// The largest force (N) of a frame, and the remainders of the sums: nothing if no hand holds the body.
     fn of(&self, frame: &Frame) -> (f64, Imbalance) {
         let [fx, fy, mut moment] = frame.wrench;
-        let grip = frame.holding_point(self.stiffness_translation);
+        let grip = frame.holding_point(self.scene.stiffness_translation);
         let mut sum = [fx, fy];
         let mut largest = hypot(fx, fy);
         let mut add = |force: [f64; 2], point: [f64; 2]| {
@@ -93,7 +72,7 @@ impl Balance {
             largest = largest.max(hypot(force[0], force[1]));
         };
         for contact in &frame.contacts {
-            let [nx, ny] = contact.normal_among(&self.surfaces);
+            let [nx, ny] = contact.normal_among(&self.scene.surfaces);
             let (normal, friction) = (contact.normal, contact.friction);
             add(
                 [normal * nx + friction * ny, normal * ny - friction * nx],
@@ -103,7 +82,7 @@ impl Balance {
         let ([x, y, theta], [cx, cy]) = (frame.pose, self.centroid);
         let (sin, cos) = sincos(theta);
         add(
-            [0.0, -self.weight],
+            [0.0, -self.scene.weight],
             [x + cos * cx - sin * cy, y + sin * cx + cos * cy],
         );
         if !frame.held {

@@ -6,17 +6,17 @@ mod hand;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_judge::{Bounds, InputError, Judge, Scene, Status, Survey, Trace};
+use stiction_judge::{Bounds, InputError, Judge, STATUSES, Scene, Status, Survey, Trace};
 
+use crate::input::source;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::shell::scene_completer;
 use stiction_live::number::Number;
-use stiction_live::scenes;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
@@ -73,7 +73,7 @@ impl Remarks {
 /// # Errors
 /// Fails if scene, trace or the hand's path cannot be used, or the trace is empty.
 pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
-    let scene = open_scene(&args.scene)?;
+    let scene = Scene::parse(source(&args.scene)?)?;
     let frames = Trace::open(&args.trace, &scene)?;
     let path = hand::given(&args.scene, args.number, args.hand.as_ref(), args.rate)?;
     let mut samples = path.as_ref().ok().map(|(path, rate)| path.frames(*rate));
@@ -114,22 +114,7 @@ pub fn judge(scene: Scene, number: Number, evolution: Evolution) -> Judge {
     } else {
         Bounds::DOUBLE
     };
-    let evolution = match evolution {
-        Evolution::Path => stiction_judge::Evolution::Path,
-        Evolution::Frame => stiction_judge::Evolution::Frame,
-    };
     Judge::new(scene, bounds, evolution)
-}
-
-/// A scene file, or the bundled scene of a name.
-fn open_scene(name: &Path) -> Result<Scene, InputError> {
-    if name.exists() {
-        return Scene::read(name);
-    }
-    match scenes::find(name) {
-        Some(source) => Scene::parse(source),
-        None => Err(InputError::of_file(name, scenes::unknown(name))),
-    }
 }
 
 /// The report: every law, the limits of frames, then the worst frames.
@@ -150,8 +135,10 @@ pub fn verdict(survey: &Survey, notes: &Remarks) -> String {
     if !notes.statuses.is_empty() {
         text.push_str("\nframes with a status\n");
     }
-    for (status, frames) in &notes.statuses {
-        let _ = writeln!(text, "  {:<45}{frames:>10}", status.name());
+    for status in STATUSES {
+        if let Some(frames) = notes.statuses.get(&status) {
+            let _ = writeln!(text, "  {:<45}{frames:>10}", status.name());
+        }
     }
     if let Some(hand) = &notes.hand {
         let _ = writeln!(text, "\n{hand}");

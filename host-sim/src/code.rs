@@ -41,10 +41,7 @@ fn parse_name(text: &str) -> Result<String, String> {
 }
 
 /// Prints the code.
-///
-/// # Errors
-/// Fails if the scene cannot be used.
-pub fn code(args: &CodeArgs) -> Result<(), InputError> {
+pub(crate) fn code(args: &CodeArgs) -> Result<(), InputError> {
     let scene = open_scene(&args.scene, args.number.into())?;
     match args.number {
         NumberType::F32 => <Among>::scene::<f32>(&scene).map(drop)?,

@@ -1,23 +1,25 @@
 //! The command line: the commands with their arguments and examples. From the words that were typed to a command, or to an error
 //! message with a suggestion.
 
+use std::error::Error;
 use std::ffi::OsString;
+use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::board::{BoardArgs, InfoArgs};
-use crate::check::CheckArgs;
-use crate::code::CodeArgs;
-use crate::image::ImageArgs;
-use crate::list::ScenesArgs;
-use crate::new::NewArgs;
-use crate::replay::ReplayArgs;
-use crate::run::RunArgs;
-use crate::shell::{CompletionsArgs, ManArgs};
-use crate::sweep::SweepArgs;
-use crate::trade::TradeArgs;
-use crate::view::ViewArgs;
-use crate::{examples, mistakes};
+use crate::board::{BoardArgs, InfoArgs, board, info};
+use crate::check::{CheckArgs, check};
+use crate::code::{CodeArgs, code};
+use crate::image::{ImageArgs, image};
+use crate::list::{ScenesArgs, scenes};
+use crate::new::{NewArgs, new};
+use crate::replay::{ReplayArgs, replay};
+use crate::run::{RunArgs, run};
+use crate::shell::{CompletionsArgs, ManArgs, complete, completions, man};
+use crate::sweep::{SweepArgs, sweep};
+use crate::trade::{TradeArgs, trade};
+use crate::view::{ViewArgs, view};
+use crate::{examples, mistakes, report, stop};
 
 /// Statics-based contact of an object held in the hand
 #[derive(Parser)]
@@ -87,6 +89,59 @@ pub fn parsed<W: Into<OsString> + Clone>(
         None => {
             let Unasked { view } = Unasked::try_parse_from(["stiction"])?;
             Ok(Command::View(Box::new(view)))
+        }
+    }
+}
+
+/// Exit status for input that cannot be used, or output that cannot be written.
+const UNUSABLE: u8 = 2;
+
+/// Runs the program with the words of its command line.
+pub fn main() -> ExitCode {
+    // Before any output.
+    complete();
+    stop::begin();
+    let exit = match parsed(std::env::args_os()) {
+        Ok(command) => done(command),
+        // Also for a request for help.
+        Err(said) => {
+            report::printed(said.print());
+            ExitCode::from(said.exit_code() as u8)
+        }
+    };
+    match report::failure() {
+        Some(error) => {
+            report::tell(format_args!("error: standard output: {error}"));
+            ExitCode::from(UNUSABLE)
+        }
+        None => exit,
+    }
+}
+
+fn done(command: Command) -> ExitCode {
+    // False if the command ran but its result is bad.
+    let result: Result<bool, Box<dyn Error>> = match command {
+        Command::Run(args) => run(&args).map(|()| true),
+        Command::Replay(args) => replay(&args),
+        Command::Check(args) => check(&args),
+        Command::Trade(args) => trade(&args).map(|()| true),
+        Command::Sweep(args) => sweep(&args),
+        Command::Board(args) => board(&args).map_err(Into::into),
+        Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
+        Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),
+        Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
+        Command::Scenes(args) => scenes(&args).map(|()| true),
+        Command::New(args) => new(&args).map(|()| true),
+        Command::Completions(args) => completions(&args).map(|()| true).map_err(Into::into),
+        Command::Man(args) => man(&args).map(|()| true).map_err(Into::into),
+        Command::View(args) => view(&args).map(|()| true).map_err(Into::into),
+    };
+    match result {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            report::tell(format_args!("error: {error}"));
+            ExitCode::from(UNUSABLE)
         }
     }
 }

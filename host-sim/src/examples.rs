@@ -3,116 +3,58 @@
 
 use clap::Command;
 
-/// Examples of the program as a whole.
-const FIRST: [&str; 4] = [
-    "stiction",
-    "stiction scenes",
-    "stiction view ladder",
-    "stiction run ladder --plot plots",
-];
-
-/// A command and its examples.
-const ALL: &[(&str, &[&str])] = &[
-    (
-        "view",
-        &[
-            "stiction view ladder",
-            "stiction view peg-in-hole --number f64 --listen 8500",
-            "stiction view --headless --osc 127.0.0.1:9000",
-        ],
-    ),
-    (
-        "run",
-        &[
-            "stiction run ladder",
-            "stiction run ladder --out ladder.jsonl --plot plots",
-            "stiction run box-flat --number fixed --rate 250 --record box.jsonl",
-        ],
-    ),
-    (
-        "scenes",
-        &["stiction scenes", "stiction scenes --out scenes"],
-    ),
-    (
-        "new",
-        &[
-            "stiction new mine",
-            "stiction new my-table --like table-edge",
-            "stiction run mine.toml",
-        ],
-    ),
-    (
-        "replay",
-        &[
-            "stiction run ladder --record ladder-recording.jsonl",
-            "stiction replay ladder-recording.jsonl",
-        ],
-    ),
-    (
-        "check",
-        &[
-            "stiction run ladder --out ladder.jsonl",
-            "stiction check ladder.jsonl --scene ladder",
-        ],
-    ),
-    (
-        "trade",
-        &[
-            "stiction trade --quick",
-            "stiction trade --emulated --table",
-        ],
-    ),
-    (
-        "sweep",
-        &[
-            "stiction sweep host-sim/sweeps/friction-stiffness.toml --dry-run",
-            "stiction sweep host-sim/sweeps/friction-stiffness.toml --shard 1/4",
-        ],
-    ),
-    (
-        "board",
-        &[
-            "stiction board --emulate",
-            "stiction board box-flat --verify --emulate pico",
-            "stiction board ladder --port auto --out board.jsonl",
-        ],
-    ),
-    (
-        "info",
-        &["stiction info --emulate", "stiction info --port auto"],
-    ),
-    (
-        "image",
-        &[
-            "stiction image pico",
-            "stiction image pico ladder --out ladder.uf2",
-        ],
-    ),
-    (
-        "code",
-        &[
-            "stiction code table-edge --name table",
-            "stiction code ladder --number fixed",
-        ],
-    ),
-    (
-        "completions",
-        &[
-            "stiction completions bash > stiction.bash",
-            "stiction completions fish > stiction.fish",
-        ],
-    ),
-    ("man", &["stiction man man1"]),
-];
+/// Commands, or the program as a whole, each with one of its examples.
+const ALL: &str = "\
+stiction: stiction
+stiction: stiction scenes
+stiction: stiction view ladder
+stiction: stiction run ladder --plot plots
+view: stiction view ladder
+view: stiction view peg-in-hole --number f64 --listen 8500
+view: stiction view --headless --osc 127.0.0.1:9000
+run: stiction run ladder
+run: stiction run ladder --out ladder.jsonl --plot plots
+run: stiction run box-flat --number fixed --rate 250 --record box.jsonl
+scenes: stiction scenes
+scenes: stiction scenes --out scenes
+new: stiction new mine
+new: stiction new my-table --like table-edge
+new: stiction run mine.toml
+replay: stiction run ladder --record ladder-recording.jsonl
+replay: stiction replay ladder-recording.jsonl
+check: stiction run ladder --out ladder.jsonl
+check: stiction check ladder.jsonl --scene ladder
+trade: stiction trade --quick
+trade: stiction trade --emulated --table
+sweep: stiction sweep host-sim/sweeps/friction-stiffness.toml --dry-run
+sweep: stiction sweep host-sim/sweeps/friction-stiffness.toml --shard 1/4
+board: stiction board --emulate
+board: stiction board box-flat --verify --emulate pico
+board: stiction board ladder --port auto --out board.jsonl
+info: stiction info --emulate
+info: stiction info --port auto
+image: stiction image pico
+image: stiction image pico ladder --out ladder.uf2
+code: stiction code table-edge --name table
+code: stiction code ladder --number fixed
+completions: stiction completions bash > stiction.bash
+completions: stiction completions fish > stiction.fish
+man: stiction man man1
+";
 
 /// Returns every command with its examples at the end of its help.
 pub(crate) fn add(program: Command) -> Command {
-    let program = program.after_help(text(&FIRST));
-    ALL.iter().fold(program, |program, (name, examples)| {
-        program.mut_subcommand(name, |command| command.after_help(text(examples)))
+    let commands = program.get_subcommands();
+    let names: Vec<_> = commands.map(|of| of.get_name().to_owned()).collect();
+    let program = program.after_help(text("stiction"));
+    names.iter().fold(program, |program, name| {
+        program.mut_subcommand(name, |command| command.after_help(text(name)))
     })
 }
 
-fn text(examples: &[&str]) -> String {
+fn text(name: &str) -> String {
+    let named = ALL.lines().filter_map(|line| line.split_once(": "));
+    let examples = named.filter(|(of, _)| *of == name);
+    let examples: Vec<_> = examples.map(|(_, example)| example).collect();
     format!("Examples:\n  {}", examples.join("\n  "))
 }

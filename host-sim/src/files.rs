@@ -75,9 +75,6 @@ fn place(file: &Path) -> PathBuf {
 pub(crate) type Written = (&'static str, PathBuf);
 
 /// Checks the names of all files that a command reads (if the file exists) and writes, before anything is written.
-///
-/// # Errors
-/// Fails if an output would replace an input or another output.
 pub(crate) fn check<'a>(
     read: impl IntoIterator<Item = &'a Path>,
     written: impl IntoIterator<Item = Written>,
@@ -117,7 +114,6 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins a trace of a run, if requested.
     pub(crate) fn trace(file: Option<&(PathBuf, Format)>, run: &Run) -> Result<Self, WriteError> {
         let trace = file.map(|(file, format)| {
             let writer = TraceWriter::create(file, *format, run).map_err(WriteError::of(file))?;
@@ -129,7 +125,6 @@ impl Files {
         })
     }
 
-    /// Also begins a recording of the run, if requested.
     pub(crate) fn with_recording(
         self,
         file: Option<&PathBuf>,
@@ -146,7 +141,6 @@ impl Files {
         })
     }
 
-    /// Adds a sample and its answer, which may be missing.
     pub(crate) fn write(
         &mut self,
         sample: &Sample,

@@ -47,32 +47,23 @@ pub struct ImageArgs {
 
 /// The reason why there is no image.
 #[derive(Debug, thiserror::Error)]
-pub enum ImageError {
-    /// The scene cannot be used.
+pub(crate) enum ImageError {
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The image cannot be built.
     #[error(transparent)]
     Build(#[from] EmulatorError),
-    /// The file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// The board cannot be flashed in this format.
     #[error("{0} has no drive that takes UF2, allowed: --out FILE.elf")]
     NoDrive(&'static str),
-    /// The board has no room for obstacles.
     #[error(
         "{0} has no room for obstacles over the wire, allowed: a scene with obstacles to compile in"
     )]
     NoObstacles(&'static str),
-    /// The board has no pins for the device.
     #[error("{board} has no pins for a {device}, allowed: {allowed}")]
     NoDevice {
-        /// The board.
         board: &'static str,
-        /// The requested device.
         device: &'static str,
-        /// Its devices.
         allowed: String,
     },
 }
@@ -96,7 +87,6 @@ impl Device {
     }
 }
 
-/// The format of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ImageFormat {
     Uf2,
@@ -122,10 +112,7 @@ fn file_parser() -> impl TypedValueParser<Value = (PathBuf, ImageFormat)> {
 }
 
 /// Builds the image of a board and writes it.
-///
-/// # Errors
-/// Fails if the scene cannot be used, the image cannot be built, or the file cannot be written.
-pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
+pub(crate) fn image(args: &ImageArgs) -> Result<(), ImageError> {
     let board = args.board;
     let (out, format) = out(args);
     let family = match (format, board.family) {
@@ -174,7 +161,6 @@ fn features(args: &ImageArgs) -> Result<String, ImageError> {
     Ok(all.join(","))
 }
 
-/// The file and its format.
 fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {
     let board = args.board;
     args.out.clone().unwrap_or_else(|| {
@@ -186,14 +172,12 @@ fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {
     })
 }
 
-/// A scene that the board supports.
 fn usable_scene(name: &Path) -> Result<SceneFile, InputError> {
     let scene = open_scene(name, Number::F32)?;
     suits_boards(&scene)?;
     Ok(scene)
 }
 
-/// The image of a board with a scene compiled in.
 fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf, EmulatorError> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.toml");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::{Among, HostModel, InputError, SceneFile};
+use stiction_scene::{Among, HostModel, InputError, SceneFile, Source};
 
 use stiction_live::input::path_file;
 
@@ -11,13 +11,16 @@ use stiction_live::scenes;
 
 /// A scene file, or the bundled scene of a name.
 pub fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+    SceneFile::parse(source(name)?, number.limit())
+}
+
+/// The text of a scene file, or of the bundled scene of a name.
+pub(crate) fn source(name: &Path) -> Result<Source, InputError> {
     if name.exists() {
-        return SceneFile::read(name, number.limit());
+        return Source::read(name);
     }
-    match scenes::find(name) {
-        Some(source) => SceneFile::parse(source, number.limit()),
-        None => Err(InputError::of_file(name, scenes::unknown(name))),
-    }
+    let unknown = || InputError::of_file(name, scenes::unknown(name));
+    scenes::find(name).ok_or_else(unknown)
 }
 
 /// Checks that a board supports a scene: errors are reported with the key and the line, which the board does not know.

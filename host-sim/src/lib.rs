@@ -9,54 +9,35 @@
 //!
 //! Both are read by `stiction-scene`.
 //!
-//! [`run`] executes all of this.
-//!
-//! [`replay`] runs a recording again and compares every answer bit for bit.
-//!
-//! [`check`] judges a trace by the laws alone.
-//!
-//! [`list`] shows the bundled scenes, and [`new`] writes a scene file to start from.
-//!
-//! [`code`] prints a scene as C, for the C library.
-//!
-//! [`trade`] runs many scenes in every setting of the solver, and reports the cost and accuracy of each setting.
-//!
-//! [`sweep`] runs scenes with many values of their parameters, and writes one table.
-//!
-//! [`board`] sends the hand's motion to a board in real time, in place of the solver on this computer or in parallel with it.
-//!
-//! [`view`] shows a scene in real time, with the mouse as the hand.
-//!
-//! [`image`] builds the image of a board, and writes it to a file for flashing.
-//!
-//! [`firmware`] has the images of boards and their emulators.
+//! [`run`] executes all of this. The other commands have a module each, and [`command`] lists them; [`firmware`] has the images of boards
+//! and their emulators.
 
 mod balance;
 pub mod board;
 pub mod check;
-pub mod code;
+mod code;
 pub mod columns;
 pub mod command;
 mod examples;
 mod files;
 pub mod firmware;
-pub mod image;
+mod image;
 pub mod input;
-pub mod list;
+mod list;
 mod mistakes;
-pub mod new;
-pub mod options;
+mod new;
+mod options;
 pub mod plot;
 mod progress;
 mod recording;
-pub mod replay;
-pub mod report;
+mod replay;
+mod report;
 pub mod run;
 mod settings;
-pub mod shell;
-pub mod stop;
+mod shell;
+mod stop;
 mod summary;
-pub mod sweep;
+mod sweep;
 pub mod trace;
 pub mod trade;
-pub mod view;
+mod view;

@@ -1,5 +1,6 @@
 //! `stiction scenes`: the bundled scenes with their stories, as a list, or as files in a folder, with a small picture of each.
 
+use std::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -7,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::files::whole::write;
 use clap::Args;
 use stiction_live::thumbnail::thumbnail;
-use stiction_scene::{InputError, Source, story};
+use stiction_scene::{Source, story};
 
 use crate::files::WriteError;
 use crate::report;
@@ -22,22 +23,8 @@ pub struct ScenesArgs {
     out: Option<PathBuf>,
 }
 
-/// The reason why there are no files.
-#[derive(Debug, thiserror::Error)]
-pub enum ScenesError {
-    /// The folder cannot be written, or has another file with the name of a scene.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// A scene cannot be drawn.
-    #[error(transparent)]
-    Scene(#[from] InputError),
-}
-
 /// Prints the list, or writes the files.
-///
-/// # Errors
-/// [`ScenesError`]
-pub fn scenes(args: &ScenesArgs) -> Result<(), ScenesError> {
+pub(crate) fn scenes(args: &ScenesArgs) -> Result<(), Box<dyn Error>> {
     match &args.out {
         Some(folder) => written(folder),
         None => {
@@ -67,7 +54,7 @@ fn list(width: Option<usize>) -> String {
 }
 
 /// Writes every scene to a folder, or nothing if a file there differs.
-fn written(folder: &Path) -> Result<(), ScenesError> {
+fn written(folder: &Path) -> Result<(), Box<dyn Error>> {
     let files: Vec<(PathBuf, &str)> = (scenes::ALL.iter())
         .map(|(name, text)| (folder.join(name).with_extension("toml"), *text))
         .collect();

@@ -9,7 +9,6 @@ use stiction_scene::text::nearest;
 use crate::command::described;
 use stiction_live::scenes;
 
-/// Adds a suggestion to an error, if there is one.
 pub(crate) fn explained(mut error: Error) -> Error {
     let tips = match error.kind() {
         ErrorKind::InvalidSubcommand => of_command(&error),

@@ -1,12 +1,12 @@
 //! `stiction new`: a scene file to start from, a bundled scene or one of the user's, with a comment on every key.
 
 use std::collections::BTreeSet;
+use std::error::Error;
 use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use stiction_scene::InputError;
 
 use crate::files::WriteError;
 use crate::input::open_scene;
@@ -25,22 +25,8 @@ pub struct NewArgs {
     like: PathBuf,
 }
 
-/// The reason why there is no new scene.
-#[derive(Debug, thiserror::Error)]
-pub enum NewError {
-    /// The scene to start from cannot be used.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// The file cannot be written, or exists already.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
 /// Writes the file and prints the next commands to type.
-///
-/// # Errors
-/// [`NewError`]; then nothing is written.
-pub fn new(args: &NewArgs) -> Result<(), NewError> {
+pub(crate) fn new(args: &NewArgs) -> Result<(), Box<dyn Error>> {
     let like = open_scene(&args.like, Number::F32)?;
     let file = file(&args.name);
     let text = explained(like.source().text(), &file);

@@ -10,7 +10,6 @@ use stiction_live::number::parse_evolution;
 
 use crate::trace::Format;
 
-/// One of the evolutions.
 pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
     PossibleValuesParser::new(Evolution::ALL.map(Evolution::name))
         .map(|name| parse_evolution(&name).unwrap_or_default())

@@ -74,10 +74,8 @@ const PICTURES: [(&str, Picture); 4] = [
     ("strip", strip::svg),
 ];
 
-/// That of a peg and a hole.
 const INSERTION: (&str, Picture) = ("insertion", insertion::svg);
 
-/// The pictures of a run.
 fn pictures(run: &Run) -> impl Iterator<Item = (&'static str, Picture)> {
     let insertion = run.meter.is_some().then_some(INSERTION);
     PICTURES.into_iter().chain(insertion)
@@ -91,9 +89,6 @@ pub(crate) fn places(run: &Run, dir: &Path) -> Vec<PathBuf> {
 
 /// Writes `trajectory`, `forces`, `motion`, `strip` and, for a peg and a hole, `insertion`, each as `.svg` and `.png`, to `dir`,
 /// which is created if it is missing. Returns the paths of the files in that order.
-///
-/// # Errors
-/// [`PlotError`]: no frames, or the directory or a file cannot be written.
 pub(crate) fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
     if run.frames.is_empty() {
         return Err(PlotError::Empty);
@@ -133,9 +128,6 @@ pub fn svgs(run: &Run) -> Result<Vec<(String, String)>, PlotError> {
 }
 
 /// A picture of errors against costs: the text of its SVG, and its PNG.
-///
-/// # Errors
-/// [`PlotError::Drawing`]
 pub(crate) fn fronts(fronts: &fronts::Fronts) -> Result<(String, Vec<u8>), PlotError> {
     let drawing = |reason| PlotError::Drawing {
         name: "fronts",

@@ -11,90 +11,59 @@ use crate::report;
 /// The interval at which the time elapsed is updated while nothing else happens.
 const TICK: Duration = Duration::from_millis(200);
 
-/// A bar of indicatif's `template`.
+/// A bar of indicatif's `template`, which disappears when it is dropped.
 pub(crate) fn bar(length: u64, template: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(template);
-    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length).with_style(style)
+    ProgressBar::new(length).with_style(style(template))
 }
 
-/// Work of unknown duration, such as a build. It ends with [`Activity::end`], or silently if an error ends it.
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+/// Work that takes a while. It ends with [`Activity::end`], or silently if an error ends it.
 #[derive(Debug)]
 pub(crate) struct Activity {
-    what: String,
+    /// What is printed at the end, before the time.
+    end: String,
     begun: Instant,
     bar: ProgressBar,
 }
 
 impl Activity {
-    /// Begins.
+    /// Begins work of unknown duration, such as a build.
     pub(crate) fn begin(what: String) -> Self {
-        let bar = ProgressBar::no_length();
-        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_spinner());
-        let bar = bar.with_style(style).with_message(what.clone());
+        let bar = ProgressBar::no_length().with_style(style("{spinner} {msg}, {elapsed}"));
+        let bar = bar.with_message(what.clone());
+        let end = format!("{what}: done in");
+        Self::new(bar, &what, end)
+    }
+
+    /// Begins `count` measurements.
+    pub(crate) fn measuring(what: &str, count: u64) -> Self {
+        let template = "{prefix}: {bar:30} {percent}%, {elapsed}, {eta} left, {msg}";
+        let bar = bar(count, template).with_prefix(what.to_owned());
+        let end = format!("measured {what}:");
+        Self::new(bar, &format!("measuring {what}"), end)
+    }
+
+    fn new(bar: ProgressBar, what: &str, end: String) -> Self {
         match io::stderr().is_terminal() {
             true => bar.enable_steady_tick(TICK),
             false => report::tell(format_args!("{what} ...")),
         }
         let begun = Instant::now();
-        Self { what, begun, bar }
+        Self { end, begun, bar }
     }
 
-    /// The work is complete.
-    pub(crate) fn end(self) {
-        self.bar.finish_and_clear();
-        let taken = HumanDuration(self.begun.elapsed());
-        report::tell(format_args!("{}: done in {taken}", self.what));
-    }
-}
-
-impl Drop for Activity {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
-}
-
-/// Measurements of a known number. They end in the same manner as an [`Activity`].
-#[derive(Debug)]
-pub(crate) struct Measuring {
-    what: String,
-    begun: Instant,
-    bar: ProgressBar,
-}
-
-/// Begins `count` measurements.
-pub(crate) fn measuring(what: &str, length: u64) -> Measuring {
-    let template = "{prefix}: {bar:30} {percent}%, {elapsed}, {eta} left, {msg}";
-    let bar = bar(length, template).with_prefix(what.to_owned());
-    match io::stderr().is_terminal() {
-        true => bar.enable_steady_tick(TICK),
-        false => report::tell(format_args!("measuring {what} ...")),
-    }
-    Measuring {
-        what: what.to_owned(),
-        begun: Instant::now(),
-        bar,
-    }
-}
-
-impl Measuring {
     /// Adds completed measurements, of which this is the last.
     pub(crate) fn advance(&self, count: u64, last: &str) {
         self.bar.set_message(last.to_owned());
         self.bar.inc(count);
     }
 
-    /// All are complete.
-    pub(crate) fn end(&self) {
+    pub(crate) fn end(self) {
         self.bar.finish_and_clear();
         let taken = HumanDuration(self.begun.elapsed());
-        report::tell(format_args!("measured {}: {taken}", self.what));
-    }
-}
-
-impl Drop for Measuring {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        report::tell(format_args!("{} {taken}", self.end));
     }
 }

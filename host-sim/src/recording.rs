@@ -32,13 +32,11 @@ use stiction_scene::{SceneFile, Source};
 
 use crate::settings::Settings;
 use stiction_live::body::Setting;
-use stiction_live::number::Number;
-use stiction_live::number::{parse_evolution, parse_number};
+use stiction_live::number::{Number, parse_kind};
 
-pub(crate) use reader::{Recording, RecordingError, RecordingLine};
+pub(crate) use reader::{Recording, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
-/// The version of the format.
 const VERSION: u32 = 2;
 /// Size of the buffer for a line that is being written (bytes); a longer one is written in pieces.
 const PIECE: usize = 64 << 10;
@@ -66,7 +64,6 @@ pub(crate) struct Head {
     pub(crate) scene: String,
 }
 
-/// The running program, and the machine.
 pub(crate) fn this_build() -> String {
     let version = env!("CARGO_PKG_VERSION");
     let (arch, os) = (std::env::consts::ARCH, std::env::consts::OS);
@@ -96,7 +93,6 @@ impl Maker {
 }
 
 impl Head {
-    /// Of a run of this program.
     pub(crate) fn new(scene: &SceneFile, settings: &Settings) -> Self {
         let maker = Maker {
             budget: settings.budget,
@@ -143,16 +139,8 @@ pub(crate) struct Change {
 
 impl Change {
     /// The setting with these names and this text; `name`: of the scene.
-    ///
-    /// # Errors
-    /// Fails if a name is unknown, or the text is no scene.
     pub(crate) fn setting(&self, name: PathBuf) -> Result<Setting, String> {
-        let refused =
-            |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");
-        let number = parse_number(&self.number)
-            .map_err(|allowed| refused("number", &self.number, allowed))?;
-        let evolution = parse_evolution(&self.evolution)
-            .map_err(|allowed| refused("evolution", &self.evolution, allowed))?;
+        let (number, evolution) = parse_kind(&self.number, &self.evolution)?;
         let source = Source::new(name, self.scene.as_str());
         let scene = SceneFile::parse(source, number.limit()).map_err(|error| error.to_string())?;
         Ok(Setting {

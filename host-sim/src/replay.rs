@@ -1,23 +1,24 @@
 //! `stiction replay`: runs a recording through the solver again, and compares every answer bit for bit with the recorded one.
 
+use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
 use serde_json::Value;
-use stiction_core::{Fixed, Parts, Real, SiFloat};
-use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
+use stiction_core::{Evolution, Fixed, Parts};
+use stiction_live::body::{Body, Setting};
+use stiction_live::number::{Number, parse_kind};
+use stiction_live::record::{Frame, Run};
+use stiction_live::session::Session;
+use stiction_live::simulate::{Running, Shared};
+use stiction_scene::{HostSolver, InputError, Sample, SceneFile, Source};
 
-use crate::files::{self, Files, WriteError};
+use crate::files::{self, Files};
 use crate::options::trace_parser;
-use crate::recording::{Change, Head, Recording, RecordingError, RecordingLine, this_build};
+use crate::recording::{Change, Head, Recording, RecordingLine, this_build};
 use crate::report;
 use crate::trace::{Format, Record};
-use stiction_live::body::{Body, Setting};
-use stiction_live::number::Number;
-use stiction_live::number::{parse_evolution, parse_number};
-use stiction_live::record::{Frame, Run, Scenery};
-use stiction_live::simulate::{Kind, Running, Task, with_solver};
 
 /// The arguments of `stiction replay`.
 #[derive(Args, Clone, Debug)]
@@ -35,25 +36,8 @@ pub struct ReplayArgs {
     quiet: bool,
 }
 
-/// The reason why a replay has no result.
-#[derive(Debug, thiserror::Error)]
-pub enum ReplayError {
-    /// The recording cannot be used.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-    /// Its scene cannot be used.
-    #[error(transparent)]
-    Scene(#[from] InputError),
-    /// A file cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
 /// Replays a recording and reports whether every answer is the same. Returns false if one differs, or if the recording was cut.
-///
-/// # Errors
-/// Fails if the recording cannot be used, or the output cannot be written.
-pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
+pub(crate) fn replay(args: &ReplayArgs) -> Result<bool, Box<dyn Error>> {
     let input = [args.recording.as_path()];
     files::check(
         input,
@@ -61,8 +45,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     )?;
     let mut recording = Recording::open(&args.recording)?;
     let head = recording.head.clone();
-    let (scene, run) = read(&recording)?;
-    let solver = stepper(&head, &run, scene)?;
+    let (solver, run) = read(&recording)?;
     let head_now = Head {
         build: this_build(),
         ..head.clone()
@@ -74,8 +57,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     )?;
     let mut again = Again {
         solver,
-        scenery: run.scenery(),
-        number: run.number,
+        run,
         files,
         result: Comparison::default(),
     };
@@ -98,14 +80,12 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
 
 /// A recording that is run again.
 struct Again {
-    solver: Box<dyn Stepper>,
-    scenery: Scenery,
-    number: Number,
+    solver: Stepper,
+    run: Run,
     files: Files,
     result: Comparison,
 }
 
-/// The comparison with the recorded answers.
 #[derive(Default)]
 struct Comparison {
     count: u64,
@@ -129,7 +109,7 @@ impl Again {
         recording: &Recording,
         sample: &Sample,
         recorded: Option<String>,
-    ) -> Result<(), ReplayError> {
+    ) -> Result<(), Box<dyn Error>> {
         let frame = self
             .solver
             .step(sample)
@@ -138,8 +118,7 @@ impl Again {
         if let Some(recorded) = recorded {
             self.result.compared += 1;
             if self.result.first.is_none() {
-                let record = Record::new(&frame, &self.scenery, self.number.is_single());
-                let differs = difference(&recorded, &record);
+                let differs = difference(&recorded, &self.run.record(&frame));
                 self.result.first = differs.map(|what| FirstDifference {
                     line: recording.line(),
                     t: sample.t,
@@ -150,13 +129,12 @@ impl Again {
         Ok(self.files.write(sample, Some(&frame))?)
     }
 
-    fn change(&mut self, recording: &Recording, change: &Change) -> Result<(), ReplayError> {
+    fn change(&mut self, recording: &Recording, change: &Change) -> Result<(), Box<dyn Error>> {
         let refused = |problem| recording.error(problem);
         let setting = change.setting(recording.scene_name()).map_err(refused)?;
         self.solver.change(&setting).map_err(refused)?;
-        let run = Run::of(&setting.scene, setting.number, setting.evolution);
-        (self.scenery, self.number) = (run.scenery(), run.number);
-        Ok(self.files.change(change, &run)?)
+        self.run = Run::of(&setting.scene, setting.number, setting.evolution);
+        Ok(self.files.change(change, &self.run)?)
     }
 }
 
@@ -180,136 +158,102 @@ impl Comparison {
     }
 }
 
-/// The scene of a recording and its settings.
-fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
+/// The solver of a recording, in its number type and with the parts that it had, and the settings of the run.
+fn read(recording: &Recording) -> Result<(Stepper, Run), Box<dyn Error>> {
     let head = &recording.head;
-    let number = parse_number(&head.number)
-        .map_err(|allowed| recording.error(format!("`number` is {:?}, {allowed}", head.number)))?;
-    let evolution = parse_evolution(&head.evolution).map_err(|allowed| {
-        recording.error(format!("`evolution` is {:?}, {allowed}", head.evolution))
-    })?;
+    let kind = parse_kind(&head.number, &head.evolution);
+    let (number, evolution) = kind.map_err(|problem| recording.error(problem))?;
     let source = Source::new(recording.scene_name(), head.scene.as_str());
     let scene = SceneFile::parse(source, number.limit())?;
     let run = Run::of(&scene, number, evolution);
-    Ok((scene, run))
-}
-
-/// A solver with its state.
-trait Stepper {
-    /// Returns the answer to the next sample; the first one starts the scene.
-    fn step(&mut self, sample: &Sample) -> Result<Frame, String>;
-    /// Continues with the body under another setting.
-    fn change(&mut self, setting: &Setting) -> Result<(), String>;
-}
-
-impl<R: Real<Si: SiFloat>, M: HostModel> Stepper for Running<R, M> {
-    fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
-        Ok(self.frame(sample))
-    }
-
-    fn change(&mut self, _: &Setting) -> Result<(), String> {
-        Err("the setting changes in a recording with a budget, or of a solver without friction or weight, which this \
-             program cannot follow; allowed: a change where there are all parts and no budget"
-            .to_owned())
-    }
-}
-
-/// A solver with all parts and an unlimited budget, whose setting may change.
-struct AllParts {
-    setting: Setting,
-    body: Option<Box<dyn Body>>,
-}
-
-impl Stepper for AllParts {
-    fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
-        match &mut self.body {
-            Some(body) => body.step(&sample.hand),
-            None => self.body = Some(self.setting.start(&sample.hand)?),
-        }
-        let frame = self.body.as_ref().map(|body| body.frame(sample.t));
-        frame.ok_or_else(|| "there is no body".to_owned())
-    }
-
-    fn change(&mut self, setting: &Setting) -> Result<(), String> {
-        if let Some(body) = &mut self.body {
-            *body = setting.carry(&body.present())?;
-        }
-        self.setting = setting.clone();
-        Ok(())
-    }
-}
-
-/// Any solver.
-struct Boxed;
-
-impl Task for Boxed {
-    type Done = Box<dyn Stepper>;
-
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done
-    where
-        Running<R, M>: Send + Sync,
-    {
-        Box::new(running)
-    }
-}
-
-/// The solver of a recording: its number type, with the parts that it had.
-fn stepper(head: &Head, run: &Run, scene: SceneFile) -> Result<Box<dyn Stepper>, InputError> {
-    match run.number {
-        Number::F32 if lacks_parts(head) => with_parts::<f32>(head, run, &scene),
-        Number::Fixed if lacks_parts(head) => with_parts::<Fixed>(head, run, &scene),
-        // No board computes in f64, and this computer has all parts.
+    // Parts are missing on boards alone, of which none computes in f64.
+    let lacks_parts = !(head.friction && head.weight);
+    let session = match number {
+        Number::F32 if lacks_parts => with_parts::<f32>(head, evolution, &scene)?,
+        Number::Fixed if lacks_parts => with_parts::<Fixed>(head, evolution, &scene)?,
         Number::F32 | Number::F64 | Number::Fixed => {
-            let kind = Kind {
-                number: run.number,
-                evolution: run.evolution,
-                budget: budget(head),
-            };
-            let running = with_solver(&scene, kind, Boxed)?;
-            let whole = AllParts {
-                setting: Setting {
-                    scene: Arc::new(scene),
-                    number: run.number,
-                    evolution: run.evolution,
-                },
-                body: None,
-            };
-            Ok(match head.budget {
-                Some(_) => running,
-                None => Box::new(whole),
-            })
+            Session::new(&scene, number, evolution, budget(head))?
         }
-    }
-}
-
-/// Returns whether the solver lacks parts, as that of a board may.
-fn lacks_parts(head: &Head) -> bool {
-    !(head.friction && head.weight)
+    };
+    let has_all = head.budget.is_none() && (number == Number::F64 || !lacks_parts);
+    let setting = Setting {
+        scene: Arc::new(scene),
+        number,
+        evolution,
+    };
+    let solver = match has_all {
+        true => Stepper::Whole(setting, None),
+        false => Stepper::Fixed(session),
+    };
+    Ok((solver, run))
 }
 
 fn budget(head: &Head) -> u32 {
     head.budget.unwrap_or(u32::MAX)
 }
 
-fn with_parts<R: Real<Si: SiFloat>>(
+/// A session of a solver that lacks friction, weight or both.
+fn with_parts<R: Shared>(
     head: &Head,
-    run: &Run,
+    evolution: Evolution,
     scene: &SceneFile,
-) -> Result<Box<dyn Stepper>, InputError> {
-    match (head.friction, head.weight) {
-        (true, _) => stepped::<R, Parts<true, false>>(head, run, scene),
-        (false, true) => stepped::<R, Parts<false, true>>(head, run, scene),
-        (false, false) => stepped::<R, Parts<false, false>>(head, run, scene),
-    }
+) -> Result<Session, InputError>
+where
+    HostSolver<R, Parts<true, false>>: Send + Sync,
+    HostSolver<R, Parts<false, true>>: Send + Sync,
+    HostSolver<R, Parts<false, false>>: Send + Sync,
+{
+    let budget = budget(head);
+    Ok(match (head.friction, head.weight) {
+        (true, _) => Session::of(Running::<R, Parts<true, false>>::of(
+            scene, evolution, budget,
+        )?),
+        (false, true) => Session::of(Running::<R, Parts<false, true>>::of(
+            scene, evolution, budget,
+        )?),
+        (false, false) => Session::of(Running::<R, Parts<false, false>>::of(
+            scene, evolution, budget,
+        )?),
+    })
 }
 
-fn stepped<R: Real<Si: SiFloat>, M: HostModel>(
-    head: &Head,
-    run: &Run,
-    scene: &SceneFile,
-) -> Result<Box<dyn Stepper>, InputError> {
-    let running = Running::<R, M>::of(scene, run.evolution, budget(head))?;
-    Ok(Box::new(running))
+/// A solver with its state.
+enum Stepper {
+    /// With a budget, or without some parts: its setting stays.
+    Fixed(Session),
+    /// With all parts and an unlimited budget: its setting may change.
+    Whole(Setting, Option<Box<dyn Body>>),
+}
+
+impl Stepper {
+    /// Returns the answer to the next sample; the first one starts the scene.
+    fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
+        match self {
+            Self::Fixed(session) => Ok(session.step(sample)),
+            Self::Whole(_, Some(body)) => {
+                body.step(&sample.hand);
+                Ok(body.frame(sample.t))
+            }
+            Self::Whole(setting, body) => {
+                let begun = setting.start(&sample.hand)?;
+                Ok(body.insert(begun).frame(sample.t))
+            }
+        }
+    }
+
+    /// Continues with the body under another setting.
+    fn change(&mut self, to: &Setting) -> Result<(), String> {
+        let Self::Whole(setting, body) = self else {
+            return Err("the setting changes in a recording with a budget, or of a solver without friction or weight, which this \
+                 program cannot follow; allowed: a change where there are all parts and no budget"
+                .to_owned());
+        };
+        if let Some(body) = body {
+            *body = to.carry(&body.present())?;
+        }
+        *setting = to.clone();
+        Ok(())
+    }
 }
 
 /// The first field in which an answer differs from the recorded one, with both values; equal bits have equal texts.

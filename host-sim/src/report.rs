@@ -29,7 +29,7 @@ pub(crate) fn print(text: &str) {
 }
 
 /// Processes the result of printing; a reader that has gone is no error.
-pub fn printed(result: io::Result<()>) {
+pub(crate) fn printed(result: io::Result<()>) {
     if let Err(error) = result.and_then(|()| io::stdout().flush())
         && error.kind() != ErrorKind::BrokenPipe
     {
@@ -39,14 +39,14 @@ pub fn printed(result: io::Result<()>) {
 }
 
 /// Why the output is incomplete, if it is.
-pub fn failure() -> Option<io::Error> {
+pub(crate) fn failure() -> Option<io::Error> {
     let mut first = FAILURE.lock().unwrap_or_else(PoisonError::into_inner);
     first.take()
 }
 
 /// Prints to standard error. Text from a file may have any length, and may contain control characters of a terminal: both are
 /// removed. Errors of standard error cannot be reported.
-pub fn tell(text: impl Display) {
+pub(crate) fn tell(text: impl Display) {
     let text = text.to_string();
     let lines: Vec<String> = text.lines().map(plain).collect();
     let _ = writeln!(io::stderr(), "{}", lines.join("\n"));

@@ -1,16 +1,16 @@
 //! `stiction run`: runs a scene file and the hand's motion through the solver, and writes a trace, a summary and plots.
 
+use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use stiction_scene::InputError;
 
-use crate::files::{self, Files, WriteError};
+use crate::files::{self, Files};
 use crate::input::{self, open_scene};
 use crate::options::trace_parser;
-use crate::plot::{self, PlotError};
+use crate::plot;
 use crate::progress;
 use crate::recording::Head;
 use crate::report;
@@ -44,25 +44,11 @@ pub struct RunArgs {
     pub(crate) quiet: bool,
 }
 
-/// The reason why a run has no result.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// The scene or the hand's path cannot be used.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// The trace or the recording cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// The plots cannot be written.
-    #[error(transparent)]
-    Plot(#[from] PlotError),
-}
-
 /// Runs a scene and writes the requested output.
 ///
 /// # Errors
 /// Fails if the input cannot be used, or the output cannot be written; there is then no trace.
-pub fn run(args: &RunArgs) -> Result<(), RunError> {
+pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
     let mut record = Run::of(&scene, settings.number, settings.evolution);
@@ -93,7 +79,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         if args.plot.is_some() {
             record.frames.push(frame);
         }
-        Ok::<_, RunError>(())
+        Ok::<_, Box<dyn Error>>(())
     })?;
     summary.set_solver_time(time);
     let mut text = summary.to_string();
@@ -153,14 +139,6 @@ impl RunProgress {
         }
         if let Some(bar) = &self.bar {
             bar.set_position(self.done);
-        }
-    }
-}
-
-impl Drop for RunProgress {
-    fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
         }
     }
 }

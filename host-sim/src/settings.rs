@@ -35,7 +35,6 @@ pub(crate) struct Settings {
     pub(crate) budget: Option<u32>,
 }
 
-/// The defaults of `stiction run`.
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -50,9 +49,6 @@ impl Default for Settings {
 
 impl Settings {
     /// Runs a scene over the hand's motion and passes every frame to `sink`; returns the run time of the solver's steps.
-    ///
-    /// # Errors
-    /// Fails if the scene is refused, or with the first error of `sink`.
     pub(crate) fn simulate<E: From<InputError>>(
         &self,
         scene: &SceneFile,

@@ -38,17 +38,14 @@ pub struct ManArgs {
 }
 
 /// Answers a shell that completes a line, and then ends the program.
-pub fn complete() {
+pub(crate) fn complete() {
     CompleteEnv::with_factory(described)
         .var(VARIABLE)
         .complete();
 }
 
 /// Prints the script that a shell reads at its start.
-///
-/// # Errors
-/// Fails if standard output cannot be written.
-pub fn completions(args: &CompletionsArgs) -> io::Result<()> {
+pub(crate) fn completions(args: &CompletionsArgs) -> io::Result<()> {
     let name = args.shell.to_string();
     let shells = Shells::builtins();
     let mut script = Vec::new();
@@ -60,10 +57,7 @@ pub fn completions(args: &CompletionsArgs) -> io::Result<()> {
 }
 
 /// Writes the manual pages.
-///
-/// # Errors
-/// Fails if the folder cannot be written.
-pub fn man(args: &ManArgs) -> Result<(), WriteError> {
+pub(crate) fn man(args: &ManArgs) -> Result<(), WriteError> {
     let folder = &args.folder;
     std::fs::create_dir_all(folder)
         .and_then(|()| clap_mangen::generate_to(described(), folder))

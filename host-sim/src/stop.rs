@@ -9,7 +9,7 @@ static LISTENED: AtomicBool = AtomicBool::new(false);
 static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// Installs the handling of requests; called at the start of the program, before it writes anything.
-pub fn begin() {
+pub(crate) fn begin() {
     // If another part of the program listens, it decides.
     let _ = handle();
 }
@@ -19,7 +19,6 @@ pub(crate) fn listen() {
     LISTENED.store(true, Ordering::Relaxed);
 }
 
-/// Returns whether an end was requested.
 pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }

@@ -32,12 +32,11 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// For a run before its first frame.
     pub(crate) fn new(run: &Run) -> Self {
         let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
-            title: format!("{} ({number}, {evolution})", run.title),
-            residual: Residual::new(run),
+            title: format!("{} ({number}, {evolution})", run.scene.title),
+            residual: Residual::new(&run.scene),
             frames: 0,
             span: None,
             seconds: [0.0; StateKind::ALL.len()],
@@ -81,7 +80,6 @@ impl Summary {
         last - first
     }
 
-    /// Sets the total time of the solver's steps.
     pub(crate) fn set_solver_time(&mut self, time: Duration) {
         self.solver_time = time;
     }

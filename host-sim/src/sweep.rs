@@ -16,8 +16,7 @@ mod plan;
 mod progress;
 mod row;
 
-pub use output::OutputError;
-
+use std::error::Error;
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -25,9 +24,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use rayon::ThreadPoolBuilder;
 use sha2::{Digest, Sha256};
-use stiction_scene::{HandPath, InputError};
+use stiction_scene::HandPath;
 
-use crate::files::{self, WriteError};
+use crate::files;
 use crate::{report, stop};
 use output::{Output, Rows};
 use plan::Plan;
@@ -61,7 +60,7 @@ pub struct SweepArgs {
 
 /// Part `part` of `of`, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
+pub(crate) struct Shard {
     part: u64,
     of: u64,
 }
@@ -79,31 +78,8 @@ fn parse_shard(text: &str) -> Result<Shard, String> {
     })
 }
 
-/// The reason why a sweep has not completed its rows.
-#[derive(Debug, thiserror::Error)]
-pub enum SweepError {
-    /// The sweep file, or a scene of it, cannot be used.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// The table, or the file next to it, would replace an input.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// The table cannot be written or continued.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// The threads cannot be started.
-    #[error("{0}, allowed: fewer --threads")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// A row cannot be written as text.
-    #[error(transparent)]
-    Row(#[from] io::Error),
-}
-
 /// Runs the missing rows of a table; returns false if the user ended it before the table was complete.
-///
-/// # Errors
-/// [`SweepError`]; rows that were written before remain, and the next run continues from them.
-pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
+pub(crate) fn sweep(args: &SweepArgs) -> Result<bool, Box<dyn Error>> {
     let plan = Plan::read(&args.sweep)?;
     let shard = args.shard;
     let header = row::line(&row::header(&plan, args.time))?;
@@ -121,11 +97,10 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
     if let Some(threads) = args.threads {
         pool = pool.num_threads(threads.into());
     }
-    let pool = pool.build()?;
-    let place = args
-        .out
-        .clone()
-        .unwrap_or_else(|| place(&args.sweep, shard));
+    let fewer = |error| format!("{error}, allowed: fewer --threads");
+    let pool = pool.build().map_err(fewer)?;
+    let place = args.out.clone();
+    let place = place.unwrap_or_else(|| self::place(&args.sweep, shard));
     let (read, beside) = (plan.files(), beside::beside(&place));
     let written = [place.clone(), beside].map(|file| ("--out", file));
     files::check(read.iter().map(PathBuf::as_path), written)?;
@@ -143,7 +118,7 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
         output.append(&row::line(&row.cells)?)?;
         refused += u64::from(row.is_refused);
         progress.set(output.rows(), rows.count);
-        Ok::<_, SweepError>(())
+        Ok::<_, Box<dyn Error>>(())
     })?;
     drop(progress);
     let done = output.rows();

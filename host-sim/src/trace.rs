@@ -11,7 +11,7 @@ pub(crate) use stiction_live::trace::Record;
 use stiction_live::trace::{ContactEntry, InsertionEntry, Value};
 use tempfile::NamedTempFile;
 
-use stiction_live::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run};
 
 /// The format of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +42,7 @@ enum Target {
 #[derive(Debug)]
 pub struct TraceWriter {
     place: PathBuf,
-    scenery: Scenery,
-    single: bool,
+    run: Run,
     writer: Target,
 }
 
@@ -59,15 +58,14 @@ impl TraceWriter {
             Format::Csv => Target::Csv(Box::new(table::CsvTable::new(
                 file,
                 table::Has {
-                    obstacles: !run.obstacles.is_empty(),
+                    obstacles: !run.scene.obstacles.is_empty(),
                     meter: run.meter.is_some(),
                 },
             ))),
         };
         Ok(Self {
             place: place.to_owned(),
-            scenery: run.scenery(),
-            single: run.number.is_single(),
+            run: run.clone(),
             writer,
         })
     }
@@ -77,7 +75,7 @@ impl TraceWriter {
     /// # Errors
     /// Fails if the file cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        let record = Record::new(frame, &self.scenery, self.single);
+        let record = self.run.record(frame);
         match &mut self.writer {
             Target::JsonLines(writer) => {
                 serde_json::to_writer(&mut *writer, &record)?;
@@ -89,7 +87,7 @@ impl TraceWriter {
 
     /// From here on, the frames belong to another run of the same body.
     pub(crate) fn change(&mut self, run: &Run) {
-        (self.scenery, self.single) = (run.scenery(), run.number.is_single());
+        self.run = run.clone();
     }
 
     /// Moves the complete trace to its destination.

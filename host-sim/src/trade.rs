@@ -33,15 +33,14 @@ pub use setting::{FINEST, Memory, RATES, Setting};
 pub use suite::{Case, Group, Suite};
 
 use std::error::Error;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use stiction_scene::InputError;
 
 use crate::files::{WriteError, check};
-use crate::plot::{self, PlotError};
-use crate::progress::measuring;
+use crate::plot;
+use crate::progress::Activity;
 use counts::{Count, counted};
 use files::Folder;
 use machine::processor;
@@ -68,39 +67,6 @@ pub struct TradeArgs {
     table: bool,
 }
 
-/// The reason why there are no results.
-#[derive(Debug, thiserror::Error)]
-pub enum TradeError {
-    /// The hand's path cannot be used, or a scene is refused.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// The table of the chips is no such table.
-    #[error("the costs on chips: {0}")]
-    Counts(#[from] Box<dyn Error>),
-    /// A result would replace the hand's path, or another result.
-    #[error(transparent)]
-    Name(#[from] WriteError),
-    /// The folder or the file cannot be written.
-    #[error("{}: cannot be written: {error}", place.display())]
-    Write {
-        /// The folder or file.
-        place: PathBuf,
-        /// The system's message.
-        error: io::Error,
-    },
-    /// A picture cannot be drawn.
-    #[error(transparent)]
-    Plot(#[from] PlotError),
-}
-
-impl TradeError {
-    /// The message that a place cannot be written, and why.
-    fn write(place: &Path) -> impl FnOnce(io::Error) -> Self {
-        let place = place.to_owned();
-        |error| Self::Write { place, error }
-    }
-}
-
 /// The files of the results, except the pictures.
 const TABLE: &str = "trade.csv";
 const DATA: &str = "trade.json";
@@ -115,19 +81,19 @@ fn results(out: &Path) -> Vec<PathBuf> {
 /// Measures the suite and writes all results.
 ///
 /// # Errors
-/// [`TradeError`]; before any measurement if possible.
-pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
+/// Fails if the hand's path cannot be used, or the folder cannot be written; before any measurement if possible.
+pub fn trade(args: &TradeArgs) -> Result<(), Box<dyn Error>> {
     let results = results(&args.out).into_iter().map(|file| ("--out", file));
     check(args.hand.as_deref(), results)?;
     let suite = Suite::new(args.hand.as_deref(), args.quick)?;
-    let folder = Folder::open(&args.out).map_err(TradeError::write(&args.out))?;
+    let folder = Folder::open(&args.out).map_err(WriteError::of(&args.out))?;
     let counts = match args.emulated {
-        true => counted()?,
+        true => counted().map_err(|error| format!("the costs on chips: {error}"))?,
         false => Vec::new(),
     };
     let report = Report::of(&suite, &counts)?;
     let files = folder.write(&report.files()?);
-    let files = files.map_err(TradeError::write(&args.out))?;
+    let files = files.map_err(WriteError::of(&args.out))?;
     let list: String = files
         .iter()
         .map(|file| format!("  {}\n", file.display()))
@@ -147,7 +113,7 @@ impl Report {
     /// # Errors
     /// A number type refuses a scene.
     pub fn of(suite: &Suite, counts: &[Count]) -> Result<Self, InputError> {
-        let bar = measuring("scenes on this computer", suite.frame_count() as u64);
+        let bar = Activity::measuring("scenes on this computer", suite.frame_count() as u64);
         let rows = measure(suite, |case| {
             bar.advance(case.frame_count() as u64, &case.scene.title);
         });
@@ -168,8 +134,8 @@ impl Report {
     ///
     /// # Errors
     /// A picture cannot be drawn.
-    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, TradeError> {
-        let table = self.csv().map_err(TradeError::write(Path::new(TABLE)))?;
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Box<dyn Error>> {
+        let table = self.csv().map_err(WriteError::of(Path::new(TABLE)))?;
         let mut files = vec![(TABLE.to_owned(), table), (DATA.to_owned(), self.json())];
         let rows = self.overall();
         for place in Place::of(&rows) {

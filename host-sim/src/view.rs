@@ -137,35 +137,21 @@ fn parse_pose_rate(text: &str) -> Result<f64, String> {
 
 /// The reason why there is nothing to view.
 #[derive(Debug, thiserror::Error)]
-pub enum ViewError {
-    /// The scene or the hand's path cannot be used.
+pub(crate) enum ViewError {
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The solver rejects the scene.
     #[error("{0}")]
     Scene(String),
-    /// An address cannot be used.
     #[error("{address}: {error}")]
-    Address {
-        /// The address as given.
-        address: String,
-        /// The system's message.
-        error: io::Error,
-    },
-    /// Poses cannot be sent to this address.
+    Address { address: String, error: io::Error },
     #[error("{option} {address}: {error}, allowed: HOST:PORT, the port from 1 to 65535")]
     Renderer {
-        /// `--osc` or `--opentrack`.
         option: &'static str,
-        /// The address as given.
         address: String,
-        /// The system's message.
         error: io::Error,
     },
-    /// The system refuses a resource that the server needs.
     #[error(transparent)]
     System(#[from] io::Error),
-    /// The board cannot be used, or refuses the scene.
     #[error(transparent)]
     Board(#[from] BoardError),
     /// The solver ended: a board will not come back, or its thread failed.
@@ -177,10 +163,7 @@ pub enum ViewError {
 type Solver = JoinHandle<Result<(), String>>;
 
 /// Serves until Ctrl-C.
-///
-/// # Errors
-/// Fails if the input cannot be used, or an address cannot be listened to.
-pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
+pub(crate) fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (notes, lines) = std::sync::mpsc::sync_channel(NOTES);
     let archive = Archive::new(args.recordings.clone());
@@ -241,7 +224,6 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     result.and(ended.map_err(ViewError::Solver))
 }
 
-/// The thread of the solver, which runs until `ending`.
 fn started(
     engine: Engine,
     inbox: mpsc::Receiver<Order>,
@@ -315,7 +297,6 @@ fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     report::print(&format!("{what}   Ctrl-C ends it\n{board}"));
 }
 
-/// State of the main thread while clients are served.
 struct Watched<'a> {
     /// Signals the end to all tasks.
     stopper: watch::Sender<bool>,

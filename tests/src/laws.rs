@@ -84,7 +84,7 @@ pub const fn bounds<R: Number>() -> Bounds {
 
 /// A judge with the scene as the number type rounds it.
 pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Bounds) -> Judge {
-    Judge::new(scene::<R>(setup), bounds, evolution_of(evolution))
+    Judge::new(scene::<R>(setup), bounds, evolution)
 }
 
 /// The scene of the judge, as the number type rounds it.
@@ -114,14 +114,6 @@ pub fn scene<R: Number>(setup: &Setup) -> Scene {
     }
 }
 
-/// The evolution by its name for the judge.
-pub const fn evolution_of(evolution: Evolution) -> stiction_judge::Evolution {
-    match evolution {
-        Evolution::Path => stiction_judge::Evolution::Path,
-        Evolution::Frame => stiction_judge::Evolution::Frame,
-    }
-}
-
 /// Frame `i` in the judge's format, one second after the frame before it.
 pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
     let contact = |c: &Contact<f64>| stiction_judge::Contact {
@@ -141,20 +133,13 @@ pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
         held: frame.held,
         pose: frame.pose,
         depth: frame.depth,
-        state: named(stiction_judge::State::named, frame.state.name()),
+        state: frame.state,
         contacts: frame.contacts.iter().map(contact).collect(),
         complete: true,
         wrench: frame.wrench,
         slips: frame.slips,
-        events: (frame.events.iter())
-            .map(|event| named(stiction_judge::Event::named, event.name()))
-            .collect(),
-        status: named(stiction_judge::Status::named, frame.status.name()),
+        events: frame.events.clone(),
+        status: frame.status,
         behind: None,
     }
-}
-
-/// The item that the judge knows by this name.
-pub(crate) fn named<T>(find: impl Fn(&str) -> Option<T>, name: &str) -> T {
-    find(name).unwrap_or_else(|| panic!("the judge does not know {name:?}"))
 }

@@ -7,7 +7,6 @@ use crate::slip::Onset;
 use crate::touch::Face;
 use crate::vector::{Vec2, Vec3, add, cross, cross3, dot, dot3, length, length3, scaled, sub};
 
-/// A body with two contacts, in a pose.
 #[derive(Clone, Copy)]
 pub(crate) struct Brace<'a> {
     pub(crate) model: &'a Model,

@@ -8,21 +8,21 @@
 
 use std::cmp::Ordering;
 
+use stiction_core::{Event, Evolution, StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::obstacles::placed;
 use crate::pairs::Facing;
 use crate::pin::{Foot, Pin, Spot, follow};
 use crate::slide::is_idle;
 use crate::slip::{EVENTS, Step};
-use crate::touch::Touch;
 use crate::vector::{between, distance, length, sub};
 
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// The events of a frame, between the one before it and itself.
 pub(crate) struct Events<'a> {
     pub(crate) model: &'a Model,
     pub(crate) last: &'a Frame,
@@ -216,7 +216,7 @@ fn moves(
         return None;
     }
     // Events of a body that is out of balance may lead nowhere: contacts open and close again at the same place.
-    if !next.status.is_followed() {
+    if !next.is_followed() {
         return None;
     }
     let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
@@ -253,10 +253,9 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         [Event::Snap] => true,
         _ => return None,
     };
-    let is_usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
     if !next.has_contacts_of(last)
         || last.state != next.state
-        || ![last, next].into_iter().all(is_usable)
+        || ![last, next].into_iter().all(Frame::is_usable)
     {
         return None;
     }
@@ -290,13 +289,7 @@ fn pinned<'a>(step: &Step<'a>, (touch, slide): (Option<Touch>, Option<f64>), par
     let (model, last) = (step.model, step.last);
     let hand = between(last.hand, step.next.hand, part);
     let (facing, spot) = match touch {
-        Some(touch) => (
-            model.facing(touch),
-            Spot {
-                held: model.held(last.pose, touch),
-                at: model.foot(last.pose, touch),
-            },
-        ),
+        Some(touch) => (model.facing(touch), model.spot(last.pose, touch)),
         None => (
             Facing::World([0.0, 1.0]),
             Spot {

@@ -1,124 +1,34 @@
 //! A record of a trace: SI units, world frame, angles unwrapped; and how the hand moves from one record to the next.
 
-use crate::touch::Touch;
+use stiction_core::{Event, StateKind as State, Status, Touch};
 
-macro_rules! named {
-    ($(#[$doc:meta])* $kind:ident { $($(#[$text:meta])* $variant:ident = $name:literal,)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum $kind { $($(#[$text])* $variant,)* }
+/// All events, in the order of messages.
+pub(crate) const EVENTS: [Event; 11] = [
+    Event::Touch,
+    Event::Lift,
+    Event::Slip,
+    Event::Tip,
+    Event::Land,
+    Event::Snap,
+    Event::Jam,
+    Event::Grasp,
+    Event::Release,
+    Event::Slide,
+    Event::Stop,
+];
 
-        impl $kind {
-            /// All names in a trace.
-            pub(crate) const NAMES: &[&str] = &[$($name),*];
-
-            /// Its name in a trace.
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $name),*
-                }
-            }
-
-            /// The variant with this name in a trace.
-            pub fn named(name: &str) -> Option<Self> {
-                match name {
-                    $($name => Some(Self::$variant),)*
-                    _ => None,
-                }
-            }
-        }
-    };
-}
-
-/// How the hand moves from frame to frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Evolution {
-    /// Straight: a slip begins anywhere on its path.
-    #[default]
-    Path,
-    /// It jumps: a slip begins at the end.
-    Frame,
-}
-
-named! {
-    /// The contact state.
-    State {
-        /// No contact.
-        NonContact = "non-contact",
-        /// One contact.
-        SingleVertex = "single-vertex",
-        /// Two contacts in one line, of one normal.
-        Edge = "edge",
-        /// Two contacts that are not in one line.
-        TwoVertex = "two-vertex",
-        /// One vertex on two surfaces or sides.
-        Corner = "corner",
-        /// Three or more contacts.
-        Locked = "locked",
-    }
-}
-
-named! {
-    /// What happened in a frame.
-    Event {
-        /// A vertex reached a surface.
-        Touch = "touch",
-        /// A contact opened.
-        Lift = "lift",
-        /// A slip ended at mu_d N.
-        Slip = "slip",
-        /// The body left an edge and turns about one of its vertices.
-        Tip = "tip",
-        /// A second vertex reached the surface of the first.
-        Land = "land",
-        /// The rotation branch folded.
-        Snap = "snap",
-        /// Three or more contacts fix the body.
-        Jam = "jam",
-        /// The hand grasped the body.
-        Grasp = "grasp",
-        /// The hand let go of the body.
-        Release = "release",
-        /// A contact began to slide with the hand.
-        Slide = "slide",
-        /// A sliding contact sticks again.
-        Stop = "stop",
-    }
-}
-
-named! {
-    /// What limited the answer.
-    Status {
-        /// Nothing.
-        Ok = "ok",
-        /// Too many slips, or too small ones: the rest of the frame was one jump of the hand.
-        EventLimit = "event-limit",
-        /// A search ended at its bound.
-        IterationLimit = "iteration-limit",
-        /// No motion is consistent: the body stays, out of balance.
-        Ambiguous = "ambiguous",
-        /// The hand was out of range; the last pose is held.
-        Saturated = "saturated",
-        /// The hand's sample was not finite; the last pose is held.
-        HeldLast = "held-last",
-        /// The load needs reactions beyond 64 k_h L: the body stays.
-        Jammed = "jammed",
-        /// A budget ended before the hand's path did: the body has followed part of the path.
-        Behind = "behind",
-        /// The hand's swing leaves its rotation about the plane's normal ill-defined.
-        Twist = "twist",
-    }
-}
-
-impl Status {
-    /// Whether the body has followed the reported hand and is in balance with it: then every law applies.
-    pub(crate) const fn is_followed(self) -> bool {
-        matches!(
-            self,
-            Self::Ok | Self::Twist | Self::EventLimit | Self::IterationLimit
-        )
-    }
-}
+/// All statuses, in the order of messages and reports.
+pub const STATUSES: [Status; 9] = [
+    Status::Ok,
+    Status::EventLimit,
+    Status::IterationLimit,
+    Status::Ambiguous,
+    Status::Saturated,
+    Status::HeldLast,
+    Status::Jammed,
+    Status::Behind,
+    Status::Twist,
+];
 
 /// A contact of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -177,10 +87,28 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Whether the contacts are those of another frame.
+    /// Whether the body has followed the reported hand and is in balance with it: then every law applies.
+    pub(crate) const fn is_followed(&self) -> bool {
+        matches!(
+            self.status,
+            Status::Ok | Status::Twist | Status::EventLimit | Status::IterationLimit
+        )
+    }
+
     pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
         self.contacts.len() == other.contacts.len()
             && (self.contacts.iter()).all(|contact| other.contact(contact.touch).is_some())
+    }
+
+    /// Whether a hand holds the body in balance, with contacts that are all known.
+    pub(crate) const fn is_usable(&self) -> bool {
+        self.held && self.complete && self.is_followed()
+    }
+
+    /// Whether the hand grasped the body or let go of it.
+    pub(crate) fn is_taken(&self) -> bool {
+        let taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
+        self.events.iter().any(taken)
     }
 
     /// Whether it has contacts and reports for each whether it slides.
@@ -188,7 +116,6 @@ impl Frame {
         !self.contacts.is_empty() && (self.contacts.iter()).all(|contact| contact.sliding.is_some())
     }
 
-    /// Whether a contact slides.
     pub(crate) fn slides(&self) -> bool {
         !self.contacts.iter().all(Contact::rests)
     }
@@ -198,7 +125,6 @@ impl Frame {
         (self.contacts.iter()).find(|contact| contact.touch == touch)
     }
 
-    /// Whether it has a contact with an obstacle.
     pub(crate) fn meets_obstacles(&self) -> bool {
         let mut touches = self.contacts.iter().map(|contact| contact.touch);
         touches.any(|touch| touch.obstacle().is_some())

@@ -5,12 +5,14 @@
 //! The friction that may be assumed is mu_s if contacts only stick and slip. If they can also slide, a body without stiction has
 //! mu_d. It has stiction if in the previous frame no reactions within mu_d bear the load.
 
+use stiction_core::{Event, StateKind as State, Status};
+
 use crate::bearing::Bearing;
 use crate::finding::{Finding, law};
-use crate::frame::{Contact, Event, Frame, State, Status};
+use crate::frame::{Contact, Frame};
 use crate::model::LIMIT;
 use crate::slip::Step;
-use crate::touch::Face;
+use crate::touch::{Face, share_vertex};
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
 /// Reactions that are certainly within the limit, whether the limit refers to N or to the whole reaction, and those that are
@@ -21,7 +23,6 @@ const BEYOND: f64 = 17.0 / 16.0;
 /// A load this large (k_h L) needs large reactions in any case, and some number types refuse it.
 const LOAD: f64 = 16.0;
 
-/// The findings on contacts that hold, from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
     let jammed = is_rightly_jammed(step).map(|holds| Finding::whether(law::JAMMED, holds));
@@ -35,15 +36,14 @@ fn is_fixed(frame: &Frame) -> bool {
         && !frame.slides()
         && matches!(frame.state, State::Edge | State::TwoVertex | State::Locked)
         && (frame.contacts.iter())
-            .any(|contact| !contact.touch.shares_vertex(frame.contacts[0].touch))
+            .any(|contact| !share_vertex(contact.touch, frame.contacts[0].touch))
 }
 
 /// Whether the body moved although its contacts bear the load along the whole path of the hand.
 fn let_go(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
-    let follows = last.status.is_followed();
-    let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
-    if !follows || !is_fixed(last) || !next.held || next.events.iter().any(is_taken) {
+    let follows = last.is_followed();
+    if !follows || !is_fixed(last) || !next.held || next.is_taken() {
         return None;
     }
     // Slips and slides of contacts that stay, and motions without an event, are judged by other laws.
@@ -70,7 +70,7 @@ fn bears_all_along(step: &Step<'_>) -> bool {
         (hands.iter()).all(|hand| contacts.bears(*hand, step.bounds.slip, 2.0 * limit))
     };
     let has_stiction = !last.tells_slides()
-        || (last.status.is_followed() && of_dynamic.least(last.hand) > BEYOND * limit);
+        || (last.is_followed() && of_dynamic.least(last.hand) > BEYOND * limit);
     bears(if has_stiction {
         &of_static
     } else {
@@ -157,7 +157,7 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     }
     let load = step.model.load(next.pose, next.hand, step.grip);
     let is_large = length(load.force) > LOAD * step.model.unit_force();
-    if !next.status.is_followed() || !next.tells_slides() || !is_fixed(next) || is_large {
+    if !next.is_followed() || !next.tells_slides() || !is_fixed(next) || is_large {
         return None;
     }
     let of_static = bearing(|face| face.friction_static);

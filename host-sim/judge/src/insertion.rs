@@ -84,7 +84,6 @@ pub struct Meter {
     peg: Peg,
 }
 
-/// The two sides of a peg, body frame.
 #[derive(Clone, Debug, PartialEq)]
 struct Peg {
     /// The unit vector along the sides.

@@ -1,8 +1,10 @@
 //! Frame after frame: the memory of previous frames, and the laws that depend on it.
 
+use stiction_core::{Event, Evolution, StateKind as State, Status, Touch};
+
 use crate::events::{self, Events};
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
+use crate::frame::{Contact, Frame};
 use crate::hold;
 use crate::model::{Grip, Model};
 use crate::obstacles::Unreported;
@@ -12,7 +14,6 @@ use crate::slide;
 use crate::slip::{self, Step};
 use crate::status;
 use crate::still;
-use crate::touch::Touch;
 use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Judges the frames of one trace, in their order.
@@ -38,11 +39,9 @@ struct Anchor {
     place: Vec2,
 }
 
-/// What is known of the hand's grip.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hold {
     grip: Option<Grip>,
-    /// Whether the hand has held the body before.
     was_held: bool,
 }
 

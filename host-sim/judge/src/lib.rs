@@ -158,10 +158,10 @@ mod yielding;
 
 pub use body::{centroid, size};
 pub use finding::{Bounds, Finding, law};
-pub use frame::{Contact, Event, Evolution, Frame, State, Status};
+pub use frame::{Contact, Frame, STATUSES};
 pub use judge::Judge;
 pub use scene::{Obstacle, Scene, Surface};
+pub use stiction_core::{Event, Evolution, StateKind as State, Status, Touch};
 pub use stiction_scene::{InputError, Source};
 pub use survey::{LawSurvey, Survey, Violation};
-pub use touch::Touch;
 pub use trace::Trace;

@@ -9,7 +9,6 @@ use crate::sides::Sides;
 use crate::touch::Face;
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
-/// A scene with its size and centroid.
 #[derive(Clone, Debug)]
 pub(crate) struct Model {
     pub(crate) scene: Scene,
@@ -18,7 +17,6 @@ pub(crate) struct Model {
     centroid: Vec2,
     /// The surface farthest from the origin (m).
     farthest: f64,
-    /// The sides of the obstacles.
     pub(crate) sides: Sides,
 }
 
@@ -130,7 +128,6 @@ impl Model {
         Some(self.scene.stiffness_translation * memory / drop.max(0.0))
     }
 
-    /// The wrench of the hand's springs.
     pub(crate) fn springs(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {
         let way = sub([hand[0], hand[1]], self.holding_point(pose, grip));
         Wrench {

@@ -4,13 +4,14 @@
 //! **Tolerance.** Two contacts on one obstacle that are closer than 2^-19 L are one, so the ends of sides are known only to that
 //! accuracy, in addition to the tolerance of gaps. A touch is certain only if the gap is within rounding in two consecutive frames.
 
+use stiction_core::{Event, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame};
+use crate::frame::{Contact, Frame};
 use crate::model::Model;
 use crate::pairs::Lined;
 use crate::scene::Scene;
 use crate::shape::{ends, separation};
-use crate::touch::Touch;
 use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Contacts on one obstacle that are closer than this (L) are one.
@@ -33,7 +34,6 @@ pub(crate) fn depth(model: &Model, frame: &Frame) -> f64 {
     -apart.fold(f64::INFINITY, f64::min)
 }
 
-/// Whether two contacts with one obstacle are at the same place.
 pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
     let place = |contact: &Contact| model.foot(frame.pose, contact.touch);
     (frame.contacts.iter().enumerate()).any(|(i, a)| {
@@ -99,8 +99,7 @@ impl Unreported {
         bounds: &Bounds,
         (last, frame): (Option<&Frame>, &Frame),
     ) -> Option<Finding> {
-        let is_usable = frame.held && frame.complete && frame.status.is_followed();
-        if !is_usable || model.scene.obstacles.is_empty() {
+        if !frame.is_usable() || model.scene.obstacles.is_empty() {
             self.pairs.clear();
             return None;
         }

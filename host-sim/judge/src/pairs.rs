@@ -1,11 +1,14 @@
 //! The geometry of a pair in a pose: its position, its line, its gap, its position on its side, and whether the adjacent sides leave
 //! it space. World frame unless stated otherwise (m).
 
+use stiction_core::Touch;
+
 use crate::frame::Contact;
 use crate::model::Model;
+use crate::pin::Spot;
 use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
-use crate::touch::{Face, Touch};
+use crate::touch::{Face, share_vertex};
 use crate::vector::{Vec2, cross, dot, scaled, sub, turned};
 
 /// Lines whose angle (rad) and distance (L) do not exceed this may be the same.
@@ -47,7 +50,6 @@ fn in_body(pose: [f64; 3], place: Vec2) -> Vec2 {
 }
 
 impl Model {
-    /// Whether the scene has this pair.
     pub(crate) fn has(&self, touch: Touch) -> bool {
         let corners = |obstacle: usize| self.scene.obstacles.get(obstacle).map(|o| &o.vertices);
         let body = &self.scene.vertices;
@@ -68,7 +70,6 @@ impl Model {
         }
     }
 
-    /// Line and friction of a contact.
     pub(crate) fn face(&self, pose: [f64; 3], touch: Touch) -> Face {
         let normal = self.facing(touch).at(pose[2]);
         let of = |obstacle: &Obstacle| Face {
@@ -98,7 +99,6 @@ impl Model {
         }
     }
 
-    /// The position of a contact.
     pub(crate) fn foot(&self, pose: [f64; 3], touch: Touch) -> Vec2 {
         match touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {
@@ -115,6 +115,14 @@ impl Model {
         match touch.vertex() {
             Some(vertex) => self.scene.vertices[vertex],
             None => in_body(pose, self.foot(pose, touch)),
+        }
+    }
+
+    /// Where a contact is, in the body and in the world.
+    pub(crate) fn spot(&self, pose: [f64; 3], touch: Touch) -> Spot {
+        Spot {
+            held: self.held(pose, touch),
+            at: self.foot(pose, touch),
         }
     }
 
@@ -203,7 +211,7 @@ impl Model {
         if let (Some(a), Some(b)) = (a.surface(), b.surface()) {
             return if a == b { Lined::Yes } else { Lined::No };
         }
-        if a.shares_vertex(b) {
+        if share_vertex(a, b) {
             return Lined::No;
         }
         let on = |touch| match touch {

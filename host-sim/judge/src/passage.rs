@@ -9,16 +9,17 @@
 //! A vertex passes through a side if its gap to the side closes between the side's ends; a corner does if its gap to a side of the
 //! body closes. The amount is the smaller of its greatest depth and of its distance from the end where it entered.
 
+use stiction_core::{Event, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame};
+use crate::frame::{Contact, Frame};
 use crate::model::Model;
 use crate::obstacles::{OVERLAP, placed};
 use crate::onset::Way;
-use crate::pin::{Foot, Spot, follow};
+use crate::pin::follow;
 use crate::scene::Scene;
 use crate::shape::{ends, gap_of_segments, outward, separation};
 use crate::slip::{Step, static_excess};
-use crate::touch::Touch;
 use crate::vector::{Vec2, add, between, distance, dot, scaled, sub, turned};
 
 /// Points on a path at which the pose is evaluated.
@@ -26,12 +27,9 @@ const PLACES: u32 = 64;
 /// Halvings when locating the point at which a gap closes.
 const HALVINGS: u32 = 40;
 
-/// The findings on obstacles from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
-    let usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
-    let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
-    let taken = step.next.events.iter().any(is_taken);
-    if step.model.scene.obstacles.is_empty() || !usable(step.last) || !usable(step.next) || taken {
+    let usable = step.last.is_usable() && step.next.is_usable() && !step.next.is_taken();
+    if step.model.scene.obstacles.is_empty() || !usable {
         return Vec::new();
     }
     let changes = changes(step).map(|holds| Finding::whether(law::PASSED_ON, holds));
@@ -132,10 +130,7 @@ fn through(step: &Step<'_>) -> Option<f64> {
             if same.touch != touch {
                 return None;
             }
-            let spot = Spot {
-                held: model.held(last.pose, touch),
-                at: model.foot(last.pose, touch),
-            };
+            let spot = model.spot(last.pose, touch);
             let way = Straight::new(step, last.pose, next.pose);
             Some(way.through(&|part| {
                 let turn = last.pose[2] + part * (next.pose[2] - last.pose[2]);
@@ -171,16 +166,8 @@ fn let_go(step: &Step<'_>) -> Option<bool> {
     if next.contact(touch).is_some() {
         return Some(false);
     }
-    let foot = Foot {
-        model,
-        grip: step.grip,
-        facing: model.facing(touch),
-        shortest: model.carried(next, step.bounds),
-    };
-    let spot = Spot {
-        held: model.held(last.pose, touch),
-        at: model.foot(last.pose, touch),
-    };
+    let foot = step.foot(touch);
+    let spot = model.spot(last.pose, touch);
     let pin = |part| foot.pinned(spot, between(last.hand, next.hand, part));
     let mu = model.face(last.pose, touch).friction_dynamic;
     let excess = |part| {

@@ -1,8 +1,6 @@
 //! The part of a scene file that a judge needs: body, springs, surfaces, obstacles, the initial holding point. SI units. `stiction-scene`
 //! reads the file and checks its numbers; the hand's path is left to the program that runs the scene.
 
-use std::path::Path;
-
 use stiction_scene::{InputError, Source, WrittenScene};
 pub use stiction_scene::{ObstacleInfo as Obstacle, SurfaceInfo as Surface};
 
@@ -41,14 +39,6 @@ pub(crate) const fn face(surface: &Surface) -> Face {
 }
 
 impl Scene {
-    /// Reads a scene file.
-    ///
-    /// # Errors
-    /// The file cannot be read, or as for [`Scene::parse`].
-    pub fn read(file: &Path) -> Result<Self, InputError> {
-        Self::parse(Source::read(file)?)
-    }
-
     /// Reads a scene from text.
     ///
     /// # Errors

@@ -3,10 +3,13 @@
 //! **Tolerance.** T = -s mu_d N has to hold as exactly as at the end of a slip, and a foot may move back by no more than a
 //! sticking contact may move. Signs of velocities count if the velocities exceed the uncertainty of the positions in the trace.
 
+use stiction_core::{Event, Evolution, StateKind as State};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::slip::{EVENTS, Step, drive, static_excess};
+use crate::touch::share_vertex;
 use crate::vector::{Vec3, cross, cross3, dot3, length3, sub};
 
 /// If the normals of the contacts leave one motion of the body, the largest sine between two of them is at least this; if they
@@ -44,7 +47,7 @@ pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) 
 /// determine that motion.
 fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> {
     let first = frame.contacts.first()?.touch;
-    let is_corner = (frame.contacts.iter()).all(|contact| contact.touch.shares_vertex(first));
+    let is_corner = (frame.contacts.iter()).all(|contact| share_vertex(contact.touch, first));
     let centre = [frame.pose[0], frame.pose[1]];
     let face = |contact: &Contact| model.face(frame.pose, contact.touch);
     let wrench = |contact: &Contact, direction| -> Vec3 {
@@ -83,7 +86,6 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     Some(fits(1.0) || fits(-1.0))
 }
 
-/// The findings on slides from a frame and the previous one.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     findings.extend(reported(step).map(|holds| Finding::whether(law::SLIDE_REPORTED, holds)));
@@ -100,10 +102,7 @@ fn reported(step: &Step<'_>) -> Option<bool> {
             step.model.face(frame.pose, contact.touch).friction_static > 0.0
                 && !is_idle(step.model, step.bounds, step.grip, frame, contact)
         };
-        frame.held
-            && frame.complete
-            && frame.status.is_followed()
-            && frame.contacts.iter().all(grips)
+        frame.is_usable() && frame.contacts.iter().all(grips)
     };
     let tells = [last, next].map(|frame| frame.contacts.is_empty() || frame.tells_slides());
     if !usable(last) || !usable(next) || tells != [true; 2] || next.events.len() >= EVENTS {
@@ -166,7 +165,7 @@ fn stops(step: &Step<'_>) -> Option<Finding> {
     if !is_one || !goes_on || step.evolution == Evolution::Frame || !face.jumps() {
         return None;
     }
-    if ![last, next].iter().all(|frame| frame.status.is_followed()) {
+    if ![last, next].iter().all(|frame| frame.is_followed()) {
         return None;
     }
     let threshold = step.model.threshold(&face)?;

@@ -10,13 +10,15 @@
 //! and go that far beyond it. A slip is lawful if its end is valid for some tau in that range. If the limit is met steeply,
 //! as is usual, the range is a point; if it is met at a grazing angle, the uncertainty of tau is not held against the trace.
 
+use stiction_core::{Event, Evolution, StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
 use crate::slide::has_stiction;
-use crate::touch::{Face, Touch};
+use crate::touch::Face;
 use crate::vector::{between, dot, sub};
 use vertex::Slide;
 
@@ -95,7 +97,7 @@ impl<'a> Step<'a> {
     /// Whether all contacts stuck before and still exist.
     fn slips_alone(&self, last: &Frame) -> bool {
         let next = self.next;
-        next.status.is_followed()
+        next.is_followed()
             && next.complete
             && last.held
             && next.held
@@ -177,7 +179,7 @@ impl<'a> Step<'a> {
         };
         let slide = Slide {
             step: self,
-            foot: self.foot(contact),
+            foot: self.foot(contact.touch),
             from: self.spot(self.last, before),
             to: self.spot(self.next, contact),
             sign,
@@ -193,16 +195,15 @@ impl<'a> Step<'a> {
         findings
     }
 
-    fn foot(&self, contact: &Contact) -> Foot<'a> {
+    pub(crate) fn foot(&self, touch: Touch) -> Foot<'a> {
         Foot {
             model: self.model,
             grip: self.grip,
-            facing: self.model.facing(contact.touch),
+            facing: self.model.facing(touch),
             shortest: self.model.carried(self.next, self.bounds),
         }
     }
 
-    /// The spot of a contact in a frame.
     fn spot(&self, frame: &Frame, contact: &Contact) -> Spot {
         Spot {
             held: self.model.held(frame.pose, contact.touch),
@@ -294,13 +295,13 @@ impl<'a> Step<'a> {
         if !is_last || next.events.iter().any(opens) {
             return None;
         }
-        if !next.status.is_followed() || !next.held || next.slides() || !face.jumps() {
+        if !next.is_followed() || !next.held || next.slides() || !face.jumps() {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {
             return None;
         }
-        let foot = self.foot(contact);
+        let foot = self.foot(contact.touch);
         let reaction = |back: f64| -> Option<(f64, f64)> {
             if next.state == State::Edge {
                 let load = self.model.load(next.pose, self.hand(1.0 - back), self.grip);

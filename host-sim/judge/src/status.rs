@@ -6,9 +6,11 @@
 //! * `jammed` and `ambiguous`: see [`of_balance`].
 //! * `iteration-limit` and `twist` excuse nothing.
 
+use stiction_core::{Event, StateKind as State, Status};
+
 use crate::bearing::Bearing;
 use crate::finding::Bounds;
-use crate::frame::{Event, Frame, State, Status};
+use crate::frame::Frame;
 use crate::model::{Grip, LIMIT, Model};
 use crate::slip::{EVENTS, Step};
 use crate::touch::Face;

@@ -2,16 +2,17 @@
 
 use std::collections::BTreeSet;
 
+use stiction_core::{StateKind as State, Touch};
+
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Frame, State};
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::obstacles;
 use crate::pairs::Lined;
 use crate::scene::Scene;
-use crate::touch::Touch;
+use crate::touch::share_vertex;
 use crate::vector::{add, cross, distance, dot, length, sub};
 
-/// Every number is finite.
 pub(crate) fn finite(frame: &Frame) -> Finding {
     let contact = |c: &Contact| {
         let [x, y] = c.direction.unwrap_or_default();
@@ -54,7 +55,7 @@ pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 
 
 /// Whether two contacts have the state's name, according to what they have in common.
 fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> bool {
-    if pair[0].shares_vertex(pair[1]) {
+    if share_vertex(pair[0], pair[1]) {
         return frame.state == State::Corner;
     }
     match model.lined(frame.pose, pair, model.carried(frame, bounds)) {
@@ -64,7 +65,6 @@ fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> 
     }
 }
 
-/// Findings on vertices, surfaces, obstacles and contacts.
 pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut inside, mut off, mut apart) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -136,7 +136,6 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         .collect()
 }
 
-/// Without a hand there is no wrench.
 pub(crate) fn idle(frame: &Frame) -> Finding {
     Finding::whether(law::IDLE, frame.wrench == [0.0; 3])
 }

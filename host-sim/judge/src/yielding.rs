@@ -16,7 +16,6 @@ struct Screws {
     friction: f64,
 }
 
-/// A body with its contacts, and the load of hand and weight.
 struct Body {
     contacts: Vec<Screws>,
     load: Vec3,

@@ -12,7 +12,7 @@ use stiction_host_sim::trade::{Case, FINEST, Suite};
 use stiction_judge::{Scene, Survey, Trace};
 use stiction_live::number::Number;
 use stiction_live::record::Run;
-use stiction_live::simulate::simulate;
+use stiction_live::simulate::Running;
 
 use crate::markdown::Destination;
 
@@ -22,9 +22,7 @@ const LISTED: usize = 5;
 fn write<R: Real<Si: SiFloat>>(case: &Case, run: &Run, file: &Path) -> Result<(), Box<dyn Error>> {
     let solver = Solver::new(case.scene.scene::<R>()?, run.evolution);
     let mut trace = TraceWriter::create(file, Format::JsonLines, run)?;
-    simulate(solver, case.path.frames(Some(FINEST)), |frame| {
-        trace.write(&frame)
-    })?;
+    Running::new(solver).simulate(case.path.frames(Some(FINEST)), |frame| trace.write(&frame))?;
     Ok(trace.finish()?)
 }
 

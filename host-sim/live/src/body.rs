@@ -79,7 +79,6 @@ impl Setting {
     }
 }
 
-/// How a body begins.
 enum Start<'a> {
     /// At the start of the scene, with this hand.
     Scene(&'a Hand<f64>),

@@ -1,6 +1,6 @@
 //! Counters of a run since its reset: ticks, slips, transitions between states, events.
 
-use serde::ser::{Serialize, SerializeStruct, Serializer};
+use serde::{Serialize, Serializer};
 use stiction_core::{Event, StateKind};
 
 use crate::record::Frame;
@@ -9,7 +9,7 @@ const STATES: usize = StateKind::ALL.len();
 const EVENTS: usize = Event::ALL.len();
 
 /// Counts since the reset.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Counts {
     /// Ticks.
     pub ticks: u64,
@@ -17,7 +17,9 @@ pub struct Counts {
     pub missed: u64,
     /// Slips that ended.
     pub slips: u64,
+    #[serde(serialize_with = "transitions")]
     transitions: [[u64; STATES]; STATES],
+    #[serde(serialize_with = "events")]
     events: [u64; EVENTS],
 }
 
@@ -39,36 +41,18 @@ impl Counts {
     }
 }
 
-impl Serialize for Counts {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut counts = serializer.serialize_struct("Counts", 5)?;
-        counts.serialize_field("ticks", &self.ticks)?;
-        counts.serialize_field("missed", &self.missed)?;
-        counts.serialize_field("slips", &self.slips)?;
-        counts.serialize_field("transitions", &Transitions(&self.transitions))?;
-        counts.serialize_field("events", &Events(&self.events))?;
-        counts.end()
-    }
+fn transitions<S: Serializer>(
+    counts: &[[u64; STATES]; STATES],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let cells = StateKind::ALL.iter().zip(counts).flat_map(|(from, row)| {
+        let cells = StateKind::ALL.iter().zip(row);
+        cells.map(move |(to, count)| (format!("{}>{}", from.name(), to.name()), count))
+    });
+    serializer.collect_map(cells.filter(|(_, count)| **count > 0))
 }
 
-struct Transitions<'a>(&'a [[u64; STATES]; STATES]);
-
-impl Serialize for Transitions<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let rows = StateKind::ALL.iter().zip(self.0);
-        let cells = rows.flat_map(|(from, row)| {
-            let cells = StateKind::ALL.iter().zip(row);
-            cells.map(move |(to, count)| (format!("{}>{}", from.name(), to.name()), count))
-        });
-        serializer.collect_map(cells.filter(|(_, count)| **count > 0))
-    }
-}
-
-struct Events<'a>(&'a [u64; EVENTS]);
-
-impl Serialize for Events<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let counts = Event::ALL.iter().map(|event| event.name()).zip(self.0);
-        serializer.collect_map(counts.filter(|(_, count)| **count > 0))
-    }
+fn events<S: Serializer>(counts: &[u64; EVENTS], serializer: S) -> Result<S::Ok, S::Error> {
+    let counts = Event::ALL.iter().map(|event| event.name()).zip(counts);
+    serializer.collect_map(counts.filter(|(_, count)| **count > 0))
 }

@@ -146,7 +146,6 @@ impl Pending {
 pub struct Cursor {
     state: u64,
     serial: u64,
-    /// The next record.
     record: u64,
 }
 

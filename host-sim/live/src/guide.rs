@@ -188,15 +188,4 @@ mod tests {
         assert!((0..SWITCHES).all(|k| guide.advance().held == (k % 2 == 0)));
         assert!(!guide.advance().held);
     }
-
-    #[test]
-    fn the_switch_goes_with_the_first_tick() {
-        let mut guide = Guide::at(pose(0.0));
-        let open = HandPose {
-            held: false,
-            ..pose(1.0)
-        };
-        guide.lead(open, Duration::from_millis(10));
-        assert!(!guide.advance().held);
-    }
 }

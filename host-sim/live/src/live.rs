@@ -257,7 +257,6 @@ impl Live {
         own.chain(bundled).collect()
     }
 
-    /// Returns their names.
     fn scene_names(&self, with_obstacles: bool) -> Vec<String> {
         let offers = self.offers(with_obstacles).into_iter();
         offers.map(|offer| offer.name).collect()

@@ -81,3 +81,15 @@ pub fn parse_number(text: &str) -> Result<Number, String> {
 pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
     named(Evolution::ALL, Evolution::name, text)
 }
+
+/// Returns the number type and the evolution with these names.
+///
+/// # Errors
+/// What is wrong, and the allowed names.
+pub fn parse_kind(number: &str, evolution: &str) -> Result<(Number, Evolution), String> {
+    let problem = |key, given| move |allowed| format!("`{key}` is {given:?}, {allowed}");
+    Ok((
+        parse_number(number).map_err(problem("number", number))?,
+        parse_evolution(evolution).map_err(problem("evolution", evolution))?,
+    ))
+}

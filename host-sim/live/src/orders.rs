@@ -176,7 +176,6 @@ impl Live {
         }))
     }
 
-    /// Restores the parameters of the scene's file.
     fn defaults(&self) -> Change {
         let mut setting = self.pair.setting.clone();
         let mut scene = SceneFile::clone(&self.stage.scene);
@@ -245,7 +244,6 @@ impl Live {
         Ok(change)
     }
 
-    /// Follows the scene's path, from its beginning.
     fn scene_path(&self, way: fn(Arc<HandPath>) -> Way) -> Result<Change, String> {
         match &self.stage.path {
             Some(path) => self.path("scene".to_owned(), way(Arc::clone(path))),

@@ -114,7 +114,6 @@ impl Edit {
     }
 }
 
-/// Returns x, y (m) and phi (rad) of a hand.
 fn pose(hand: &Hand<f64>) -> [f64; 3] {
     let [x, y] = hand.position;
     [x, y, hand.angle.radians()]

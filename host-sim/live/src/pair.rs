@@ -170,7 +170,6 @@ impl Pair {
         }
     }
 
-    /// Takes a new record of the body.
     fn show(&mut self, frame: Frame) {
         self.counts.add(Some(self.frame.state), &frame);
         let contacts = frame.contacts.iter();

@@ -7,30 +7,17 @@ use stiction_core::{
     Contact, Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch,
 };
 use stiction_judge::insertion::Meter;
-use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SceneFile, SurfaceInfo};
+use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SurfaceInfo, WrittenScene};
 
 use crate::meter;
 use crate::number::Number;
+use crate::trace::Record;
 
 /// A recorded run.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// The scene's name: its file name without the extension.
-    pub title: String,
-    /// Vertices of the body (m), body frame, counter-clockwise; 1: a point, 2: a rod.
-    pub body: Vec<[f64; 2]>,
-    /// The surfaces, in the order of the scene file.
-    pub surfaces: Vec<SurfaceInfo>,
-    /// The obstacles, in the order of the scene file.
-    pub obstacles: Vec<ObstacleInfo>,
-    /// k_h (N/m)
-    pub stiffness_translation: f64,
-    /// k_theta (N·m/rad)
-    pub stiffness_rotation: f64,
-    /// Weight (N) at the centroid, along world -y.
-    pub weight: f64,
-    /// The initial holding point (m), body frame; `None`: determined by the hand at the grasp.
-    pub holding_point: Option<[f64; 2]>,
+    /// The scene.
+    pub scene: WrittenScene,
     /// Whitney's meter, if the scene has a peg and a hole.
     pub meter: Option<Meter>,
     /// The number type of the solver.
@@ -43,16 +30,9 @@ pub struct Run {
 
 impl Run {
     /// Returns a run of a scene, without frames yet.
-    pub fn of(scene: &SceneFile, number: Number, evolution: Evolution) -> Self {
+    pub fn of(scene: &WrittenScene, number: Number, evolution: Evolution) -> Self {
         Self {
-            title: scene.title.clone(),
-            body: scene.vertices.clone(),
-            surfaces: scene.surfaces.clone(),
-            obstacles: scene.obstacles.clone(),
-            stiffness_translation: scene.stiffness_translation,
-            stiffness_rotation: scene.stiffness_rotation,
-            weight: scene.weight,
-            holding_point: scene.holding_point,
+            scene: scene.clone(),
             meter: meter::of_scene(scene),
             number,
             evolution,
@@ -63,25 +43,16 @@ impl Run {
     /// Returns the obstacles and their corners that are touched in any frame.
     pub fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
         let contacts = self.frames.iter().flat_map(|frame| &frame.contacts);
-        contacts.filter_map(ContactRecord::corner).collect()
+        contacts
+            .filter_map(|contact| contact.touch.corner())
+            .collect()
     }
 
-    /// Returns the part of the scene that its trace needs.
-    pub fn scenery(&self) -> Scenery {
-        Scenery {
-            names: Names::of(&self.surfaces, &self.obstacles),
-            meter: self.meter.clone(),
-        }
+    /// Returns the record of a frame.
+    pub fn record(&self, frame: &Frame) -> Record<'_> {
+        let single = self.number.is_single();
+        Record::new(frame, &self.scene, self.meter.as_ref(), single)
     }
-}
-
-/// The part of a scene that a trace needs: names, and the meter of a peg in a hole.
-#[derive(Clone, Debug, Default)]
-pub struct Scenery {
-    /// The names.
-    pub names: Names,
-    /// Whitney's meter, if there is a peg and a hole.
-    pub meter: Option<Meter>,
 }
 
 /// The names of surfaces and obstacles.
@@ -140,7 +111,7 @@ pub struct Frame {
 /// the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactRecord {
-    /// What touches what, as indices into [`Run::body`], [`Run::surfaces`] and [`Run::obstacles`].
+    /// What touches what, as indices into the lists of the scene.
     pub touch: Touch,
     /// Contact point (m).
     pub point: [f64; 2],
@@ -155,43 +126,9 @@ pub struct ContactRecord {
 }
 
 impl ContactRecord {
-    /// Returns the vertex of the body, if it is a vertex that touches.
-    pub fn vertex(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => Some(vertex),
-            Touch::Corner { .. } => None,
-        }
-    }
-
-    /// Returns the surface, if it is a surface that is touched.
-    pub fn surface(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { surface, .. } => Some(surface),
-            Touch::Side { .. } | Touch::Corner { .. } => None,
-        }
-    }
-
-    /// Returns the obstacle, if it is an obstacle that is touched.
-    pub fn obstacle(&self) -> Option<usize> {
-        match self.touch {
-            Touch::Surface { .. } => None,
-            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => Some(obstacle),
-        }
-    }
-
-    /// Returns the obstacle and its corner, if it is a corner that touches.
-    pub fn corner(&self) -> Option<[usize; 2]> {
-        match self.touch {
-            Touch::Corner {
-                obstacle, corner, ..
-            } => Some([obstacle, corner]),
-            Touch::Surface { .. } | Touch::Side { .. } => None,
-        }
-    }
-
     /// Returns the unit normal n towards the body.
     pub fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
-        let of_surface = || Some(surfaces.get(self.surface()?)?.normal);
+        let of_surface = || Some(surfaces.get(self.touch.surface()?)?.normal);
         self.direction.or_else(of_surface).unwrap_or_default()
     }
 }

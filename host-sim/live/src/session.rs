@@ -27,7 +27,15 @@ impl Session {
             evolution,
             budget,
         };
-        with_solver(scene, kind, Boxed).map(Self)
+        with_solver(scene, kind, Boxed)
+    }
+
+    /// Creates a session of a solver of any type, before its first sample.
+    pub fn of<R: Shared, M: HostModel>(running: Running<R, M>) -> Self
+    where
+        HostSolver<R, M>: Send + Sync,
+    {
+        Self(Box::new(running))
     }
 
     /// Returns the frame of the next sample; the first sample starts the scene.
@@ -82,16 +90,15 @@ where
     }
 }
 
-/// Accepts any solver.
 struct Boxed;
 
 impl Task for Boxed {
-    type Done = Box<dyn Steps>;
+    type Done = Session;
 
-    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Session
     where
         HostSolver<R, M>: Send + Sync,
     {
-        Box::new(running)
+        Session::of(running)
     }
 }

@@ -100,19 +100,6 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
 /// Number of steps timed together, so that the cost of the clock is negligible.
 const BATCH: usize = 64;
 
-/// Steps a solver through `samples` and passes every frame to `sink`. Returns the time that the solver's steps took, without
-/// `sink`.
-///
-/// # Errors
-/// The first error of `sink`.
-pub fn simulate<R: Real<Si: SiFloat>, E>(
-    solver: HostSolver<R>,
-    samples: impl Iterator<Item = Sample>,
-    sink: impl FnMut(Frame) -> Result<(), E>,
-) -> Result<Duration, E> {
-    Running::new(solver).simulate(samples, sink)
-}
-
 /// A task for a solver of any type.
 pub trait Task {
     /// Result of the task.

@@ -85,11 +85,17 @@ pub(crate) fn at_start(scene: &SceneFile) -> Hand<f64> {
 /// Returns a scene as a file without its hand, with enough digits to read back the same values.
 pub fn written(scene: &SceneFile) -> String {
     let pair = |[x, y]: [f64; 2]| format!("[{x:?}, {y:?}]");
-    let vertices: Vec<String> = scene.vertices.iter().map(|&vertex| pair(vertex)).collect();
+    let pairs = |points: &[[f64; 2]]| {
+        points
+            .iter()
+            .map(|&point| pair(point))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     let [x, y, theta] = scene.start;
     let mut text = format!(
         "[body]\nvertices = [{}]\nstart = [{x:?}, {y:?}, {theta:?}]\nweight = {:?}\n\n[grasp]\n",
-        vertices.join(", "),
+        pairs(&scene.vertices),
         scene.weight
     );
     if let Some(point) = scene.holding_point {
@@ -99,31 +105,34 @@ pub fn written(scene: &SceneFile) -> String {
         "reach = {:?}\n\n[spring]\ntranslation = {:?}\nrotation = {:?}\n",
         scene.reach, scene.stiffness_translation, scene.stiffness_rotation
     );
+    let friction = |of_static: f64, of_dynamic: f64, memory: Option<f64>| {
+        let memory = memory.map_or_else(String::new, |memory| format!("memory = {memory:?}\n"));
+        format!("static = {of_static:?}\ndynamic = {of_dynamic:?}\n{memory}")
+    };
     for surface in &scene.surfaces {
         text += &format!(
-            "\n[[surface]]\nname = {}\nnormal = {}\noffset = {:?}\nstatic = {:?}\ndynamic = {:?}\n",
+            "\n[[surface]]\nname = {}\nnormal = {}\noffset = {:?}\n{}",
             quoted(&surface.name),
             pair(surface.normal),
             surface.offset,
-            surface.friction_static,
-            surface.friction_dynamic
+            friction(
+                surface.friction_static,
+                surface.friction_dynamic,
+                surface.memory
+            )
         );
-        if let Some(memory) = surface.memory {
-            text += &format!("memory = {memory:?}\n");
-        }
     }
     for obstacle in &scene.obstacles {
-        let vertices: Vec<String> = obstacle.vertices.iter().map(|&v| pair(v)).collect();
         text += &format!(
-            "\n[[obstacle]]\nname = {}\nvertices = [{}]\nstatic = {:?}\ndynamic = {:?}\n",
+            "\n[[obstacle]]\nname = {}\nvertices = [{}]\n{}",
             quoted(&obstacle.name),
-            vertices.join(", "),
-            obstacle.friction_static,
-            obstacle.friction_dynamic
+            pairs(&obstacle.vertices),
+            friction(
+                obstacle.friction_static,
+                obstacle.friction_dynamic,
+                obstacle.memory
+            )
         );
-        if let Some(memory) = obstacle.memory {
-            text += &format!("memory = {memory:?}\n");
-        }
     }
     text
 }

@@ -19,7 +19,6 @@ use crate::stage::Stage;
 const SIZE: [f64; 2] = [120.0, 72.0];
 /// Margin between the visible objects and the border.
 const MARGIN: f64 = 10.0;
-/// Distance between two hatches.
 const SPACING: f64 = 6.0;
 /// Coordinates are clamped to this distance from the middle: anything beyond is out of sight, and the numbers stay short.
 const FARTHEST: f64 = 9999.0;
@@ -57,12 +56,9 @@ fn moments(stage: &Stage) -> Result<[Frame; 2], String> {
     Ok([start, body.frame(0.0)])
 }
 
-/// A scene and its mapping to the picture.
 struct Drawing<'a> {
     scene: &'a SceneFile,
-    /// The holding point, if the hand holds.
     holding: Option<Point>,
-    /// What is seen.
     window: Window,
     /// Picture units per metre.
     scale: f64,
@@ -170,7 +166,6 @@ impl<'a> Drawing<'a> {
         );
     }
 
-    /// Draws the hand and its spring.
     fn hand(&self, svg: &mut String, frame: &Frame) {
         if let Some(holding) = self.holding {
             // A point is held by a stick, without which the hand would be unconnected to it.
@@ -187,7 +182,6 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// Returns the point of the hand.
 fn hand(frame: &Frame) -> Point {
     (frame.hand[0], frame.hand[1])
 }

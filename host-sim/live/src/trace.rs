@@ -3,10 +3,11 @@
 
 use serde::{Serialize, Serializer};
 use stiction_core::Touch;
-use stiction_judge::insertion::Insertion;
+use stiction_judge::insertion::{Insertion, Meter};
+use stiction_scene::WrittenScene;
 
 use crate::meter;
-use crate::record::{ContactRecord, Frame, Scenery};
+use crate::record::{ContactRecord, Frame};
 
 /// A value of the run's number type, printed with the digits of that type.
 #[derive(Clone, Copy, Debug)]
@@ -129,7 +130,7 @@ pub struct ContactEntry<'a> {
 }
 
 impl<'a> ContactEntry<'a> {
-    fn new(contact: &ContactRecord, scenery: &'a Scenery, single: bool) -> Self {
+    fn new(contact: &ContactRecord, scene: &'a WrittenScene, single: bool) -> Self {
         let value = |value| Value { value, single };
         let (side, corner, body_side) = match contact.touch {
             Touch::Surface { .. } => (None, None, None),
@@ -138,13 +139,12 @@ impl<'a> ContactEntry<'a> {
                 corner, body_side, ..
             } => (None, Some(corner), Some(body_side)),
         };
+        let (surface, obstacle) = (contact.touch.surface(), contact.touch.obstacle());
         Self {
-            vertex: contact.vertex(),
+            vertex: contact.touch.vertex(),
             corner,
-            surface: contact.surface().map(|k| name(&scenery.names.surfaces, k)),
-            obstacle: contact
-                .obstacle()
-                .map(|k| name(&scenery.names.obstacles, k)),
+            surface: surface.map(|k| scene.surfaces.get(k).map_or("", |of| of.name.as_str())),
+            obstacle: obstacle.map(|k| scene.obstacles.get(k).map_or("", |of| of.name.as_str())),
             side,
             body_side,
             point: contact.point.map(value),
@@ -156,20 +156,18 @@ impl<'a> ContactEntry<'a> {
     }
 }
 
-fn name(names: &[String], index: usize) -> &str {
-    names.get(index).map_or("", String::as_str)
-}
-
 impl<'a> Record<'a> {
     /// Returns the record of a frame; `single`: the numbers have the digits of f32.
-    pub fn new(frame: &Frame, scenery: &'a Scenery, single: bool) -> Self {
+    pub fn new(
+        frame: &Frame,
+        scene: &'a WrittenScene,
+        meter: Option<&Meter>,
+        single: bool,
+    ) -> Self {
         let value = |value| Value { value, single };
         let contacts = frame.contacts.iter();
-        let contacts = contacts.map(|contact| ContactEntry::new(contact, scenery, single));
-        let insertion = scenery
-            .meter
-            .as_ref()
-            .and_then(|meter| meter::read(meter, frame));
+        let contacts = contacts.map(|contact| ContactEntry::new(contact, scene, single));
+        let insertion = meter.and_then(|meter| meter::read(meter, frame));
         Self {
             t: frame.t,
             hand: frame.hand.map(value),

@@ -9,8 +9,7 @@ mod tables;
 
 use pyo3::prelude::*;
 use stiction_core::Evolution;
-use stiction_live::number::Number;
-use stiction_live::number::{parse_evolution, parse_number};
+use stiction_live::number::{Number, parse_kind};
 
 /// See `stiction`.
 #[pymodule]
@@ -42,11 +41,7 @@ fn refused(problem: impl ToString) -> PyErr {
 
 /// A number type and an evolution by their names.
 fn kind(number: &str, evolution: &str) -> PyResult<(Number, Evolution)> {
-    let problem = |name, value| move |allowed| refused(format!("`{name}` is {value:?}, {allowed}"));
-    Ok((
-        parse_number(number).map_err(problem("number", number))?,
-        parse_evolution(evolution).map_err(problem("evolution", evolution))?,
-    ))
+    parse_kind(number, evolution).map_err(refused)
 }
 
 /// A number above 0.

@@ -4,7 +4,6 @@ use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};
 use stiction_live::record::{ContactRecord, Frame};
 
-/// A frame.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct FrameRow {
@@ -23,7 +22,6 @@ pub(crate) struct FrameRow {
     padding: u8,
 }
 
-/// A contact of a frame.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct ContactRow {
@@ -43,7 +41,6 @@ pub(crate) struct ContactRow {
     padding: u8,
 }
 
-/// An event of a frame, aligned to numpy's words.
 #[repr(C, align(8))]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct EventRow {
@@ -52,7 +49,6 @@ pub(crate) struct EventRow {
     padding: [u8; 3],
 }
 
-/// The tables of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rows<'a> {
     pub(crate) frames: &'a [FrameRow],
@@ -62,9 +58,6 @@ pub(crate) struct Rows<'a> {
 
 impl Rows<'_> {
     /// Checks that they are the tables of a run.
-    ///
-    /// # Errors
-    /// A row belongs to a frame that does not exist, is out of order, or contains an undefined state, status or event.
     pub(crate) fn check(&self) -> Result<(), String> {
         let of_contacts = self.contacts.iter().map(|row| row.frame);
         in_order("contacts", of_contacts, self.frames.len())?;
@@ -81,7 +74,6 @@ impl Rows<'_> {
         }
     }
 
-    /// The frames, in order.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> {
         let (mut contacts, mut events) = (self.contacts, self.events);
         (0..self.frames.len()).filter_map(move |i| {
@@ -136,7 +128,6 @@ fn in_order(
     ))
 }
 
-/// The event with this number.
 fn event(number: u8) -> Option<Event> {
     Event::ALL.get(usize::from(number)).copied()
 }

@@ -24,7 +24,6 @@ use crate::tables::{Contacts, Tables, Words};
 pub(crate) struct Head {
     /// Without frames.
     run: record::Run,
-    /// The scene's text.
     text: String,
 }
 
@@ -50,7 +49,6 @@ impl Run {
     }
 }
 
-/// Writes a trace.
 fn write(head: &Head, rows: Rows<'_>, file: &Path, format: Format) -> std::io::Result<()> {
     let mut writer = TraceWriter::create(file, format, &head.run)?;
     for frame in rows.iter() {

@@ -19,7 +19,6 @@ fn array<T: Pod>(py: Python<'_>, rows: Vec<T>) -> Py<Words> {
     Words::from_vec(py, cast_vec(rows)).unbind()
 }
 
-/// Frames, contacts and events.
 pub(crate) struct Tables {
     pub(crate) frames: Py<Words>,
     pub(crate) events: Py<Words>,
@@ -75,9 +74,6 @@ pub(crate) struct Read<'py> {
 
 impl Read<'_> {
     /// Their rows.
-    ///
-    /// # Errors
-    /// An array is not contiguous.
     pub(crate) fn rows(&self) -> PyResult<Rows<'_>> {
         Ok(Rows {
             frames: cast_slice(self.frames.as_slice()?),
@@ -87,7 +83,6 @@ impl Read<'_> {
     }
 }
 
-/// The contacts of consecutive frames.
 #[derive(Default)]
 struct ContactRows {
     rows: Vec<ContactRow>,
@@ -101,7 +96,6 @@ impl ContactRows {
         all
     }
 
-    /// Adds those of the next frame.
     fn add(&mut self, contacts: &[ContactRecord]) {
         let row = |contact| ContactRow::new(self.frames, contact);
         self.rows.extend(contacts.iter().map(row));
@@ -117,7 +111,6 @@ pub(crate) struct FrameRows<'a> {
 }
 
 impl FrameRows<'_> {
-    /// Adds the next frame.
     pub(crate) fn add(&mut self, frame: &Frame) {
         let event = |&event| EventRow::new(self.filled, event);
         self.events.extend(frame.events.iter().map(event));
@@ -130,9 +123,6 @@ impl FrameRows<'_> {
 
 impl Tables {
     /// Tables of a number of frames, which are filled without Python's lock, in numpy's memory, which uses large pages.
-    ///
-    /// # Errors
-    /// There is not enough memory.
     pub(crate) fn filled(
         py: Python<'_>,
         frames: usize,
@@ -151,7 +141,6 @@ impl Tables {
         Ok(Self::new(words.unbind(), Contacts::Later(contacts), events))
     }
 
-    /// The tables of one frame.
     pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Self {
         let mut contacts = ContactRows::default();
         contacts.add(&frame.contacts);

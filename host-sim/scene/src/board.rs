@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use stiction_wire::NumberType;
 
-use crate::compile::{OwnScene, compile};
+use crate::compile::compile;
 use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
 
@@ -41,7 +41,6 @@ impl BoardBuild {
         }
     }
 
-    /// The capacity that the package's features ask for.
     fn room_of_features(&self) -> SceneModel {
         match env::var_os("CARGO_FEATURE_OBSTACLES") {
             Some(_) => self.room,
@@ -58,11 +57,8 @@ impl BoardBuild {
         }
         let package = PathBuf::from(variable("CARGO_MANIFEST_DIR")?);
         let folder = PathBuf::from(variable("OUT_DIR")?);
-        let own = OwnScene {
-            file: package.join(self.scene),
-            room: self.room_of_features(),
-        };
-        compile(&own, self.number, &folder)?;
+        let own = package.join(self.scene);
+        compile(&own, self.room_of_features(), self.number, &folder)?;
         if let Some(memory) = self.memory {
             link(&package.join(memory), &folder)?;
         }

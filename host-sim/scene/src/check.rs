@@ -17,7 +17,6 @@ impl<'a> Check<'a> {
         Self { source, limit }
     }
 
-    /// The file.
     pub(crate) const fn source(&self) -> &'a Source {
         self.source
     }
@@ -27,7 +26,6 @@ impl<'a> Check<'a> {
         self.limit
     }
 
-    /// A number.
     pub(crate) fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = *given.get_ref();
         self.finite(value)
@@ -35,7 +33,6 @@ impl<'a> Check<'a> {
         Ok(value)
     }
 
-    /// An optional number.
     pub(crate) fn number_or(
         &self,
         key: &str,
@@ -45,7 +42,6 @@ impl<'a> Check<'a> {
         given.map_or(Ok(default), |given| self.number(key, given))
     }
 
-    /// A number above zero.
     pub(crate) fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = self.number(key, given)?;
         if value > 0.0 {

@@ -1,7 +1,7 @@
 //! For the build script of a board: from a scene file to the code of the scene in the build folder.
 
 use std::env;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use stiction_core::{Fixed, Full, Real};
 use stiction_wire::NumberType;
@@ -15,25 +15,19 @@ use crate::written::WrittenScene;
 /// The environment variable with the scene file that replaces a board's own.
 const SCENE: &str = "STICTION_SCENE";
 
-/// The scene that is compiled into a board by default.
-pub(crate) struct OwnScene {
-    /// The scene file.
-    pub(crate) file: PathBuf,
-    /// The model has capacity for what arrives over the wire.
-    pub(crate) room: SceneModel,
-}
-
-/// Writes `scene.rs` into a folder: the board's own scene, or, in its smallest model, the scene of the file named by the
+/// Writes `scene.rs` into a folder: the board's own scene, in a model with room for what arrives over the wire, or, in its smallest model, the scene of the file named by the
 /// environment variable `STICTION_SCENE`. Reports the dependencies to cargo.
-///
-/// # Errors
-/// The scene is unusable, or the code cannot be written.
-pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Result<(), InputError> {
+pub(crate) fn compile(
+    own: &Path,
+    room: SceneModel,
+    number: NumberType,
+    folder: &Path,
+) -> Result<(), InputError> {
     println!("cargo::rerun-if-env-changed={SCENE}");
     let named = env::var_os(SCENE).filter(|name| !name.is_empty());
     let (file, room) = match &named {
         Some(name) => (Path::new(name), None),
-        None => (own.file.as_path(), Some(own.room)),
+        None => (own, Some(room)),
     };
     println!("cargo::rerun-if-changed={}", file.display());
     let code = code(file, number, room)?;

@@ -8,7 +8,6 @@ pub(crate) type Number = Spanned<f64>;
 /// An array of numbers with its position.
 pub(crate) type Numbers = Spanned<Vec<f64>>;
 
-/// The whole file.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Document {
@@ -26,7 +25,6 @@ pub(crate) struct Document {
     pub(crate) hand: Hand,
 }
 
-/// `[body]`
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Body {
@@ -36,7 +34,6 @@ pub(crate) struct Body {
     pub(crate) weight: Option<Number>,
 }
 
-/// `[grasp]`
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Grasp {
@@ -44,7 +41,6 @@ pub(crate) struct Grasp {
     pub(crate) reach: Option<Number>,
 }
 
-/// `[spring]`
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Spring {
@@ -52,7 +48,6 @@ pub(crate) struct Spring {
     pub(crate) rotation: Number,
 }
 
-/// `[friction]`
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Friction {
@@ -63,7 +58,6 @@ pub(crate) struct Friction {
     pub(crate) memory: Option<Number>,
 }
 
-/// `[[surface]]`
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Surface {
@@ -77,7 +71,6 @@ pub(crate) struct Surface {
     pub(crate) memory: Option<Number>,
 }
 
-/// `[[obstacle]]`
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Obstacle {
@@ -90,7 +83,6 @@ pub(crate) struct Obstacle {
     pub(crate) memory: Option<Number>,
 }
 
-/// `[hand]`
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Hand {

@@ -17,11 +17,8 @@ pub(crate) struct Fallback {
     memory: Option<f64>,
 }
 
-/// The friction of a surface or an obstacle.
 pub(crate) struct Coefficients {
-    /// mu_s
     pub(crate) stick: f64,
-    /// mu_d
     pub(crate) slip: f64,
     /// Memory length (m); `None` if the file gives none.
     pub(crate) memory: Option<f64>,
@@ -38,7 +35,6 @@ pub(crate) struct Owner<'a> {
 }
 
 impl Fallback {
-    /// The friction common to a file.
     pub(crate) fn new(check: Check<'_>, document: &Document) -> Result<Self, InputError> {
         let default = &document.friction;
         let fallback = Self {

@@ -27,9 +27,6 @@ fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Opti
 
 impl Document {
     /// Checks that nothing exceeds the capacity of the solver, wherever the scene runs: before the items themselves are processed.
-    ///
-    /// # Errors
-    /// A number exceeds it.
     pub(crate) fn check_counts(&self, source: &Source) -> Result<(), InputError> {
         let vertices = self.body.vertices.as_ref();
         for (parameter, count, most) in [
@@ -84,9 +81,6 @@ impl Document {
 
 impl WrittenScene {
     /// Checks that there are no obstacles, for a solver without them.
-    ///
-    /// # Errors
-    /// There are some.
     pub(crate) fn check_half_planes(&self) -> Result<(), InputError> {
         let Some(first) = self.document.obstacle.first() else {
             return Ok(());

@@ -9,9 +9,6 @@ pub(crate) struct Names(Vec<(&'static str, usize, String)>);
 
 impl Names {
     /// Registers the name of item `index` of a kind: the given name, or else its number. `place` is where the file has it, or the item.
-    ///
-    /// # Errors
-    /// The name is taken already.
     pub(crate) fn take(
         &mut self,
         check: Check<'_>,

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Coefficients, Fallback, Owner};
+use crate::friction::{Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
@@ -30,7 +30,6 @@ pub struct ObstacleInfo {
     pub memory: Option<f64>,
 }
 
-/// The obstacles of a file.
 pub(crate) fn obstacles(
     check: Check<'_>,
     document: &Document,
@@ -55,6 +54,7 @@ fn obstacle(
     fallback: Fallback,
 ) -> Result<ObstacleInfo, InputError> {
     let obstacle = given.get_ref();
+    let name = obstacle.name.as_ref();
     let list = &obstacle.vertices;
     if list.get_ref().is_empty() {
         let problem = format!("`obstacle[{i}].vertices` is empty, allowed: at least one corner");
@@ -72,19 +72,12 @@ fn obstacle(
         slip: obstacle.slip.as_ref(),
         memory: obstacle.memory.as_ref(),
     };
-    let Coefficients {
-        stick,
-        slip,
-        memory,
-    } = fallback.of(check, &owner)?;
+    let friction = fallback.of(check, &owner)?;
     Ok(ObstacleInfo {
-        name: match &obstacle.name {
-            Some(name) => name.get_ref().clone(),
-            None => i.to_string(),
-        },
+        name: name.map_or_else(|| i.to_string(), |name| name.get_ref().clone()),
         vertices,
-        friction_static: stick,
-        friction_dynamic: slip,
-        memory,
+        friction_static: friction.stick,
+        friction_dynamic: friction.slip,
+        memory: friction.memory,
     })
 }

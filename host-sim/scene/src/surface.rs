@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::friction::{Coefficients, Fallback, Owner};
+use crate::friction::{Fallback, Owner};
 use crate::name::Names;
 use crate::source::InputError;
 
@@ -31,7 +31,6 @@ pub struct SurfaceInfo {
     pub memory: Option<f64>,
 }
 
-/// The surfaces of a file.
 pub(crate) fn surfaces(
     check: Check<'_>,
     document: &Document,
@@ -56,6 +55,7 @@ fn surface(
     fallback: Fallback,
 ) -> Result<SurfaceInfo, InputError> {
     let surface = given.get_ref();
+    let name = surface.name.as_ref();
     let key = |name| format!("surface[{i}].{name}");
     let normal = check.numbers(&key("normal"), &surface.normal, "x and y")?;
     let unit = unit_vector(normal).ok_or_else(|| {
@@ -71,21 +71,14 @@ fn surface(
         slip: surface.slip.as_ref(),
         memory: surface.memory.as_ref(),
     };
-    let Coefficients {
-        stick,
-        slip,
-        memory,
-    } = fallback.of(check, &owner)?;
+    let friction = fallback.of(check, &owner)?;
     Ok(SurfaceInfo {
-        name: match &surface.name {
-            Some(name) => name.get_ref().clone(),
-            None => i.to_string(),
-        },
+        name: name.map_or_else(|| i.to_string(), |name| name.get_ref().clone()),
         normal: unit,
         offset,
-        friction_static: stick,
-        friction_dynamic: slip,
-        memory,
+        friction_static: friction.stick,
+        friction_dynamic: friction.slip,
+        memory: friction.memory,
     })
 }
 

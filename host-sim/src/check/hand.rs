@@ -18,9 +18,6 @@ const ROUNDINGS: f64 = 2.0;
 pub(super) type Given = Result<(HandPath, Option<f64>), String>;
 
 /// Selects it by `--hand`, `--rate` and the scene.
-///
-/// # Errors
-/// Fails if a requested path cannot be used.
 pub(super) fn given(
     name: &Path,
     number: Number,

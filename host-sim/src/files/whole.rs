@@ -18,9 +18,6 @@ fn begun() -> MutexGuard<'static, Vec<PathBuf>> {
 }
 
 /// A file next to a path, to be moved there when it is complete. Files left there by programs that were killed are removed.
-///
-/// # Errors
-/// The path is a folder, or its parent folder cannot be written to.
 pub(crate) fn part(place: &Path) -> io::Result<NamedTempFile> {
     let folder = match place.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -81,9 +78,6 @@ fn is_part(entry: &fs::DirEntry) -> bool {
 }
 
 /// Writes a file: the previous file at its path exists until everything is written.
-///
-/// # Errors
-/// The errors of [`part`], or the disk is full.
 pub(crate) fn write(place: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = part(place)?;
     file.write_all(bytes)?;

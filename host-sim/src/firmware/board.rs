@@ -51,17 +51,13 @@ pub struct Board {
     runs_in: RunsIn,
 }
 
-/// The emulator of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum RunsIn {
-    /// QEMU.
     Qemu {
         /// Serial lines of the machine before the one that the image uses.
         unused_lines: usize,
     },
-    /// A program of this workspace.
     Lab,
-    /// Nothing.
     Nothing,
 }
 

@@ -22,7 +22,6 @@ pub enum Need {
 }
 
 impl Need {
-    /// What is missing, if it is.
     fn missing(self) -> Option<(String, String)> {
         let named = |error| {
             let EmulatorError::Missing { what, install } = error else {

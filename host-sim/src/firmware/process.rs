@@ -144,7 +144,6 @@ fn install_qemu(package: &str, codename: Option<&str>) -> String {
     )
 }
 
-/// The first number in QEMU's version message.
 fn major_version(said: &str) -> Option<u32> {
     let (_, version) = said.split_once("version ")?;
     version.split('.').next()?.parse().ok()
@@ -177,7 +176,6 @@ fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError 
     }
 }
 
-/// The command that installs a program.
 pub(crate) fn install(program: &str) -> String {
     let qemu = |package| install_qemu(package, codename().as_deref());
     match program {
@@ -228,35 +226,27 @@ mod tests {
     }
 
     #[test]
-    fn what_a_program_prints_comes_back() {
+    fn a_program_gives_what_it_prints_or_says_why_it_failed() {
         assert_eq!(shell("echo yes").unwrap(), "yes\n");
-    }
-
-    #[test]
-    fn a_missing_program_is_named_with_its_package() {
+        for (script, expected) in [
+            (
+                "echo '= note: the `thumbv6m-none-eabi` target may not be installed' >&2; exit 1",
+                "missing: the target thumbv6m-none-eabi; to install it: rustup target add thumbv6m-none-eabi",
+            ),
+            (
+                "echo 'error: linker `flip-link` not found' >&2; exit 1",
+                "missing: flip-link; to install it: cargo install flip-link",
+            ),
+            (
+                "echo broken >&2; exit 3",
+                "sh failed (exit status: 3)\nbroken",
+            ),
+        ] {
+            assert_eq!(shell(script).unwrap_err().to_string(), expected);
+        }
         let error = output_of(Command::new("qemu-system-none")).unwrap_err();
         assert!(matches!(error, EmulatorError::Missing { .. }), "{error}");
         assert!(install("qemu-system-riscv32").ends_with("qemu-system-misc"));
-    }
-
-    #[test]
-    fn a_missing_target_is_named() {
-        let said =
-            "echo '= note: the `thumbv6m-none-eabi` target may not be installed' >&2; exit 1";
-        let error = shell(said).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "missing: the target thumbv6m-none-eabi; to install it: rustup target add thumbv6m-none-eabi"
-        );
-    }
-
-    #[test]
-    fn a_missing_linker_is_named() {
-        let error = shell("echo 'error: linker `flip-link` not found' >&2; exit 1").unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "missing: flip-link; to install it: cargo install flip-link"
-        );
     }
 
     #[test]
@@ -289,11 +279,5 @@ mod tests {
                 "apt-get install -y --no-install-recommends qemu-system-arm"
             );
         }
-    }
-
-    #[test]
-    fn a_failure_says_why() {
-        let error = shell("echo broken >&2; exit 3").unwrap_err();
-        assert_eq!(error.to_string(), "sh failed (exit status: 3)\nbroken");
     }
 }

@@ -29,7 +29,6 @@ const SECTOR: usize = 4096;
 const HEAD: usize = 32;
 /// Magic numbers at the start of a block.
 const BEGIN: [u32; 2] = [0x0A32_4655, 0x9E5D_5157];
-/// Magic number at its end.
 const END: u32 = 0x0AB1_6F30;
 /// The flag of a block that gives the family.
 const HAS_FAMILY: u32 = 0x2000;
@@ -117,13 +116,11 @@ mod tests {
         }
     }
 
-    /// The number at an offset in a block.
     fn word(block: &[u8], at: usize) -> u32 {
         let bytes = block[at..at + 4].try_into();
         u32::from_le_bytes(bytes.expect("four bytes"))
     }
 
-    /// The addresses of all blocks.
     fn addresses(file: &[u8]) -> Vec<u32> {
         file.chunks(512).map(|block| word(block, 12)).collect()
     }

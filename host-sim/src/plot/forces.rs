@@ -10,7 +10,6 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let touched = touched(run);
     let mut legend = Vec::new();
@@ -42,7 +41,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     panels.push(hand(run));
     Timeline {
         run,
-        title: format!("{}: forces on the body", run.title),
+        title: format!("{}: forces on the body", run.scene.title),
         legend,
         panels,
     }
@@ -57,25 +56,28 @@ struct Solid<'a> {
     contacts: Box<dyn Fn(&ContactRecord) -> bool>,
 }
 
-/// Those that are touched.
 fn touched(run: &Run) -> Vec<Solid<'_>> {
-    let surfaces = run.surfaces.iter().enumerate().map(|(k, surface)| Solid {
-        name: &surface.name,
-        friction: [surface.friction_static, surface.friction_dynamic],
-        contacts: Box::new(move |contact| contact.surface() == Some(k)),
-    });
-    let obstacles = run.obstacles.iter().enumerate();
+    let surfaces = run
+        .scene
+        .surfaces
+        .iter()
+        .enumerate()
+        .map(|(k, surface)| Solid {
+            name: &surface.name,
+            friction: [surface.friction_static, surface.friction_dynamic],
+            contacts: Box::new(move |contact| contact.touch.surface() == Some(k)),
+        });
+    let obstacles = run.scene.obstacles.iter().enumerate();
     let obstacles = obstacles.map(|(k, obstacle)| Solid {
         name: &obstacle.name,
         friction: [obstacle.friction_static, obstacle.friction_dynamic],
-        contacts: Box::new(move |contact| contact.obstacle() == Some(k)),
+        contacts: Box::new(move |contact| contact.touch.obstacle() == Some(k)),
     });
     let contacts = || run.frames.iter().flat_map(|frame| &frame.contacts);
     let is_touched = |solid: &Solid<'_>| contacts().any(&solid.contacts);
     surfaces.chain(obstacles).filter(is_touched).collect()
 }
 
-/// The panel of a surface or an obstacle.
 fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
     let sum = |force: fn(&ContactRecord) -> f64| -> Vec<f64> {
         let of_solid = |frame: &Frame| {
@@ -114,7 +116,6 @@ fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
     }
 }
 
-/// The panel of the hand's spring.
 fn hand(run: &Run) -> TimePanel {
     let force = |axis: usize| run.frames.iter().map(|frame| frame.wrench[axis]).collect();
     TimePanel {

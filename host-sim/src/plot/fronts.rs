@@ -38,7 +38,6 @@ pub(crate) struct Panel {
     pub(crate) points: Vec<Point>,
 }
 
-/// A picture.
 pub(crate) struct Fronts {
     pub(crate) title: String,
     /// The meaning of a color.
@@ -53,7 +52,6 @@ pub(crate) struct Fronts {
 }
 
 impl Fronts {
-    /// The picture as SVG.
     pub(super) fn svg(&self) -> Drawn<String> {
         let heading = Heading {
             title: self.title.clone(),
@@ -135,7 +133,6 @@ fn label(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// The axes of a panel.
 struct Axes<'a, 'b> {
     area: &'a Area<'b>,
     corner: (f64, f64),

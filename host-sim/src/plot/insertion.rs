@@ -20,7 +20,6 @@ const MOST_POINTS: usize = 6000;
 /// The two sides of the parallelogram on which two points slide in, and those of one wall.
 const TWO_POINTS: RGBColor = FRICTION;
 const ONE_WALL: RGBColor = SLIDE;
-/// The formulas.
 const ONE_POINT_FORMULA: RGBColor = HAND_FORCE;
 const TWO_POINT_FORMULA: RGBColor = NORMAL;
 
@@ -28,7 +27,7 @@ const TWO_POINT_FORMULA: RGBColor = NORMAL;
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let readings: Vec<(&Frame, Insertion)> = run.readings().collect();
     let heading = Heading {
-        title: format!("{}: the peg in its hole", run.title),
+        title: format!("{}: the peg in its hole", run.scene.title),
         entries: entries(&readings),
         margin: LEFT,
     };
@@ -78,7 +77,6 @@ fn entries(readings: &[(&Frame, Insertion)]) -> Vec<Entry> {
 /// Frames with these verdicts have dots.
 const MARKED: [(Verdict, RGBColor); 2] = [(Verdict::Jammed, SLIP), (Verdict::Wedged, INK)];
 
-/// A panel with its axes.
 struct DiagramAxes<'a> {
     x: (Range<f64>, &'a str),
     y: (Range<f64>, &'a str),
@@ -128,13 +126,25 @@ impl DiagramAxes<'_> {
         Ok(())
     }
 
-    fn dots(&self, plane: &Plane<'_>, points: &[Point], color: RGBColor) -> Drawn {
+    /// Dots at the readings with the verdicts of [`MARKED`].
+    fn dots(
+        &self,
+        plane: &Plane<'_>,
+        readings: &[(&Frame, Insertion)],
+        points: impl Fn(&[(&Frame, Insertion)]) -> Vec<Point>,
+    ) -> Drawn {
         let [per_x, per_y] = [&self.x.0, &self.y.0].map(|range| HEIGHT / (range.end - range.start));
-        let pixels: Vec<Point> = points.iter().map(|(x, y)| (x * per_x, y * per_y)).collect();
-        for (x, y) in sparse(&pixels, 2.0, MOST_POINTS) {
-            let place = (x / per_x, y / per_y);
-            if self.x.0.contains(&place.0) && self.y.0.contains(&place.1) {
-                plane.draw(&Circle::new(place, px(2.2), color.filled()))?;
+        for (verdict, color) in MARKED {
+            let marked = readings
+                .iter()
+                .filter(|(_, found)| found.verdict == verdict);
+            let points = points(&marked.copied().collect::<Vec<_>>());
+            let pixels: Vec<Point> = points.iter().map(|(x, y)| (x * per_x, y * per_y)).collect();
+            for (x, y) in sparse(&pixels, 2.0, MOST_POINTS) {
+                let place = (x / per_x, y / per_y);
+                if self.x.0.contains(&place.0) && self.y.0.contains(&place.1) {
+                    plane.draw(&Circle::new(place, px(2.2), color.filled()))?;
+                }
             }
         }
         Ok(())
@@ -211,15 +221,7 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
         readings.iter().map(load).collect()
     };
     axes.path(&plane, &loads(readings), BODY, 1.8)?;
-    for (verdict, color) in MARKED {
-        let marked: Vec<_> = readings
-            .iter()
-            .filter(|(_, found)| found.verdict == verdict)
-            .copied()
-            .collect();
-        axes.dots(&plane, &loads(&marked), color)?;
-    }
-    Ok(())
+    axes.dots(&plane, readings, loads)
 }
 
 /// F_z over depth, and the values of the formulas while the peg moves in.
@@ -238,7 +240,10 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     };
     let plane = axes.draw(area)?;
     let (inwards, outwards) = readings.split_at(turn(readings));
-    let springs = [run.stiffness_translation, run.stiffness_rotation];
+    let springs = [
+        run.scene.stiffness_translation,
+        run.scene.stiffness_rotation,
+    ];
     let mut formulas = [Vec::new(), Vec::new()];
     for (frame, found) in inwards {
         let small = small_angles(meter, found.depth, frame, springs);
@@ -261,13 +266,5 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
     axes.path(&plane, &formulas[1], TWO_POINT_FORMULA, 3.4)?;
     axes.path(&plane, &path(outwards), BODY_THEN, 1.8)?;
     axes.path(&plane, &path(inwards), BODY, 1.8)?;
-    for (verdict, color) in MARKED {
-        let marked: Vec<_> = readings
-            .iter()
-            .filter(|(_, found)| found.verdict == verdict)
-            .copied()
-            .collect();
-        axes.dots(&plane, &path(&marked), color)?;
-    }
-    Ok(())
+    axes.dots(&plane, readings, path)
 }

@@ -33,7 +33,7 @@ pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
             .collect(),
     ];
     let apart = |tier: usize| match tier {
-        EVENTS if !run.obstacles.is_empty() => BUNCH,
+        EVENTS if !run.scene.obstacles.is_empty() => BUNCH,
         _ => APART,
     };
     for (k, tier) in tiers.into_iter().enumerate() {

@@ -16,16 +16,12 @@ const HEADER: f64 = 34.0;
 const GAP: f64 = 6.0;
 const SPACE: f64 = 14.0;
 
-/// How an entry is marked.
 #[derive(Clone, Copy)]
 pub(super) enum Mark {
     /// A line of this width [px].
     Line(RGBColor, f64),
-    /// A filled box.
     Box(RGBColor),
-    /// A dot.
     Dot(RGBColor),
-    /// A ring.
     Ring(RGBColor),
     /// A scale bar of this length [px].
     Scale(f64),
@@ -40,7 +36,6 @@ impl Mark {
     }
 }
 
-/// An entry of a legend.
 pub(super) struct Entry {
     pub(super) mark: Mark,
     pub(super) text: String,
@@ -111,7 +106,6 @@ impl Heading {
         HEADER + height(&self.entries, self.width()) + 9.0
     }
 
-    /// Draws it at the top of the sheet.
     pub(super) fn draw(&self, sheet: &Area) -> Drawn {
         let start = (px(self.margin), px(HEADER / 2.0));
         sheet.draw_text(&self.title, &font(TITLE), start)?;

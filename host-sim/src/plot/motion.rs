@@ -11,7 +11,6 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let offset = |frame: &Frame| (hand_angle(run, frame) - frame.hand[2]).abs() > LEAST_OFFSET;
     let hand_text = if run.frames.iter().any(offset) {
@@ -36,7 +35,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     }
     Timeline {
         run,
-        title: format!("{}: motion of hand and body", run.title),
+        title: format!("{}: motion of hand and body", run.scene.title),
         legend,
         panels: vec![
             angles(run),
@@ -76,7 +75,7 @@ fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
     let held = values(
         run,
         |frame| frame.held,
-        |frame| 1e3 * frame.holding_point(run.stiffness_translation)[axis],
+        |frame| 1e3 * frame.holding_point(run.scene.stiffness_translation)[axis],
     );
     let mut lines = vec![Curve::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
@@ -87,11 +86,11 @@ fn positions(run: &Run, axis: usize, label: &str) -> TimePanel {
         };
         lines.push(Curve::new(FRICTION, 2.4, values(run, |_| true, touching)));
     };
-    for vertex in 0..run.body.len() {
-        follow(&|contact| contact.vertex() == Some(vertex));
+    for vertex in 0..run.scene.vertices.len() {
+        follow(&|contact| contact.touch.vertex() == Some(vertex));
     }
     for corner in run.touched_corners() {
-        follow(&|contact| contact.corner() == Some(corner));
+        follow(&|contact| contact.touch.corner() == Some(corner));
     }
     TimePanel {
         label: label.to_owned(),

@@ -24,7 +24,6 @@ pub(super) struct Note {
     row: Option<usize>,
 }
 
-/// The notes of a run.
 pub(super) struct Notes {
     pub(super) notes: Vec<Note>,
     rows: usize,
@@ -61,7 +60,6 @@ impl Notes {
         Self { notes, rows }
     }
 
-    /// Height of all rows.
     pub(super) fn height(&self) -> f64 {
         self.rows as f64 * ROW + SPACE
     }

@@ -40,7 +40,6 @@ impl<'a> View<'a> {
             .draw(&PathElement::new(points.to_vec(), stroke(color, width)))
     }
 
-    /// A filled polygon.
     pub(super) fn fill(&self, corners: &[Point], color: impl Into<RGBAColor>) -> Drawn {
         let color: RGBAColor = color.into();
         self.plane
@@ -62,8 +61,8 @@ impl<'a> View<'a> {
     /// All that is solid: its inside shaded, its free border hatched.
     pub(super) fn solids(&self, run: &Run) -> Drawn {
         let solids = Solids {
-            surfaces: &run.surfaces,
-            obstacles: &run.obstacles,
+            surfaces: &run.scene.surfaces,
+            obstacles: &run.scene.obstacles,
             window: &self.window,
             pixel: self.pixel,
             spacing: SPACING,
@@ -110,7 +109,6 @@ impl<'a> View<'a> {
         self.fill(&arrow.head, color)
     }
 
-    /// A coil between two points.
     pub(super) fn spring(&self, from: Point, to: Point, color: RGBColor) -> Drawn {
         match spring(from, to, self.pixel) {
             Some(coil) => self.line(&coil, color, 1.3),
@@ -122,8 +120,8 @@ impl<'a> View<'a> {
 /// Angle of the hand [rad]; while it holds the body less its offset in the grip, so that it differs from the body's angle
 /// only by what the rotational spring yields.
 pub(super) fn hand_angle(run: &Run, frame: &Frame) -> f64 {
-    if frame.held && run.stiffness_rotation > 0.0 {
-        frame.pose[2] + frame.wrench[2] / run.stiffness_rotation
+    if frame.held && run.scene.stiffness_rotation > 0.0 {
+        frame.pose[2] + frame.wrench[2] / run.scene.stiffness_rotation
     } else {
         frame.hand[2]
     }

@@ -14,7 +14,6 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// A part of a sheet with two axes.
 pub(super) type Plane<'a> =
     DrawingArea<SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// The result of drawing.
 pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 
 /// Steps per pixel.
@@ -91,7 +90,6 @@ fn lowered(svg: &str) -> String {
     text
 }
 
-/// Turns SVGs into PNGs with a font of its own.
 pub(super) struct Rasterizer {
     options: usvg::Options<'static>,
 }

@@ -12,7 +12,6 @@ const BAR: f64 = 9.0;
 /// Maximum number of distinguished bars.
 const COLUMNS: usize = 900;
 
-/// The slides of a run.
 pub(super) struct Slides {
     /// From the frame that reports it to the first one after that which does not [s].
     spans: Vec<Range<f64>>,
@@ -47,7 +46,6 @@ impl Slides {
         if self.spans.is_empty() { 0.0 } else { BAR }
     }
 
-    /// The total time of sliding.
     pub(super) fn legend(&self) -> Option<Entry> {
         let text = format!("slides: {} s", number(round(self.seconds)));
         (!self.spans.is_empty()).then(|| Entry::new(Mark::Box(SLIDE), text))

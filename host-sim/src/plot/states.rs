@@ -9,7 +9,6 @@ use stiction_live::record::Frame;
 /// Maximum number of distinguished spans.
 const COLUMNS: usize = 900;
 
-/// An entry for each state.
 pub(super) fn legend() -> Vec<Entry> {
     StateKind::ALL
         .iter()

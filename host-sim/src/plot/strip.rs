@@ -20,7 +20,6 @@ const SIDE: f64 = 234.0;
 const CAPTION: f64 = 56.0;
 const GAP: f64 = (WIDTH - 2.0 * MARGIN - COLUMNS as f64 * SIDE) / (COLUMNS - 1) as f64;
 
-/// The scales that all snapshots share.
 struct Scales {
     /// Side of a snapshot [m].
     window: f64,
@@ -30,7 +29,6 @@ struct Scales {
     moment: f64,
 }
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let frames: Vec<&Frame> = choose(run, SNAPSHOTS)
         .into_iter()
@@ -38,7 +36,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         .collect();
     let scale = scale(run, &frames);
     let heading = Heading {
-        title: format!("{}: snapshots", run.title),
+        title: format!("{}: snapshots", run.scene.title),
         entries: entries(&scale),
         margin: MARGIN,
     };
@@ -57,11 +55,14 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     })
 }
 
-/// The contents of a snapshot.
 fn extent(run: &Run, frame: &Frame) -> Window {
     let hand = frame.held.then_some((frame.hand[0], frame.hand[1]));
-    Window::around(placed(&run.body, frame.pose).into_iter().chain(hand))
-        .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
+    Window::around(
+        placed(&run.scene.vertices, frame.pose)
+            .into_iter()
+            .chain(hand),
+    )
+    .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
 }
 
 fn scale(run: &Run, frames: &[&Frame]) -> Scales {
@@ -126,8 +127,8 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     let centre = extent(run, frame).centre();
     let view = View::new(area, Window::centred(centre, scale.window, scale.window))?;
     view.solids(run)?;
-    view.names(&run.obstacles, false)?;
-    let body = placed(&run.body, frame.pose);
+    view.names(&run.scene.obstacles, false)?;
+    let body = placed(&run.scene.vertices, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
     forces(&view, run, frame, scale)?;
@@ -136,10 +137,9 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     area.draw(&edge)
 }
 
-/// The reactions at the contacts.
 fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
-        let [nx, ny] = contact.normal_among(&run.surfaces);
+        let [nx, ny] = contact.normal_among(&run.scene.surfaces);
         let point = contact.point.into();
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;
@@ -166,7 +166,7 @@ fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
         pointer((x, y), phi, OPEN_HAND)?;
         return view.ring((x, y), 5.0, OPEN_HAND);
     }
-    let point = frame.holding_point(run.stiffness_translation).into();
+    let point = frame.holding_point(run.scene.stiffness_translation).into();
     let [fx, fy, moment] = frame.wrench;
     view.arrow(
         point,
@@ -193,7 +193,6 @@ fn arc(view: &View, place: (f64, f64), share: f64) -> Drawn {
     view.arrow(turn.tip, turn.along, HAND_FORCE, 2.4)
 }
 
-/// Time, state, pose and events below a snapshot.
 fn caption(area: &Area, frame: &Frame, scale: &Scales) -> Drawn {
     let (unit, per_metre) = length_unit(scale.window);
     let [x, y, theta] = frame.pose;

@@ -31,7 +31,6 @@ pub(super) const DYNAMIC_LIMIT: RGBColor = RGBColor(165, 80, 10);
 pub(super) const DASHES: [(RGBColor, [f64; 2]); 2] =
     [(STATIC_LIMIT, [6.0, 3.0]), (DYNAMIC_LIMIT, [1.8, 2.4])];
 
-/// The color of a contact state.
 pub(super) fn state_color(state: StateKind) -> RGBColor {
     match state {
         StateKind::NonContact => RGBColor(205, 205, 205),
@@ -43,7 +42,6 @@ pub(super) fn state_color(state: StateKind) -> RGBColor {
     }
 }
 
-/// The color of a number type.
 pub(crate) fn number_color(number: Number) -> RGBColor {
     match number {
         Number::F64 => RGBColor(0, 158, 115),

@@ -9,23 +9,13 @@ use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status, Touch};
 use stiction_live::number::Number;
 use stiction_live::record::{ContactRecord, Frame};
-use stiction_scene::SurfaceInfo;
+use stiction_live::scenes;
+use stiction_scene::{Source, WrittenScene};
 
 mod slides;
 
 /// The maximum size of an SVG [bytes].
 const LARGEST_SVG: u64 = 1_000_000;
-
-fn surface(name: &str, normal: [f64; 2], offset: f64) -> SurfaceInfo {
-    SurfaceInfo {
-        name: name.to_owned(),
-        normal,
-        offset,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    }
-}
 
 /// A drag of one second in `count` frames: a saw-tooth of 20 slips that ends at the wall.
 fn drag(count: usize) -> Run {
@@ -71,22 +61,12 @@ fn drag(count: usize) -> Run {
             behind: None,
         }
     };
+    let corner = scenes::find(Path::new("corner-stick-slip")).expect("a bundled scene");
+    let source = Source::new("drag <&> stop.toml", corner.text());
+    let scene = WrittenScene::parse(source, f64::MAX).expect("a scene");
     Run {
-        title: "drag <&> stop".to_owned(),
-        body: vec![[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-        surfaces: vec![
-            surface("floor", [0.0, 1.0], 0.0),
-            surface("wall", [-1.0, 0.0], -0.3),
-        ],
-        obstacles: Vec::new(),
-        stiffness_translation: 500.0,
-        stiffness_rotation: 0.5,
-        weight: 0.0,
-        holding_point: Some([0.0, 0.02]),
-        meter: None,
-        number: Number::F32,
-        evolution: Evolution::Path,
         frames: (0..count).map(frame).collect(),
+        ..Run::of(&scene, Number::F32, Evolution::Path)
     }
 }
 
@@ -291,8 +271,8 @@ fn snapshots_show_the_ends_and_every_state() {
 #[test]
 fn a_single_frame_a_point_body_and_no_surface_are_drawn() {
     let mut run = drag(1);
-    run.body.truncate(1);
-    run.surfaces.clear();
+    run.scene.vertices.truncate(1);
+    run.scene.surfaces.clear();
     run.frames[0].contacts.clear();
     for (name, picture) in PICTURES {
         assert!(

@@ -21,7 +21,6 @@ const COLUMNS: usize = 900;
 /// Above this number, events are not drawn through the panels.
 const MOST_GUIDES: usize = 24;
 
-/// A line of a panel.
 pub(super) struct Curve {
     pub(super) color: RGBColor,
     /// Width [px].
@@ -55,7 +54,6 @@ pub(super) struct TimePanel {
     pub(super) lines: Vec<Curve>,
 }
 
-/// A picture over time.
 pub(super) struct Timeline<'a> {
     pub(super) run: &'a Run,
     pub(super) title: String,
@@ -64,7 +62,6 @@ pub(super) struct Timeline<'a> {
 }
 
 impl Timeline<'_> {
-    /// The picture as SVG.
     pub(super) fn svg(mut self) -> Drawn<String> {
         let times: Vec<f64> = self.run.frames.iter().map(|frame| frame.t).collect();
         let slips = Slips::of(self.run, &times);
@@ -128,7 +125,6 @@ fn origin(time: &Range<f64>) -> f64 {
     }
 }
 
-/// The slips of a run.
 struct Slips {
     count: u64,
     /// The longest slip in each column of time: (t, length [mm]).
@@ -173,7 +169,6 @@ impl Slips {
     }
 }
 
-/// The column of panels, drawn from top to bottom.
 struct Column<'a, 'b> {
     area: &'a Area<'b>,
     times: &'a [f64],

@@ -16,7 +16,6 @@ const HEIGHTS: (f64, f64) = (240.0, 760.0);
 const MOST_POINTS: usize = 12_000;
 const MOST_DOTS: usize = 4000;
 
-/// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let bounds = bounds(run);
     let height = (INNER * bounds.height() / bounds.width())
@@ -25,7 +24,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     let pixel = (bounds.width() / INNER).max(bounds.height() / height);
     let bounds = Window::centred(bounds.centre(), INNER * pixel, height * pixel);
     let heading = Heading {
-        title: format!("{}: paths in the plane", run.title),
+        title: format!("{}: paths in the plane", run.scene.title),
         entries: entries(run),
         margin: LEFT,
     };
@@ -36,7 +35,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         let view = View::new(&inner, bounds.clone())?;
         view.solids(run)?;
         axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
-        view.names(&run.obstacles, true)?;
+        view.names(&run.scene.obstacles, true)?;
         bodies(&view, run)?;
         paths(&view, run)
     })
@@ -54,10 +53,10 @@ fn entries(run: &Run) -> Vec<Entry> {
     if run.frames.iter().any(|frame| !frame.held) {
         entries.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
     }
-    if contacts(run).any(|contact| contact.vertex().is_some()) {
+    if contacts(run).any(|contact| contact.touch.vertex().is_some()) {
         entries.push(Entry::new(Mark::Dot(FRICTION), "vertices in contact"));
     }
-    if contacts(run).any(|contact| contact.vertex().is_none()) {
+    if contacts(run).any(|contact| contact.touch.vertex().is_none()) {
         entries.push(Entry::new(Mark::Ring(FRICTION), "corners in contact"));
     }
     entries
@@ -73,13 +72,14 @@ fn bounds(run: &Run) -> Window {
     let bodies = ends
         .into_iter()
         .flatten()
-        .flat_map(|frame| placed(&run.body, frame.pose));
+        .flat_map(|frame| placed(&run.scene.vertices, frame.pose));
     let hands = run
         .frames
         .iter()
         .map(|frame| (frame.hand[0], frame.hand[1]));
     let held = run.frames.iter().filter(|frame| frame.held);
-    let holding_points = held.map(|frame| frame.holding_point(run.stiffness_translation).into());
+    let holding_points =
+        held.map(|frame| frame.holding_point(run.scene.stiffness_translation).into());
     let contacts = contacts(run).map(|contact| contact.point.into());
     let bounds = Window::around(bodies.chain(hands).chain(holding_points).chain(contacts))
         .unwrap_or_else(|| Window::centred((0.0, 0.0), 0.0, 0.0));
@@ -101,7 +101,7 @@ fn with_corners_near(run: &Run, bounds: Window) -> Window {
         bounds.height() + 0.5 * extent,
     );
     let near = Window::centred(bounds.centre(), width, height);
-    let corners = run.obstacles.iter().flat_map(corners_of);
+    let corners = run.scene.obstacles.iter().flat_map(corners_of);
     let corners = corners.filter(|&corner| near.contains(corner));
     Window::around(bounds.corners().into_iter().chain(corners)).unwrap_or(bounds)
 }
@@ -136,29 +136,33 @@ fn bodies(view: &View, run: &Run) -> Drawn {
     let [Some(first), Some(last)] = [run.frames.first(), run.frames.last()] else {
         return Ok(());
     };
-    let end = placed(&run.body, last.pose);
-    view.outline(&placed(&run.body, first.pose), BODY_THEN, 1.6)?;
+    let end = placed(&run.scene.vertices, last.pose);
+    view.outline(&placed(&run.scene.vertices, first.pose), BODY_THEN, 1.6)?;
     view.fill(&end, BODY_END.mix(0.4))?;
     view.outline(&end, BODY, 1.6)
 }
 
 fn paths(view: &View, run: &Run) -> Drawn {
-    for vertex in 0..run.body.len() {
-        let contacts = contacts(run).filter(|contact| contact.vertex() == Some(vertex));
+    for vertex in 0..run.scene.vertices.len() {
+        let contacts = contacts(run).filter(|contact| contact.touch.vertex() == Some(vertex));
         let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
-        for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS / run.body.len()) {
+        for point in sparse(
+            &points,
+            0.8 * view.pixel,
+            MOST_DOTS / run.scene.vertices.len(),
+        ) {
             view.dot(point, 2.2, FRICTION)?;
         }
     }
     for [obstacle, corner] in run.touched_corners() {
-        if let Some(&[x, y]) = run.obstacles[obstacle].vertices.get(corner) {
+        if let Some(&[x, y]) = run.scene.obstacles[obstacle].vertices.get(corner) {
             view.touched_corner((x, y), FRICTION)?;
         }
     }
     let hand = |frame: &Frame| (frame.hand[0], frame.hand[1]);
     for span in run.frames.chunk_by(|a, b| a.held == b.held) {
         if span[0].held {
-            let point = |frame: &Frame| frame.holding_point(run.stiffness_translation).into();
+            let point = |frame: &Frame| frame.holding_point(run.scene.stiffness_translation).into();
             path(view, span.iter().map(point).collect(), BODY, 3.2)?;
         }
         let color = if span[0].held { HAND } else { OPEN_HAND };

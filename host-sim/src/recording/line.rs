@@ -7,7 +7,6 @@ use stiction_scene::Sample;
 
 use crate::trace::Record;
 
-/// A sample in written form.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenSample {

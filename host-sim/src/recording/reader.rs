@@ -18,23 +18,15 @@ const LONGEST_LINE: usize = 6 * LONGEST_WHOLE as usize + PIECE;
 
 /// The reason why a recording cannot be used.
 #[derive(Debug, thiserror::Error)]
-pub enum RecordingError {
+pub(crate) enum RecordingError {
     /// It is no file on a disk, or the system cannot read it.
     #[error("{}: {problem}", file.display())]
-    File {
-        /// The recording.
-        file: PathBuf,
-        /// What is wrong, and what is allowed.
-        problem: String,
-    },
+    File { file: PathBuf, problem: String },
     /// A line is invalid.
     #[error("{}, line {line}: {problem}", file.display())]
     Line {
-        /// The recording.
         file: PathBuf,
-        /// Counted from 1.
         line: usize,
-        /// What is wrong, and what is allowed.
         problem: String,
     },
 }
@@ -73,7 +65,6 @@ pub(crate) enum RecordingLine {
     Change(Change),
 }
 
-/// A recording that is read line by line.
 #[derive(Debug)]
 pub(crate) struct Recording {
     file: PathBuf,
@@ -97,9 +88,6 @@ enum Ending {
 
 impl Recording {
     /// Opens a recording and reads its head.
-    ///
-    /// # Errors
-    /// Fails if it cannot be read, or is no recording.
     pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
         // Of any length: it is read line by line.
         let opened = stiction_scene::text::open(file, u64::MAX);
@@ -132,9 +120,6 @@ impl Recording {
     }
 
     /// Returns the next line; nothing at the end.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be read, the line is neither a sample nor a change, or the count in the last line is wrong.
     pub(crate) fn next(&mut self) -> Result<Option<RecordingLine>, RecordingError> {
         if !self.advance()? {
             return Ok(None);
@@ -172,7 +157,6 @@ impl Recording {
         advanced.map_err(|problem| self.error(problem))
     }
 
-    /// Processes the last line.
     fn end(&mut self, end: &End) -> Result<(), RecordingError> {
         let (counted, there) = (end.samples, self.samples);
         if counted != there {

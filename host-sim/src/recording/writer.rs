@@ -12,16 +12,14 @@ use tempfile::NamedTempFile;
 
 use super::line::{ChangeLine, End, LineOut, WrittenSample};
 use super::{Change, Head, PIECE};
-use crate::trace::Record;
-use stiction_live::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run};
 
 /// A recording that is being written. One in a temporary file appears at its destination with [`RecordingWriter::finish`], or not
 /// at all.
 #[derive(Debug)]
 pub(crate) struct RecordingWriter<W: Write = BufWriter<NamedTempFile>> {
     place: PathBuf,
-    scenery: Scenery,
-    single: bool,
+    run: Run,
     samples: u64,
     writer: W,
 }
@@ -36,21 +34,17 @@ impl<W: Write> RecordingWriter<W> {
         writer.write_all(b"\n")?;
         Ok(Self {
             place: place.to_owned(),
-            scenery: run.scenery(),
-            single: run.number.is_single(),
+            run: run.clone(),
             samples: 0,
             writer,
         })
     }
 
     /// Adds a sample and its answer.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
             sample: WrittenSample::new(sample),
-            answer: answer.map(|frame| Record::new(frame, &self.scenery, self.single)),
+            answer: answer.map(|frame| self.run.record(frame)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;
         self.samples += 1;
@@ -58,11 +52,8 @@ impl<W: Write> RecordingWriter<W> {
     }
 
     /// From the next sample on, the body is under another setting, that of `run`.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(crate) fn change(&mut self, change: &Change, run: &Run) -> io::Result<()> {
-        (self.scenery, self.single) = (run.scenery(), run.number.is_single());
+        self.run = run.clone();
         serde_json::to_writer(&mut self.writer, &ChangeLine { change })?;
         self.writer.write_all(b"\n")
     }
@@ -76,17 +67,11 @@ impl<W: Write> RecordingWriter<W> {
 
 impl RecordingWriter {
     /// Begins the recording of `run` with the destination `place`.
-    ///
-    /// # Errors
-    /// Fails if the folder of `place` cannot be written to.
     pub(crate) fn create(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
         Self::begin(place, BufWriter::new(part(place)?), head, run)
     }
 
     /// Ends the recording with the count of its samples and moves it to its destination.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written or moved.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         self.end()?;
         let file = self
@@ -100,9 +85,6 @@ impl RecordingWriter {
 
 impl LiveWriter {
     /// Begins a recording at `place`, which must not exist yet.
-    ///
-    /// # Errors
-    /// Fails if it exists, or the folder cannot be written to.
     pub(crate) fn live(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
         let file = File::options().write(true).create_new(true).open(place)?;
         // If the system has no locks, another program may mistake it for one that was cut.
@@ -115,15 +97,11 @@ impl LiveWriter {
         begun
     }
 
-    /// The path of the recording.
     pub(crate) fn place(&self) -> &Path {
         &self.place
     }
 
     /// Ends the recording with the count of its samples.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(crate) fn finish_live(mut self) -> io::Result<()> {
         self.end()
     }

@@ -26,7 +26,6 @@ pub(super) struct Insertions {
 }
 
 impl Insertions {
-    /// For a run before its first frame.
     pub(super) fn new(meter: Meter) -> Self {
         Self {
             meter,
@@ -40,7 +39,6 @@ impl Insertions {
         }
     }
 
-    /// Adds a frame.
     pub(super) fn add(&mut self, frame: &Frame) {
         if let Some(found) = meter::read(&self.meter, frame) {
             self.reading(&found, frame);

@@ -7,7 +7,6 @@ use toml::Value;
 
 use super::key::Key;
 
-/// A key and its values.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub(super) key: Key,
@@ -43,9 +42,6 @@ enum Scale {
 
 impl Axis {
     /// Reads the values of a key at a position in the sweep file; a grid needs `steps`.
-    ///
-    /// # Errors
-    /// Reports what is wrong and what is allowed.
     pub(super) fn new(
         key: Key,
         offset: usize,
@@ -73,7 +69,6 @@ impl Axis {
         })
     }
 
-    /// The number of values in a grid.
     pub(super) fn count(&self) -> u64 {
         match &self.values {
             Values::List(list) => list.len() as u64,
@@ -108,7 +103,6 @@ impl Axis {
         }
     }
 
-    /// The texts of a list.
     pub(super) fn texts(&self) -> impl Iterator<Item = &str> {
         let list = match &self.values {
             Values::List(list) => list.as_slice(),

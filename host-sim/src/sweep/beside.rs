@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use crate::files::whole as files;
 use sha2::{Digest, Sha256};
 
-use super::output::{OutputError, length_of, write_error};
+use super::output::{OutputError, length_of};
+use crate::files::WriteError;
 
 /// The line after the inputs of the rows.
 const ROWS: &str = "rows:\n";
@@ -23,7 +24,6 @@ fn digest(row: &[u8]) -> [u8; DIGEST] {
     line
 }
 
-/// The path of the file.
 pub(super) fn beside(table: &Path) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(".sweep");
@@ -41,20 +41,14 @@ pub(super) struct Beside {
 
 impl Beside {
     /// Creates the file for a table without rows, made from `inputs`.
-    ///
-    /// # Errors
-    /// Fails if it cannot be written.
     pub(super) fn begin(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let text = format!("{inputs}{ROWS}");
-        files::write(&place, text.as_bytes()).map_err(write_error(&place))?;
+        files::write(&place, text.as_bytes()).map_err(WriteError::of(&place))?;
         Self::open(table, inputs)
     }
 
     /// Opens the file of an existing table.
-    ///
-    /// # Errors
-    /// Fails if the file is missing, or the rows were made from other inputs.
     pub(super) fn open(table: &Path, inputs: &str) -> Result<Self, OutputError> {
         let place = beside(table);
         let file = match OpenOptions::new().read(true).write(true).open(&place) {
@@ -63,9 +57,9 @@ impl Beside {
                 let (place, beside) = (table.to_owned(), place);
                 return Err(OutputError::Stranger { place, beside });
             }
-            Err(error) => return Err(write_error(&place)(error)),
+            Err(error) => return Err(WriteError::of(&place)(error).into()),
         };
-        length_of(&file).map_err(write_error(&place))?;
+        length_of(&file).map_err(WriteError::of(&place))?;
         let mut file = BufReader::new(file);
         let expected = format!("{inputs}{ROWS}");
         let begin = expected.len() as u64;
@@ -73,7 +67,7 @@ impl Beside {
             file.by_ref()
                 .take(begin + stiction_scene::text::LONGEST_WHOLE),
         );
-        let before = before.map_err(write_error(&place))?;
+        let before = before.map_err(WriteError::of(&place))?;
         if before == expected.as_bytes() {
             return Ok(Self { file, place, begin });
         }
@@ -88,36 +82,28 @@ impl Beside {
     }
 
     /// Returns whether a row is the one that was written next; nothing if none was.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be read.
     pub(super) fn is_next(&mut self, row: &[u8]) -> Result<Option<bool>, OutputError> {
         let mut line = [0; DIGEST];
         match self.file.read_exact(&mut line) {
             Ok(()) => Ok(Some(line == digest(row))),
             Err(error) if error.kind() == ErrorKind::UnexpectedEof => Ok(None),
-            Err(error) => Err(write_error(&self.place)(error)),
+            Err(error) => Err(WriteError::of(&self.place)(error).into()),
         }
     }
 
     /// Keeps the digests of `rows` rows; the next one follows.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn cut(&mut self, rows: u64) -> Result<(), OutputError> {
         let length = self.begin + rows * DIGEST as u64;
         let cut = self.file.get_ref().set_len(length);
         let cut = cut.and_then(|()| self.file.seek(SeekFrom::Start(length)));
-        cut.map(drop).map_err(write_error(&self.place))
+        cut.map(drop).map_err(WriteError::of(&self.place))?;
+        Ok(())
     }
 
     /// Adds the digest of a row.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         let written = self.file.get_mut().write_all(&digest(row));
-        written.map_err(write_error(&self.place))
+        Ok(written.map_err(WriteError::of(&self.place))?)
     }
 }
 

@@ -9,7 +9,6 @@ use crate::options::{parse_budget, parse_rate};
 use crate::settings::Settings;
 use stiction_live::number::{parse_evolution, parse_number};
 
-/// The type of a key's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -59,7 +58,6 @@ const RUN: [(&str, Dial); 5] = [
     ("run.budget", Dial::Budget),
 ];
 
-/// An option of `stiction run`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Dial {
     Hand,
@@ -69,7 +67,6 @@ enum Dial {
     Budget,
 }
 
-/// A key that is varied.
 #[derive(Clone, Debug)]
 pub(super) struct Key {
     name: String,
@@ -105,15 +102,11 @@ impl Key {
         Some(Self { name, place })
     }
 
-    /// The key as it is written.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
     /// Converts a value to the type of this key: whole numbers become floating-point numbers if it needs these.
-    ///
-    /// # Errors
-    /// Reports what is allowed if the key cannot have such a value.
     pub(super) fn value(&self, value: Value) -> Result<Value, String> {
         let whole = matches!(self.place, KeyPlace::Run(Dial::Budget));
         let value = match value {
@@ -155,9 +148,6 @@ impl Key {
     }
 
     /// Writes a value to its place; files of the run are relative to `folder`.
-    ///
-    /// # Errors
-    /// Reports what is wrong with the scene if it has no such place.
     pub(super) fn set(
         &self,
         value: &Value,

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use fs4::TryLockError;
 
 use super::beside::Beside;
+use crate::files::WriteError;
 
 /// The maximum length of a line in a table that is read (bytes): its names and values come from a sweep file or from a summary,
 /// and these are shorter.
@@ -16,15 +17,9 @@ const LONGEST_ROW: u64 = 2 * stiction_scene::text::LONGEST_WHOLE;
 
 /// The reason why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
-pub enum OutputError {
-    /// The table, or the file next to it, cannot be read or written.
-    #[error("{}: cannot be written: {error}", place.display())]
-    Write {
-        /// The file.
-        place: PathBuf,
-        /// The system's message.
-        error: io::Error,
-    },
+pub(super) enum OutputError {
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// Another process writes to it.
     #[error("{}: another sweep is writing to it, allowed: one at a time, or another --out", .0.display())]
     Busy(PathBuf),
@@ -33,53 +28,36 @@ pub enum OutputError {
         "{}: is there already and {} is not, so no sweep wrote it, allowed: another --out, or a file that is not there",
         place.display(), beside.display()
     )]
-    Stranger {
-        /// The table.
-        place: PathBuf,
-        /// The file expected next to it.
-        beside: PathBuf,
-    },
+    Stranger { place: PathBuf, beside: PathBuf },
     /// The rows belong to another sweep.
     #[error(
         "{}: its rows were made from other input ({changed}), allowed: the input of before, another --out, or to delete {}",
         place.display(), place.display()
     )]
-    Changed {
-        /// The table.
-        place: PathBuf,
-        /// The input that differs.
-        changed: String,
-    },
+    Changed { place: PathBuf, changed: String },
     /// A row is not the expected one.
     #[error(
         "{}, line {line}: is not {expected}, allowed: the file as the sweep left it, another --out, or to delete it",
         place.display()
     )]
     Edited {
-        /// The table.
         place: PathBuf,
-        /// The line, counted from 1.
         line: u64,
-        /// The expected content.
         expected: String,
     },
 }
 
-/// The rows of a table.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     /// The first line; the tables of all shards but the first have none.
     pub(super) header: Option<Vec<u8>>,
-    /// The index of the first row.
     pub(super) first: u64,
     /// The step between indices.
     pub(super) step: u64,
-    /// The number of rows.
     pub(super) count: u64,
 }
 
 impl Rows {
-    /// The index of row `k`.
     pub(super) fn index(&self, k: u64) -> u64 {
         self.first + k * self.step
     }
@@ -96,26 +74,22 @@ pub(super) struct Output {
 
 impl Output {
     /// Opens the table at `place`, or creates it; `inputs`: the inputs of the rows, line by line.
-    ///
-    /// # Errors
-    /// Fails if an existing table belongs to something else, or it cannot be written.
     pub(super) fn open(place: &Path, inputs: &str, rows: &Rows) -> Result<Self, OutputError> {
-        let cannot_write = write_error(place);
         let file = OpenOptions::new()
             .read(true)
             .write(true)
             .create(true)
             .truncate(false)
             .open(place)
-            .map_err(&cannot_write)?;
+            .map_err(WriteError::of(place))?;
         match fs4::FileExt::try_lock(&file) {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(OutputError::Busy(place.to_owned())),
             // Some file systems of clusters do not support locks.
             Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
-            Err(TryLockError::Error(error)) => return Err(cannot_write(error)),
+            Err(TryLockError::Error(error)) => return Err(WriteError::of(place)(error).into()),
         }
-        let beside = match length_of(&file).map_err(&cannot_write)? {
+        let beside = match length_of(&file).map_err(WriteError::of(place))? {
             0 => Beside::begin(place, inputs)?,
             _ => Beside::open(place, inputs)?,
         };
@@ -126,24 +100,20 @@ impl Output {
             rows: 0,
         };
         let whole = output.take_stock(rows)?;
-        output.file.set_len(whole).map_err(&cannot_write)?;
+        output.file.set_len(whole).map_err(WriteError::of(place))?;
         output.beside.cut(output.rows)?;
-        (output.file.seek(io::SeekFrom::Start(whole))).map_err(&cannot_write)?;
+        (output.file.seek(io::SeekFrom::Start(whole))).map_err(WriteError::of(place))?;
         if let (0, Some(header)) = (whole, &rows.header) {
             output.write(header)?;
         }
         Ok(output)
     }
 
-    /// The number of existing rows.
     pub(super) fn rows(&self) -> u64 {
         self.rows
     }
 
     /// Adds a row; on return, the system has accepted it.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         self.write(row)?;
         self.beside.append(row)?;
@@ -152,7 +122,10 @@ impl Output {
     }
 
     fn write(&mut self, line: &[u8]) -> Result<(), OutputError> {
-        self.file.write_all(line).map_err(write_error(&self.place))
+        Ok(self
+            .file
+            .write_all(line)
+            .map_err(WriteError::of(&self.place))?)
     }
 
     /// Counts the rows, each of which must be the one that was written there; returns their length in bytes. If the last row has
@@ -164,7 +137,7 @@ impl Output {
         loop {
             text.clear();
             let length = (&mut reader).take(LONGEST_ROW).read_until(b'\n', &mut text);
-            let length = length.map_err(write_error(&place))? as u64;
+            let length = length.map_err(WriteError::of(&place))? as u64;
             if !text.ends_with(b"\n") && length < LONGEST_ROW {
                 return Ok(whole);
             }
@@ -200,9 +173,6 @@ impl Output {
 }
 
 /// The length of a file on a disk (bytes).
-///
-/// # Errors
-/// Fails for anything else, which need not have an end.
 pub(super) fn length_of(file: &File) -> io::Result<u64> {
     let there = file.metadata()?;
     match there.is_file() {
@@ -211,13 +181,5 @@ pub(super) fn length_of(file: &File) -> io::Result<u64> {
             ErrorKind::InvalidInput,
             "it is not a file on a disk",
         )),
-    }
-}
-
-pub(super) fn write_error(place: &Path) -> impl Fn(io::Error) -> OutputError {
-    let place = place.to_owned();
-    move |error| OutputError::Write {
-        place: place.clone(),
-        error,
     }
 }

@@ -12,9 +12,6 @@ pub(super) const AHEAD: usize = 8;
 
 /// Runs `jobs` on the threads of `pool` and passes the results to `sink`, in order, as soon as they are available. It ends early
 /// if `work` returns nothing: all results before that job have then been passed.
-///
-/// # Errors
-/// Returns the first error of `sink`.
 pub(super) fn in_order<T: Send, E>(
     pool: &ThreadPool,
     mut jobs: Range<u64>,

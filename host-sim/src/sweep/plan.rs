@@ -29,7 +29,6 @@ struct Document {
     design: Option<Design>,
 }
 
-/// `[design]`
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Design {
@@ -38,7 +37,6 @@ struct Design {
     seed: u64,
 }
 
-/// A scene to start from.
 #[derive(Clone, Debug)]
 pub(super) struct BaseScene {
     /// Its name in the sweep file.
@@ -47,31 +45,24 @@ pub(super) struct BaseScene {
     pub(super) table: Table,
 }
 
-/// All points of a sweep.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) source: Source,
     pub(super) scenes: Vec<BaseScene>,
     pub(super) axes: Vec<Axis>,
-    /// The seed of a random design.
     seed: Option<u64>,
     points: u64,
 }
 
-/// A point of a sweep.
 #[derive(Clone, Debug)]
 pub(super) struct GridPoint<'a> {
     pub(super) index: u64,
     pub(super) scene: &'a BaseScene,
-    /// The value of every axis.
     pub(super) values: Vec<Value>,
 }
 
 impl Plan {
     /// Reads a sweep file and its scenes.
-    ///
-    /// # Errors
-    /// Fails if the file, or a scene, cannot be read, or a key, a value or the number of points cannot be used.
     pub(super) fn read(file: &Path) -> Result<Self, InputError> {
         let source = Source::read(file)?;
         let document: Document = source.toml()?;
@@ -100,12 +91,10 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The number of points.
     pub(super) fn count(&self) -> u64 {
         self.points
     }
 
-    /// The folder of the sweep file.
     pub(super) fn folder(&self) -> &Path {
         self.source.file().parent().unwrap_or(Path::new(""))
     }
@@ -186,9 +175,6 @@ impl Plan {
 
 impl GridPoint<'_> {
     /// The scene with this point's values, and the settings of its run.
-    ///
-    /// # Errors
-    /// Fails if the scene is refused.
     pub(super) fn scene_file(&self, plan: &Plan) -> Result<(SceneFile, Settings), InputError> {
         let (mut table, mut settings) = (self.scene.table.clone(), Settings::default());
         let source = &self.scene.source;

@@ -54,9 +54,3 @@ impl Progress {
         ));
     }
 }
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
-}

@@ -11,7 +11,6 @@ use crate::summary::Summary;
 use stiction_live::input::open_path;
 use stiction_live::record::Run;
 
-/// The names of the columns.
 pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {
     let mut names = vec!["index".to_owned(), "scene".to_owned()];
     names.extend(plan.axes.iter().map(|axis| axis.key.name().to_owned()));
@@ -32,14 +31,12 @@ pub(super) fn header(plan: &Plan, time: bool) -> Vec<String> {
     names
 }
 
-/// A row of the table.
 pub(super) struct SweepRow {
     pub(super) cells: Vec<String>,
     /// Its scene is refused, as reported by `status`; there are no results.
     pub(super) is_refused: bool,
 }
 
-/// Runs a point and returns its row.
 pub(super) fn row(plan: &Plan, point: &GridPoint<'_>, time: bool) -> SweepRow {
     let results = results(plan, point, time);
     let is_refused = results.is_err();
@@ -113,7 +110,6 @@ fn limiting() -> impl Iterator<Item = Status> {
         .filter(|status| *status != Status::Ok)
 }
 
-/// The text of a value in the table.
 fn cell(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
@@ -123,9 +119,6 @@ fn cell(value: &Value) -> String {
 }
 
 /// A row as a line of CSV.
-///
-/// # Errors
-/// No failure is known; it writes to memory.
 pub(super) fn line(cells: &[String]) -> std::io::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(cells)?;

@@ -8,61 +8,73 @@ use super::{ContactEntry, InsertionEntry, Record, Value};
 
 /// Maximum number of contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
-/// The columns of a contact; the others are present only if the scene has obstacles.
-const CONTACT_COLUMNS: [(&str, Shown); 13] = [
-    ("vertex", Shown::Always),
-    ("surface", Shown::Always),
-    ("obstacle", Shown::AmongObstacles),
-    ("side", Shown::AmongObstacles),
-    ("corner", Shown::AmongObstacles),
-    ("body_side", Shown::AmongObstacles),
-    ("x", Shown::Always),
-    ("y", Shown::Always),
-    ("normal", Shown::Always),
-    ("friction", Shown::Always),
-    ("sliding", Shown::Always),
-    ("direction_x", Shown::AmongObstacles),
-    ("direction_y", Shown::AmongObstacles),
+
+/// The columns of every trace, each with its value.
+const COLUMNS: [(&str, fn(&Record<'_>) -> String); 17] = [
+    ("t", |record| format!("{:?}", record.t)),
+    ("hand_x", |record| digits(record.hand[0])),
+    ("hand_y", |record| digits(record.hand[1])),
+    ("hand_phi", |record| digits(record.hand[2])),
+    ("held", |record| record.held.to_string()),
+    ("pose_x", |record| digits(record.pose[0])),
+    ("pose_y", |record| digits(record.pose[1])),
+    ("pose_theta", |record| digits(record.pose[2])),
+    ("depth", |record| digits(record.depth)),
+    ("state", |record| record.state.to_owned()),
+    ("wrench_x", |record| digits(record.wrench[0])),
+    ("wrench_y", |record| digits(record.wrench[1])),
+    ("wrench_moment", |record| digits(record.wrench[2])),
+    ("slips", |record| record.slips.to_string()),
+    ("events", |record| record.events.join(" ")),
+    ("status", |record| record.status.to_owned()),
+    ("contacts", |record| record.contacts.len().to_string()),
 ];
 
-/// The traces in which a column is present.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shown {
-    Always,
-    AmongObstacles,
-}
+/// The columns of a contact, each with its value.
+const CONTACT: [(&str, fn(&ContactEntry<'_>) -> String); 13] = [
+    ("vertex", |of| index(of.vertex)),
+    ("surface", |of| of.surface.unwrap_or_default().to_owned()),
+    ("obstacle", |of| of.obstacle.unwrap_or_default().to_owned()),
+    ("side", |of| index(of.side)),
+    ("corner", |of| index(of.corner)),
+    ("body_side", |of| index(of.body_side)),
+    ("x", |of| digits(of.point[0])),
+    ("y", |of| digits(of.point[1])),
+    ("normal", |of| digits(of.normal)),
+    ("friction", |of| digits(of.friction)),
+    ("sliding", |of| of.sliding.to_string()),
+    ("direction_x", |of| optional(of.direction.map(|[x, _]| x))),
+    ("direction_y", |of| optional(of.direction.map(|[_, y]| y))),
+];
 
-const COLUMNS: [&str; 17] = [
-    "t",
-    "hand_x",
-    "hand_y",
-    "hand_phi",
-    "held",
-    "pose_x",
-    "pose_y",
-    "pose_theta",
-    "depth",
-    "state",
-    "wrench_x",
-    "wrench_y",
-    "wrench_moment",
-    "slips",
-    "events",
-    "status",
-    "contacts",
+/// Those that are present only if the scene has obstacles.
+const AMONG_OBSTACLES: [&str; 6] = [
+    "obstacle",
+    "side",
+    "corner",
+    "body_side",
+    "direction_x",
+    "direction_y",
+];
+
+/// The columns of a scene that has a peg and a hole, each with its value; empty while the peg is not in it.
+const INSERTION: [(&str, fn(&InsertionEntry) -> String); 7] = [
+    ("depth", |insertion| digits(insertion.depth)),
+    ("fx", |insertion| digits(insertion.fx)),
+    ("fz", |insertion| digits(insertion.fz)),
+    ("m", |insertion| digits(insertion.m)),
+    ("lambda", |insertion| optional(insertion.lambda)),
+    ("margin", |insertion| optional(insertion.margin)),
+    ("verdict", |insertion| insertion.verdict.to_owned()),
 ];
 
 /// The column for frames with a budget; the last one.
 const BEHIND: &str = "behind";
 
-/// The columns of a scene that has a peg and a hole; empty while the peg is not in it.
-const INSERTION: [&str; 7] = ["depth", "fx", "fz", "m", "lambda", "margin", "verdict"];
-
 /// The columns in addition to those of every trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Has {
     pub(super) obstacles: bool,
-    /// A peg and a hole.
     pub(super) meter: bool,
 }
 
@@ -104,90 +116,47 @@ impl CsvTable {
     }
 }
 
-/// The names of the columns.
 fn header(has_budget: bool, has: Has) -> Vec<String> {
-    let mut names: Vec<String> = COLUMNS.map(String::from).to_vec();
-    for contact in 0..CONTACTS {
-        let columns = shown(has.obstacles).map(|k| CONTACT_COLUMNS[k].0);
-        names.extend(columns.map(|column| format!("c{contact}_{column}")));
+    let mut names: Vec<String> = COLUMNS.map(|(name, _)| name.to_owned()).to_vec();
+    for k in 0..CONTACTS {
+        names.extend(shown(has.obstacles).map(|(name, _)| format!("c{k}_{name}")));
     }
     if has.meter {
-        names.extend(INSERTION.map(|column| format!("insertion_{column}")));
+        names.extend(INSERTION.map(|(name, _)| format!("insertion_{name}")));
     }
     names.extend(has_budget.then(|| BEHIND.to_owned()));
     names
 }
 
 /// The columns of a contact that are present.
-fn shown(has_obstacles: bool) -> impl Iterator<Item = usize> {
-    let is_shown = move |k: &usize| has_obstacles || CONTACT_COLUMNS[*k].1 == Shown::Always;
-    (0..CONTACT_COLUMNS.len()).filter(is_shown)
+fn shown(
+    has_obstacles: bool,
+) -> impl Iterator<Item = &'static (&'static str, fn(&ContactEntry<'_>) -> String)> {
+    let columns = CONTACT.iter();
+    columns.filter(move |(name, _)| has_obstacles || !AMONG_OBSTACLES.contains(name))
 }
 
-/// The columns of a record.
 fn row(record: &Record<'_>, has: Has) -> Vec<String> {
-    let mut row = vec![format!("{:?}", record.t)];
-    row.extend(record.hand.map(digits));
-    row.push(record.held.to_string());
-    row.extend(record.pose.map(digits));
-    row.push(digits(record.depth));
-    row.push(record.state.to_owned());
-    row.extend(record.wrench.map(digits));
-    row.push(record.slips.to_string());
-    row.push(record.events.join(" "));
-    row.push(record.status.to_owned());
-    row.push(record.contacts.len().to_string());
+    let mut row = COLUMNS.map(|(_, value)| value(record)).to_vec();
     for contact in record.contacts.iter().take(CONTACTS) {
-        let columns = contact_columns(contact);
-        row.extend(shown(has.obstacles).map(|k| columns[k].clone()));
+        row.extend(shown(has.obstacles).map(|(_, value)| value(contact)));
     }
     let width = shown(has.obstacles).count();
     row.resize(COLUMNS.len() + CONTACTS * width, String::new());
     if has.meter {
-        row.extend(insertion_columns(record.insertion.as_ref()));
+        let insertion = record.insertion.as_ref();
+        row.extend(INSERTION.map(|(_, value)| insertion.map_or_else(String::new, value)));
     }
     row.extend(record.behind.map(digits));
     row
 }
 
-fn insertion_columns(insertion: Option<&InsertionEntry>) -> [String; INSERTION.len()] {
-    let Some(insertion) = insertion else {
-        return [const { String::new() }; INSERTION.len()];
-    };
-    let optional = |value: Option<Value>| value.map_or_else(String::new, digits);
-    [
-        digits(insertion.depth),
-        digits(insertion.fx),
-        digits(insertion.fz),
-        digits(insertion.m),
-        optional(insertion.lambda),
-        optional(insertion.margin),
-        insertion.verdict.to_owned(),
-    ]
+fn index(index: Option<usize>) -> String {
+    index.map_or_else(String::new, |k| k.to_string())
 }
 
-fn contact_columns(contact: &ContactEntry<'_>) -> [String; CONTACT_COLUMNS.len()] {
-    let [x, y] = contact.point;
-    let index = |index: Option<usize>| index.map_or_else(String::new, |k| k.to_string());
-    let [direction_x, direction_y] = match contact.direction {
-        Some(direction) => direction.map(digits),
-        None => [const { String::new() }; 2],
-    };
-    [
-        index(contact.vertex),
-        contact.surface.unwrap_or_default().to_owned(),
-        contact.obstacle.unwrap_or_default().to_owned(),
-        index(contact.side),
-        index(contact.corner),
-        index(contact.body_side),
-        digits(x),
-        digits(y),
-        digits(contact.normal),
-        digits(contact.friction),
-        contact.sliding.to_string(),
-        direction_x,
-        direction_y,
-    ]
+fn optional(value: Option<Value>) -> String {
+    value.map_or_else(String::new, digits)
 }
 
 fn digits(Value { value, single }: Value) -> String {

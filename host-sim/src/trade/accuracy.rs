@@ -9,13 +9,9 @@ use stiction_live::record::Frame;
 /// The bounds that given fractions of the frames satisfy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Spread {
-    /// Half of them.
     pub(super) p50: f64,
-    /// 90 %.
     pub(super) p90: f64,
-    /// 99 %.
     pub(super) p99: f64,
-    /// All.
     pub(super) max: f64,
 }
 
@@ -48,7 +44,6 @@ impl Spread {
     }
 }
 
-/// The accuracy of a setting at a rate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Accuracy {
     /// Frames that were compared.
@@ -61,18 +56,15 @@ pub(super) struct Accuracy {
     pub(super) residual: f64,
     /// Frames in a different contact state.
     pub(super) other_state: usize,
-    /// Slips of the reference.
     pub(super) reference_slips: u64,
     /// Slips in excess of the reference, summed over the scenes that have more.
     pub(super) slips_too_many: u64,
     /// Missing slips, summed likewise.
     pub(super) slips_too_few: u64,
-    /// Frames whose status is not ok.
     pub(super) not_ok: usize,
 }
 
 impl Accuracy {
-    /// A percentage of the frames.
     pub(super) fn percent(&self, count: usize) -> f64 {
         100.0 * count as f64 / self.frames.max(1) as f64
     }
@@ -89,7 +81,6 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    /// Adds a frame.
     pub(super) fn add(&mut self, frame: &Frame, truth: &Truth) {
         let [dx, dy, turn] = [0, 1, 2].map(|k| frame.pose[k] - truth.pose[k]);
         let (position, angle) = ((1e6 * dx.hypot(dy)) as f32, (1e3 * turn.abs()) as f32);
@@ -108,7 +99,6 @@ impl Errors {
         counts.residual = counts.residual.max(residual.force).max(residual.moment);
     }
 
-    /// Adds those of other scenes.
     pub(super) fn merge(&mut self, other: &Self) {
         self.positions.extend(&other.positions);
         self.angles.extend(&other.angles);
@@ -121,7 +111,6 @@ impl Errors {
         sum.residual = sum.residual.max(more.residual);
     }
 
-    /// The accuracy.
     pub(super) fn finish(mut self) -> Accuracy {
         Accuracy {
             frames: self.positions.len(),

@@ -23,7 +23,6 @@ pub struct Emulated {
     pub stack: u32,
 }
 
-/// The cost of a setting.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cost {
     /// Time of a frame on this computer (ns), mean.

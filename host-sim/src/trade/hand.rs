@@ -6,39 +6,21 @@ use std::ops::Range;
 use std::path::Path;
 
 use stiction_core::{Angle, Hand};
-use stiction_scene::{HandPath, InputError, Placement, Sample, Source};
+use stiction_live::number::Number;
+use stiction_live::scenes;
+use stiction_scene::{HandPath, InputError, Placement, Sample, SceneFile, Source};
 
 use super::random::Random;
 
-/// The scene; the hand holds the box above its middle, which is at (0.05, 0.05) when it lies in the corner.
-pub(super) const SCENE: &str = r#"
-[body]
-rectangle = [0.10, 0.06]
-start = [0.10, 0.10, 0.0]
-
-[grasp]
-point = [0.0, 0.02]
-
-[spring]
-translation = 500.0
-rotation = 0.5
-
-[friction]
-static = 0.5
-dynamic = 0.3
-
-[[surface]]
-name = "floor"
-normal = [0.0, 1.0]
-offset = 0.0
-
-[[surface]]
-name = "wall"
-normal = [1.0, 0.0]
-offset = 0.0
-
-[hand]
-"#;
+/// The scene: the corner of a bundled one, with the box elsewhere. The hand holds the box above its middle, which is at (0.05, 0.05) when
+/// it lies in the corner.
+pub(super) fn scene() -> Result<SceneFile, InputError> {
+    let bundled = scenes::find(Path::new("corner-stick-slip"));
+    let text = bundled.as_ref().map_or("", Source::text);
+    let mut scene = SceneFile::parse(Source::new("hand.toml", text), Number::F32.limit())?;
+    scene.written.start = [0.10, 0.10, 0.0];
+    Ok(scene)
+}
 
 /// The range of the hand (m), in x and y: up to 20 mm into floor and wall.
 const REGION: Range<f64> = 0.03..0.15;
@@ -71,7 +53,6 @@ pub(super) fn synthetic(seconds: f64) -> HandPath {
     HandPath::new(samples)
 }
 
-/// One movement of the hand.
 struct Reach {
     from: [f64; 3],
     to: [f64; 3],

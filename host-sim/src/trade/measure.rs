@@ -14,21 +14,18 @@ use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use stiction_live::number::Number;
-use stiction_live::record::{Frame, Run};
-use stiction_live::simulate::simulate;
+use stiction_live::record::Frame;
+use stiction_live::simulate::Running;
 
 /// The results of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Row {
-    /// The setting.
     pub(super) setting: Setting,
     /// Frames per second (Hz).
     pub(super) rate: f64,
     /// The scenes; `None`: all of them.
     pub(super) group: Option<Group>,
-    /// Accuracy.
     pub(super) accuracy: Accuracy,
-    /// Cost.
     pub(super) cost: Cost,
 }
 
@@ -78,38 +75,24 @@ impl Row {
     }
 
     fn add_cost(&self, columns: &mut Vec<(String, Value)>) {
-        let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
-        add("host_ns", self.cost.host.into());
+        columns.push(("host_ns".to_owned(), self.cost.host.into()));
         for (chip, counted) in Chip::ALL.iter().zip(self.cost.emulated) {
             let (key, unit) = (chip.key(), chip.unit());
             let time = |counted| chip.microseconds(counted);
-            add(&format!("{key}_{unit}"), counted.map(|c| c.mean).into());
-            add(
-                &format!("{key}_{unit}_worst"),
-                counted.map(|c| c.worst).into(),
-            );
-            add(&format!("{key}_us"), counted.map(|c| time(c.mean)).into());
-            add(
-                &format!("{key}_us_worst"),
-                counted.map(|c| time(f64::from(c.worst))).into(),
-            );
-            add(
-                &format!("{key}_flash_bytes"),
-                counted.map(|c| c.flash).into(),
-            );
-            add(
-                &format!("{key}_state_bytes"),
-                counted.map(|c| c.state).into(),
-            );
-            add(
-                &format!("{key}_stack_bytes"),
-                counted.map(|c| c.stack).into(),
-            );
+            let mut add = |name: &str, value: Option<Value>| {
+                columns.push((format!("{key}_{name}"), value.into()));
+            };
+            add(unit, counted.map(|c| c.mean.into()));
+            add(&format!("{unit}_worst"), counted.map(|c| c.worst.into()));
+            add("us", counted.map(|c| time(c.mean).into()));
+            add("us_worst", counted.map(|c| time(c.worst.into()).into()));
+            add("flash_bytes", counted.map(|c| c.flash.into()));
+            add("state_bytes", counted.map(|c| c.state.into()));
+            add("stack_bytes", counted.map(|c| c.stack.into()));
         }
     }
 }
 
-/// The data from which a row is computed.
 #[derive(Clone, Debug, Default)]
 struct Tally {
     errors: Errors,
@@ -141,9 +124,6 @@ impl Tally {
 
 /// Measures all settings at all rates; `done` is called for every finished scene. Each combination has a row over all scenes,
 /// followed by one for each group.
-///
-/// # Errors
-/// Fails if a number type refuses a scene.
 pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
     let settings: Vec<Setting> = Setting::all().collect();
     let combinations: Vec<_> = (settings.iter())
@@ -185,7 +165,6 @@ pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<
         .collect())
 }
 
-/// Runs a scene through a setting at a rate.
 struct Ride<'a> {
     case: &'a Case,
     setting: Setting,
@@ -196,7 +175,6 @@ struct Ride<'a> {
 }
 
 impl Ride<'_> {
-    /// Converts the name of a number type to the type.
     fn measure(&self, tally: &mut Tally) -> Result<(), InputError> {
         match self.setting.number {
             Number::F64 => self.run::<f64>(tally),
@@ -212,14 +190,9 @@ impl Ride<'_> {
         let hands: Vec<Hand<R::Si>> = frames().map(|sample| narrow_hand(&sample.hand)).collect();
         tally.spent += cost::time(&solver, &hands);
         tally.steps += hands.len().saturating_sub(1);
-        let run = Run::of(
-            &self.case.scene,
-            self.setting.number,
-            self.setting.evolution,
-        );
-        let mut residual = Residual::new(&run);
+        let mut residual = Residual::new(&self.case.scene);
         let (mut slips, mut truths) = (0, self.truths.iter());
-        simulate(solver, frames(), |frame: Frame| {
+        Running::new(solver).simulate(frames(), |frame: Frame| {
             residual.add(&frame);
             slips += u64::from(frame.slips);
             if let Some(truth) = truths.next() {

@@ -4,7 +4,6 @@ use super::chip::Chip;
 use super::cost::Cost;
 use super::measure::Row;
 
-/// The place where a cost is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     /// On this computer, ns.
@@ -14,7 +13,6 @@ pub(super) enum Place {
 }
 
 impl Place {
-    /// All places.
     pub(super) fn all() -> impl Iterator<Item = Self> {
         let chips = (0..Chip::ALL.len()).map(Self::Chip);
         std::iter::once(Self::Host).chain(chips)
@@ -34,7 +32,6 @@ impl Place {
         }
     }
 
-    /// The stem of the picture's files.
     pub(super) fn stem(self) -> &'static str {
         match self {
             Self::Host => "host",
@@ -42,12 +39,10 @@ impl Place {
         }
     }
 
-    /// The picture's files.
     pub(super) fn pictures(self) -> [String; 2] {
         ["svg", "png"].map(|extension| format!("{}.{extension}", self.stem()))
     }
 
-    /// The unit of a cost.
     pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Host => "ns",

@@ -29,19 +29,16 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number in a range.
     pub(super) fn within(&mut self, range: Range<f64>) -> f64 {
         let part = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         range.start + (range.end - range.start) * part
     }
 
-    /// A whole number in a range.
     fn one_of(&mut self, range: Range<u64>) -> u64 {
         range.start + self.bits() % (range.end - range.start)
     }
 }
 
-/// The text of a random scene.
 pub(super) fn scene(random: &mut Random) -> String {
     let vertices = body(random);
     let theta = random.within(-3.0..3.0);

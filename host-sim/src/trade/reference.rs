@@ -7,7 +7,6 @@ use stiction_scene::{HostSolver, InputError, Sample};
 use super::setting::FINEST;
 use super::suite::Case;
 
-/// The body at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Truth {
     /// x, y (m), theta (rad)
@@ -29,7 +28,6 @@ impl Truth {
     }
 }
 
-/// A run of the reference.
 pub(super) struct Reference {
     solver: HostSolver<f64>,
     frames: Vec<(f64, State<f64>, Truth)>,
@@ -58,7 +56,6 @@ impl Reference {
         Ok(Self { solver, frames })
     }
 
-    /// Slips of the whole run.
     pub(super) fn slips(&self) -> u64 {
         self.frames.last().map_or(0, |(.., truth)| truth.slips)
     }

@@ -30,13 +30,11 @@ pub struct Report {
 }
 
 impl Report {
-    /// The rows over all scenes.
     pub(super) fn overall(&self) -> Vec<Row> {
         let rows = self.rows.iter().filter(|row| row.group.is_none());
         rows.copied().collect()
     }
 
-    /// One line per row.
     pub(super) fn csv(&self) -> io::Result<Vec<u8>> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let columns: Vec<_> = self.rows.iter().map(Row::columns).collect();
@@ -53,7 +51,6 @@ impl Report {
         writer.into_inner().map_err(|error| error.into_error())
     }
 
-    /// All results.
     pub(super) fn json(&self) -> Vec<u8> {
         let row = |row: &Row| Value::Object(row.columns().into_iter().collect::<Map<_, _>>());
         let report = json!({

@@ -58,7 +58,6 @@ impl Memory {
     }
 }
 
-/// The largest distance between two vertices.
 fn size(vertices: &[[f64; 2]]) -> f64 {
     let pairs = vertices
         .iter()

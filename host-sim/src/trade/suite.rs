@@ -133,7 +133,7 @@ impl Suite {
         };
         cases.push(Case {
             group: Group::Hand,
-            scene: SceneFile::parse(Source::new("hand.toml", hand::SCENE), Number::F32.limit())?,
+            scene: hand::scene()?,
             path,
         });
         Ok(Self { cases, hand })

@@ -145,7 +145,6 @@ impl Table {
         }
     }
 
-    /// Aligned columns.
     pub(super) fn text(&self) -> String {
         let lines: Vec<_> = (std::iter::once(&self.header).chain(&self.rows))
             .cloned()

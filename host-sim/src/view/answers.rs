@@ -9,7 +9,6 @@ use crate::board::Word;
 use stiction_live::record::Frame;
 
 impl Engine {
-    /// Processes the board's messages.
     pub(super) fn listen(&mut self, now: Instant) -> Result<(), String> {
         while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
             match word {

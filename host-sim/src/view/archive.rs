@@ -15,7 +15,6 @@ use stiction_live::record::Run;
 /// The longest part of a file name that comes from the scene, in characters.
 const TITLE: usize = 60;
 
-/// The folder of recordings.
 #[derive(Clone, Debug)]
 pub(super) struct Archive(PathBuf);
 
@@ -31,9 +30,6 @@ impl Archive {
     }
 
     /// Begins a recording of a scene under a name that is free.
-    ///
-    /// # Errors
-    /// Fails if the folder cannot be written to.
     pub(super) fn begin(&self, head: &Head, run: &Run) -> Result<LiveWriter, String> {
         let refused = |error: &io::Error| {
             format!(
@@ -42,7 +38,7 @@ impl Archive {
             )
         };
         fs::create_dir_all(&self.0).map_err(|error| refused(&error))?;
-        let title = named(&run.title);
+        let title = named(&run.scene.title);
         let mut names = (1_u32..).map(|n| self.0.join(format!("{title}-{n}.jsonl")));
         let tried = names.find_map(|place| match LiveWriter::live(&place, head, run) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => None,
@@ -52,7 +48,6 @@ impl Archive {
         begun.map_err(|error| refused(&error))
     }
 
-    /// The files of recordings.
     fn files(&self) -> impl Iterator<Item = (PathBuf, Metadata)> {
         let entries = fs::read_dir(&self.0).into_iter().flatten().flatten();
         let places = entries.map(|entry| entry.path());

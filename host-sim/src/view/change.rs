@@ -12,7 +12,6 @@ use crate::recording::Maker;
 use stiction_live::body::Setting;
 use stiction_live::stage::reread;
 
-/// A requested change.
 #[derive(Debug)]
 pub(super) struct Wanted {
     pub(super) change: Change,
@@ -29,7 +28,6 @@ impl From<Change> for Wanted {
     }
 }
 
-/// The recipient of an answer.
 #[derive(Debug)]
 pub(super) enum Reply {
     /// A client of the socket.
@@ -42,7 +40,6 @@ pub(super) enum Reply {
 }
 
 impl Reply {
-    /// Sends the answer.
     pub(super) fn send(&self, result: Result<(), String>) {
         match self {
             Self::Client { id, answers } => {
@@ -71,8 +68,6 @@ impl Engine {
         }
     }
 
-    /// # Errors
-    /// Fails if the scene cannot be used, or the body cannot settle in it.
     pub(super) fn apply(&mut self, wanted: Wanted) -> Result<(), String> {
         match wanted.change {
             Change::Setting(setting) => self.go_on(&setting),
@@ -141,7 +136,6 @@ impl Engine {
         Ok(())
     }
 
-    /// The maker of recordings.
     fn maker(&self) -> Maker {
         let board = self
             .board

@@ -69,7 +69,6 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
     let _ = hub.orders.send(Order::Left(client)).await;
 }
 
-/// The receiver of a client's messages.
 struct Inbound<'a> {
     hub: &'a Hub,
     seat: &'a Seat,
@@ -142,7 +141,6 @@ impl Inbound<'_> {
     }
 }
 
-/// The sender of messages to a client.
 struct Outbound<'a> {
     hub: &'a Hub,
     client: u32,
@@ -153,7 +151,6 @@ struct Outbound<'a> {
     period: Duration,
 }
 
-/// The client is disconnected.
 struct Gone;
 
 impl Outbound<'_> {

@@ -77,7 +77,6 @@ async fn connection(
     }
 }
 
-/// The present connections.
 #[derive(Debug, Default)]
 struct Connections(Arc<Mutex<Seats>>);
 

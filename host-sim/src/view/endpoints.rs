@@ -11,9 +11,6 @@ use crate::report;
 const PORTS: u16 = 100;
 
 /// Listens at an address, or at the next free port.
-///
-/// # Errors
-/// Fails if the address cannot be listened to, and no port after it is free.
 pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
     let mut tried = address;
     loop {
@@ -50,7 +47,6 @@ pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
     }
 }
 
-/// The sockets of renderers and trackers.
 pub(super) struct Endpoints {
     pub(super) out: Vec<(UdpSocket, PoseFormat)>,
     pub(super) inward: Vec<(UdpSocket, PoseFormat)>,
@@ -58,9 +54,6 @@ pub(super) struct Endpoints {
 
 impl Endpoints {
     /// Opens the sockets requested by the arguments.
-    ///
-    /// # Errors
-    /// Fails if there is no such host, or a port is taken.
     pub(super) fn open(args: &ViewArgs, place: SocketAddr) -> Result<Self, ViewError> {
         let mut ends = Self {
             out: Vec::new(),

@@ -72,9 +72,6 @@ pub(super) struct Closing {
 
 impl Engine {
     /// Creates an engine with a scene, the body at its start.
-    ///
-    /// # Errors
-    /// Fails if the scene cannot be used.
     pub(super) fn new(
         stage: Stage,
         setting: &Setting,
@@ -98,9 +95,6 @@ impl Engine {
     }
 
     /// Runs until `stop`, and completes a recording in progress.
-    ///
-    /// # Errors
-    /// Fails if the board will not come back.
     pub(super) fn run(mut self, orders: Receiver<Order>, stop: &AtomicBool) -> Result<(), String> {
         let result = self.go(orders, stop);
         self.end_recording();
@@ -130,7 +124,6 @@ impl Engine {
         Ok(())
     }
 
-    /// Executes a period.
     fn pass(&mut self) {
         if self.board.as_ref().is_some_and(Remote::is_ending) {
             // Nothing follows the hand now.

@@ -20,7 +20,6 @@ use super::recording::LiveRecording;
 use super::resume::resumed;
 use stiction_live::body::{Setting, without_obstacles};
 
-/// An order to the solver.
 #[derive(Debug)]
 pub(super) enum Order {
     /// A client has connected.
@@ -49,9 +48,7 @@ pub(super) enum Order {
 /// An order that may concern the body: it then waits while a change of the body is in progress.
 #[derive(Debug)]
 pub(super) enum DeferrableOrder {
-    /// A client's message.
     Message(u32, Message),
-    /// An edited scene.
     Scene(Box<Stage>),
 }
 
@@ -65,7 +62,6 @@ impl DeferrableOrder {
 }
 
 impl Engine {
-    /// Executes an order.
     pub(super) fn obey(&mut self, order: Order, now: Instant) {
         match order {
             Order::Joined => {
@@ -207,7 +203,6 @@ impl Engine {
         Err(problem.to_owned())
     }
 
-    /// The uploaded path.
     pub(super) fn upload(&mut self) -> Result<Change, String> {
         let (name, way) = self
             .upload

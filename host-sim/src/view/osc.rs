@@ -9,7 +9,6 @@ const BUNDLE: &str = "#bundle";
 /// The time of a bundle: at once.
 const AT_ONCE: u64 = 1;
 
-/// An argument.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Argument {
     Int(i32),
@@ -19,7 +18,6 @@ pub(super) enum Argument {
     Other,
 }
 
-/// A message.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Message {
     pub(super) address: String,

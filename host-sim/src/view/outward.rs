@@ -24,9 +24,6 @@ const PACKET: usize = 2048;
 const CENTIMETRES: f64 = 100.0;
 
 /// A socket that sends to an address.
-///
-/// # Errors
-/// Fails if there is no such host, or no port.
 pub(super) fn to(address: &str) -> io::Result<StdSocket> {
     let resolved = address.to_socket_addrs()?.next();
     let to = resolved.ok_or_else(|| io::Error::other("no such host"))?;
@@ -44,16 +41,12 @@ pub(super) fn to(address: &str) -> io::Result<StdSocket> {
 }
 
 /// A socket that listens on a port.
-///
-/// # Errors
-/// Fails if the port is taken.
 pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
     let socket = StdSocket::bind((address, port))?;
     socket.set_nonblocking(true)?;
     Ok(socket)
 }
 
-/// The format of a sent pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum PoseFormat {
     Osc,
@@ -61,9 +54,6 @@ pub(super) enum PoseFormat {
 }
 
 /// Sends the newest pose at this rate (Hz).
-///
-/// # Errors
-/// Fails if the socket cannot be used.
 pub(super) async fn send(
     socket: StdSocket,
     format: PoseFormat,
@@ -100,7 +90,6 @@ pub(super) async fn send(
     }
 }
 
-/// A frame as messages.
 fn parts(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> Vec<Message> {
     let float = |value: f64| Argument::Float(value as f32);
     let text = |value: &str| Argument::Text(value.to_owned());
@@ -115,13 +104,17 @@ fn parts(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> Vec<Messa
         message("wrench", frame.wrench.map(float).to_vec()),
     ];
     for contact in &frame.contacts {
-        let surface = contact.surface().and_then(|k| scene.surfaces.get(k));
-        let obstacle = contact.obstacle().and_then(|k| scene.obstacles.get(k));
+        let surface = contact.touch.surface().and_then(|k| scene.surfaces.get(k));
+        let obstacle = contact
+            .touch
+            .obstacle()
+            .and_then(|k| scene.obstacles.get(k));
         let name = surface
             .map(|surface| &surface.name)
             .or(obstacle.map(|obstacle| &obstacle.name));
         // -1: a corner of an obstacle, on a side of the body.
         let vertex = contact
+            .touch
             .vertex()
             .map(|k| i32::try_from(k).unwrap_or(i32::MAX));
         let [x, y] = contact.point.map(float);
@@ -162,10 +155,6 @@ fn doubles(frame: &Frame) -> [u8; 48] {
     bytes
 }
 
-/// Receives the hand.
-///
-/// # Errors
-/// Fails if the socket cannot be used.
 pub(super) async fn receive(
     socket: StdSocket,
     format: PoseFormat,
@@ -191,7 +180,6 @@ pub(super) async fn receive(
     }
 }
 
-/// The latest state of a tracker.
 #[derive(Clone, Copy, Debug)]
 struct Tracker {
     hand: Option<HandPose>,

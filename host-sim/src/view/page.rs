@@ -7,10 +7,8 @@ use std::sync::{LazyLock, OnceLock};
 use flate2::{Compression, write::GzEncoder};
 use stiction_live::script::without_comments;
 
-/// A file of the page.
 struct File {
     path: &'static str,
-    kind: &'static str,
     source: &'static [u8],
     /// The content as sent to browsers; created at the first request.
     served: OnceLock<PageContent>,
@@ -23,10 +21,8 @@ struct PageContent {
     packed: Option<Vec<u8>>,
 }
 
-/// An answer to a request for a file.
 #[derive(Clone, Copy)]
 pub(super) struct Found {
-    /// The media type.
     pub(super) kind: &'static str,
     pub(super) bytes: &'static [u8],
     /// Whether the bytes are gzip-compressed.
@@ -34,81 +30,39 @@ pub(super) struct Found {
 }
 
 macro_rules! files {
-    ($($name:literal: $kind:ident),* $(,)?) => {
+    ($($name:literal)*) => {
         vec![$(File {
             path: concat!("/", $name),
-            kind: $kind,
             source: include_bytes!(concat!("../../web/", $name)),
             served: OnceLock::new(),
         }),*]
     };
 }
 
-const HTML: &str = "text/html; charset=utf-8";
-const CSS: &str = "text/css; charset=utf-8";
-const SCRIPT: &str = "text/javascript; charset=utf-8";
-const PICTURE: &str = "image/svg+xml";
-const TEXT: &str = "text/plain; charset=utf-8";
-
 static FILES: LazyLock<Vec<File>> = LazyLock::new(|| {
-    files![
-    "address.js": SCRIPT,
-    "alone.js": SCRIPT,
-    "away.js": SCRIPT,
-    "board-model.js": SCRIPT,
-    "board.js": SCRIPT,
-    "charts.js": SCRIPT,
-    "controls.js": SCRIPT,
-    "demonstration.js": SCRIPT,
-    "diagram.js": SCRIPT,
-    "dom.js": SCRIPT,
-    "editor-card.js": SCRIPT,
-    "editor-handles.js": SCRIPT,
-    "editor-model.js": SCRIPT,
-    "editor-pen.js": SCRIPT,
-    "editor.css": CSS,
-    "editor.js": SCRIPT,
-    "events.js": SCRIPT,
-    "felt.js": SCRIPT,
-    "files.js": SCRIPT,
-    "first.css": CSS,
-    "forces.js": SCRIPT,
-    "frame.js": SCRIPT,
-    "gallery.js": SCRIPT,
-    "grip.js": SCRIPT,
-    "ground.js": SCRIPT,
-    "handle.js": SCRIPT,
-    "icon.svg": PICTURE,
-    "index.html": HTML,
-    "insertion.css": CSS,
-    "insertion.js": SCRIPT,
-    "keys.js": SCRIPT,
-    "labels.js": SCRIPT,
-    "link.js": SCRIPT,
-    "main.js": SCRIPT,
-    "object.js": SCRIPT,
-    "obstacles.js": SCRIPT,
-    "panels.css": CSS,
-    "pointer.js": SCRIPT,
-    "reach.js": SCRIPT,
-    "readout.js": SCRIPT,
-    "samples.js": SCRIPT,
-    "shown.js": SCRIPT,
-    "sizes.js": SCRIPT,
-    "stage.js": SCRIPT,
-    "strip.js": SCRIPT,
-    "style.css": CSS,
-    "talk.js": SCRIPT,
-    "theme.js": SCRIPT,
-    "tips.js": SCRIPT,
-    "trails.js": SCRIPT,
-    "transport.js": SCRIPT,
-    "uplot/LICENSE": TEXT,
-    "uplot/uplot.min.css": CSS,
-    "uplot/uplot.min.js": SCRIPT,
-    "view.js": SCRIPT,
-    ]
+    files! {
+        "address.js" "alone.js" "away.js" "board-model.js" "board.js" "charts.js" "controls.js"
+        "demonstration.js" "diagram.js" "dom.js" "editor-card.js" "editor-handles.js"
+        "editor-model.js" "editor-pen.js" "editor.css" "editor.js" "events.js" "felt.js" "files.js"
+        "first.css" "forces.js" "frame.js" "gallery.js" "grip.js" "ground.js" "handle.js" "icon.svg"
+        "index.html" "insertion.css" "insertion.js" "keys.js" "labels.js" "link.js" "main.js"
+        "object.js" "obstacles.js" "panels.css" "pointer.js" "reach.js" "readout.js" "samples.js"
+        "shown.js" "sizes.js" "stage.js" "strip.js" "style.css" "talk.js" "theme.js" "tips.js"
+        "trails.js" "transport.js" "uplot/LICENSE" "uplot/uplot.min.css" "uplot/uplot.min.js"
+        "view.js"
+    }
 });
+
+/// The media type of a file.
+fn kind(path: &str) -> &'static str {
+    match path.rsplit_once('.').map(|(_, end)| end) {
+        Some("html") => "text/html; charset=utf-8",
+        Some("css") => "text/css; charset=utf-8",
+        Some("js") => "text/javascript; charset=utf-8",
+        Some("svg") => "image/svg+xml",
+        _ => "text/plain; charset=utf-8",
+    }
+}
 
 /// The file at a path, gzip-compressed if the browser accepts that and it is shorter.
 pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
@@ -120,7 +74,7 @@ pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
     let served = file.served.get_or_init(|| file.serve());
     let packed = served.packed.as_deref().filter(|_| takes_gzip);
     Some(Found {
-        kind: file.kind,
+        kind: kind(file.path),
         bytes: packed.unwrap_or(&served.plain),
         is_packed: packed.is_some(),
     })
@@ -129,7 +83,7 @@ pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
 impl File {
     fn serve(&self) -> PageContent {
         let plain = match str::from_utf8(self.source) {
-            Ok(script) if self.kind == SCRIPT && !self.path.starts_with("/uplot/") => {
+            Ok(script) if self.path.ends_with(".js") && !self.path.starts_with("/uplot/") => {
                 without_comments(script).into_bytes().into()
             }
             _ => Cow::Borrowed(self.source),

@@ -17,7 +17,6 @@ pub(super) fn hurry() {
     let _ = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Min, policy);
 }
 
-/// Gives this thread priority over others from now on.
 #[cfg(not(unix))]
 pub(super) fn hurry() {
     // Without it, ticks are late more often under load.

@@ -30,7 +30,6 @@ const RATE: f64 = 1000.0;
 /// The hand of every tick, and the settings.
 #[derive(Debug)]
 pub(super) struct LiveRecording {
-    /// The scene file.
     pub(super) scene: String,
     /// The settings as read from that file.
     pub(super) setting: Setting,
@@ -66,10 +65,6 @@ impl LiveRecording {
         }
     }
 
-    /// Begins its file.
-    ///
-    /// # Errors
-    /// Fails if there is no place for it.
     pub(super) fn open(&mut self, archive: &Archive, maker: &Maker) -> Result<(), String> {
         let Setting {
             scene,
@@ -84,9 +79,6 @@ impl LiveRecording {
     }
 
     /// Reads the complete part of a recording from a file.
-    ///
-    /// # Errors
-    /// Fails if it cannot be read, or is not a live recording of this program.
     pub(super) fn read(place: &Path) -> Result<Self, String> {
         let mut reader = Recording::open(place).map_err(|error| error.to_string())?;
         let Head {
@@ -138,7 +130,6 @@ impl LiveRecording {
         })
     }
 
-    /// Its file.
     pub(super) fn place(&self) -> &Path {
         &self.place
     }
@@ -266,9 +257,6 @@ impl LiveRecording {
     }
 
     /// The trace: the answers in its file.
-    ///
-    /// # Errors
-    /// Fails if the file is missing, or there is no room for another one.
     pub(super) fn trace(&self) -> Result<File, String> {
         let mut reader = Recording::open(&self.place).map_err(|error| error.to_string())?;
         let file = tempfile::tempfile().map_err(|error| error.to_string())?;
@@ -283,10 +271,6 @@ impl LiveRecording {
         Ok(file)
     }
 
-    /// Opens its file.
-    ///
-    /// # Errors
-    /// Fails if it is missing.
     pub(super) fn file(&self) -> Result<File, String> {
         let opened = stiction_scene::text::open(&self.place, u64::MAX);
         opened.map_err(|problem| format!("{}: {problem}", self.place.display()))

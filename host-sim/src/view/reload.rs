@@ -21,7 +21,6 @@ const EVERY: Duration = Duration::from_millis(400);
 /// The content of the file, or why it cannot be read.
 type Content = Result<Vec<u8>, String>;
 
-/// A file that is followed.
 pub(super) struct Watch {
     pub(super) file: PathBuf,
     pub(super) number: Number,
@@ -31,7 +30,6 @@ pub(super) struct Watch {
     pub(super) notes: SyncSender<String>,
 }
 
-/// Follows a file from now on.
 pub(super) fn begin(watch: Watch) {
     thread::spawn(move || watch.go());
 }

@@ -15,7 +15,6 @@ const PERIODS: u32 = 1000;
 /// Maximum number of requests that wait for the answer to a change.
 const MOST_WAITING: usize = 64;
 
-/// A board, with its pending request.
 #[derive(Debug)]
 pub(super) struct Remote {
     board: LiveBoard,
@@ -43,12 +42,10 @@ impl Remote {
         }
     }
 
-    /// The identity of the board.
     pub(super) const fn identity(&self) -> &Identity {
         &self.board.identity
     }
 
-    /// Returns whether a change is in progress.
     pub(super) const fn is_busy(&self) -> bool {
         self.asked.is_some()
     }

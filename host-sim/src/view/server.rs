@@ -37,7 +37,6 @@ const AT_ONCE: usize = 4 << 10;
 /// A file is sent in pieces of this size (bytes).
 const PIECE: usize = 64 << 10;
 
-/// Data that every client needs.
 pub(super) struct Hub {
     pub(super) feed: Arc<SharedFeed>,
     pub(super) orders: mpsc::Sender<Order>,
@@ -259,45 +258,57 @@ pub(super) fn problem(status: StatusCode, text: &str) -> Response {
 mod tests {
     use super::*;
 
-    fn own(host: &'static str, origin: Option<&'static str>) -> bool {
-        let mut headers = HeaderMap::new();
-        headers.insert(header::HOST, HeaderValue::from_static(host));
-        if let Some(origin) = origin {
-            headers.insert(header::ORIGIN, HeaderValue::from_static(origin));
-        }
-        own_place(&headers).is_some()
-    }
-
-    #[test]
-    fn the_own_page_and_programs_may_ask() {
-        assert!(own("127.0.0.1:8405", None));
-        assert!(own("127.0.0.1:8405", Some("http://127.0.0.1:8405")));
-        assert!(own("localhost:8405", Some("http://localhost:8405")));
-        assert!(own("[::1]:8405", Some("http://[::1]:8405")));
-    }
-
-    #[test]
-    fn other_pages_and_foreign_names_of_this_host_may_not() {
-        assert!(!own("127.0.0.1:8405", Some("http://127.0.0.1:80")));
-        assert!(!own("127.0.0.1:8405", Some("http://example.org")));
-        assert!(!own("127.0.0.1:8405", Some("https://127.0.0.1:8405")));
-        assert!(!own("127.0.0.1:8405", Some("null")));
-        let fetched = |site, mode| {
-            let mut headers = HeaderMap::new();
-            headers.insert(header::HOST, HeaderValue::from_static("127.0.0.1:8405"));
-            headers.insert(FETCH_SITE, HeaderValue::from_static(site));
-            headers.insert(FETCH_MODE, HeaderValue::from_static(mode));
-            own_place(&headers).is_some()
+    fn own(fields: &[(HeaderName, &'static str)]) -> bool {
+        let field = |(name, value): &(HeaderName, &'static str)| {
+            (name.clone(), HeaderValue::from_static(value))
         };
+        own_place(&fields.iter().map(field).collect()).is_some()
+    }
+
+    #[test]
+    fn the_own_page_and_programs_may_ask_and_others_may_not() {
+        let asks = |host, origin: Option<&'static str>| {
+            let origin = origin.map(|origin| (header::ORIGIN, origin));
+            own(&[(header::HOST, host)]
+                .into_iter()
+                .chain(origin)
+                .collect::<Vec<_>>())
+        };
+        for (host, origin) in [
+            ("127.0.0.1:8405", None),
+            ("127.0.0.1:8405", Some("http://127.0.0.1:8405")),
+            ("localhost:8405", Some("http://localhost:8405")),
+            ("[::1]:8405", Some("http://[::1]:8405")),
+        ] {
+            assert!(asks(host, origin), "{host} {origin:?}");
+        }
+        for (host, origin) in [
+            ("127.0.0.1:8405", Some("http://127.0.0.1:80")),
+            ("127.0.0.1:8405", Some("http://example.org")),
+            ("127.0.0.1:8405", Some("https://127.0.0.1:8405")),
+            ("127.0.0.1:8405", Some("null")),
+            // A foreign name that was made to resolve to this computer.
+            ("example.org:8405", Some("http://example.org:8405")),
+            ("example.org", None),
+            // Text that would be another part of the policy.
+            ("127.0.0.1:80; script-src *", None),
+            ("[::1]:x", None),
+            ("[127.0.0.1]", None),
+            ("127.0.0.1:", None),
+        ] {
+            assert!(!asks(host, origin), "{host} {origin:?}");
+        }
         // A picture or a script of another page, and a link in it.
-        assert!(!fetched("cross-site", "no-cors") && !fetched("same-site", "no-cors"));
-        assert!(fetched("cross-site", "navigate") && fetched("same-origin", "cors"));
-        // A foreign name that was made to resolve to this computer.
-        assert!(!own("example.org:8405", Some("http://example.org:8405")));
-        assert!(!own("example.org", None));
-        // Text that would be another part of the policy.
-        assert!(!own("127.0.0.1:80; script-src *", None) && !own("[::1]:x", None));
-        assert!(!own("[127.0.0.1]", None) && !own("127.0.0.1:", None));
+        for (site, mode, may) in [
+            ("cross-site", "no-cors", false),
+            ("same-site", "no-cors", false),
+            ("cross-site", "navigate", true),
+            ("same-origin", "cors", true),
+        ] {
+            let host = (header::HOST, "127.0.0.1:8405");
+            let fetched = own(&[host, (FETCH_SITE, site), (FETCH_MODE, mode)]);
+            assert_eq!(fetched, may, "{site} {mode}");
+        }
     }
 
     #[test]

@@ -42,13 +42,11 @@ pub(super) fn places() -> Arc<Semaphore> {
     Arc::new(Semaphore::new(AT_ONCE))
 }
 
-/// The name of an uploaded file.
 #[derive(Deserialize)]
 pub(super) struct Name {
     pub(super) name: String,
 }
 
-/// Receives a path.
 pub(super) async fn upload(
     State(hub): State<Arc<Hub>>,
     name: Result<Query<Name>, QueryRejection>,
@@ -119,7 +117,6 @@ pub(super) async fn received(
     Ok((place, bytes))
 }
 
-/// Receives all pieces.
 async fn gathered(body: Body, largest: usize) -> Result<Vec<u8>, Refusal> {
     let (mut bytes, mut pieces) = (Vec::new(), body.into_data_stream());
     loop {

@@ -19,9 +19,7 @@ use stiction_scene::SceneFile;
 use wasm_bindgen::prelude::*;
 use web_time::{Duration, Instant};
 
-/// The initial scene.
 const SCENE: &str = "box-flat";
-/// The number of the only client.
 const CLIENT: u32 = 1;
 /// Frames per second, unless the page requests another rate.
 const RATE: f64 = 60.0;

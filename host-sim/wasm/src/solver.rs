@@ -4,9 +4,8 @@ use js_sys::{Array, Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array
 use stiction_core::{StateKind, Status};
 use stiction_live::guide::HandPose;
 use stiction_live::number::{Number, parse_evolution, parse_number};
-use stiction_live::record::{Frame, Run, Scenery};
+use stiction_live::record::{Frame, Run};
 use stiction_live::session::Session;
-use stiction_live::trace::Record;
 use stiction_scene::Sample;
 use wasm_bindgen::prelude::*;
 
@@ -36,8 +35,7 @@ extern "C" {
 #[derive(Clone)]
 pub struct Solver {
     session: Session,
-    scenery: Scenery,
-    number: Number,
+    run: Run,
 }
 
 #[wasm_bindgen]
@@ -60,8 +58,7 @@ impl Solver {
         let session = Session::new(&scene, number, evolution, budget);
         Ok(Self {
             session: session.map_err(|error| JsError::new(&error.to_string()))?,
-            scenery: Run::of(&scene, number, evolution).scenery(),
-            number,
+            run: Run::of(&scene, number, evolution),
         })
     }
 
@@ -78,8 +75,7 @@ impl Solver {
     ) -> Result<FrameObject, JsError> {
         let sample = sample(t.unwrap_or(0.0), [x, y, phi], held.unwrap_or(true));
         let frame = self.session.step(&sample);
-        let record = Record::new(&frame, &self.scenery, self.number.is_single());
-        let text = serde_json::to_string(&record)?;
+        let text = serde_json::to_string(&self.run.record(&frame))?;
         let object = JSON::parse(&text).map_err(|_| JsError::new("no JSON"))?;
         Ok(object.unchecked_into())
     }
@@ -113,7 +109,7 @@ impl Solver {
     /// The number type: `"f32"`, `"f64"` or `"fixed"`.
     #[wasm_bindgen(getter)]
     pub fn number(&self) -> String {
-        self.number.name().to_owned()
+        self.run.number.name().to_owned()
     }
 }
 
@@ -172,7 +168,6 @@ fn budget(value: &JsValue) -> Result<u32, JsError> {
     Err(JsError::new(&problem))
 }
 
-/// Answers column by column.
 #[derive(Debug, Default)]
 struct Table {
     t: Vec<f64>,

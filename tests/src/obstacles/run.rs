@@ -1,11 +1,10 @@
 //! The driver among obstacles: moves the hand through a scene and returns every answer as a frame for the judge.
 
 use super::scene::{Among, Model, SURFACES, Scene, VERTICES};
-use crate::laws::named;
 use crate::number::Number;
 use crate::run::planar;
 use stiction_core::{Evolution, Hand, Output, Solver, State};
-use stiction_judge::{Contact, Event, Frame, Status, Touch};
+use stiction_judge::{Contact, Frame, Touch};
 
 /// The pairs of touching features of a frame, in order.
 pub fn touches(frame: &Frame) -> Vec<Touch> {
@@ -68,7 +67,7 @@ fn frame<R: Number>(
     assert_eq!(forces.len(), touches.len(), "as many touches as contacts");
     let contact =
         |(force, touch): (&stiction_core::Contact<_>, &stiction_core::Touching<_>)| Contact {
-            touch: judged(touch.touch),
+            touch: touch.touch,
             point: wide(force.point),
             direction: Some(wide(touch.direction)),
             normal: R::wide(force.normal),
@@ -77,45 +76,19 @@ fn frame<R: Number>(
         };
     let pose = |[x, y]: [f64; 2], angle| [x, y, R::wide_angle(angle)];
     let [fx, fy] = wide(wrench.force);
-    let event = |event: &stiction_core::Event| named(Event::named, event.name());
     Frame {
         t: 0.0,
         hand: pose(wide(hand.position), hand.angle),
         held: output.held,
         pose: pose(wide(output.position), output.angle),
         depth: 0.0,
-        state: named(stiction_judge::State::named, output.state.name()),
+        state: output.state,
         contacts: forces.iter().zip(touches.iter()).map(contact).collect(),
         complete: true,
         wrench: [fx, fy, R::wide(wrench.moment)],
         slips: output.slips,
-        events: output.events().iter().map(event).collect(),
-        status: named(Status::named, output.status.name()),
+        events: output.events().to_vec(),
+        status: output.status,
         behind: None,
-    }
-}
-
-/// A pair of touching features for the judge.
-pub fn judged(touch: stiction_core::Touch) -> Touch {
-    match touch {
-        stiction_core::Touch::Surface { vertex, surface } => Touch::Surface { vertex, surface },
-        stiction_core::Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        } => Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        },
-        stiction_core::Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        } => Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        },
     }
 }

@@ -3,12 +3,11 @@
 use stiction_core::Evolution;
 use stiction_judge::{Bounds, Frame, Judge};
 use stiction_tests::Number;
-use stiction_tests::laws::evolution_of;
 use stiction_tests::obstacles::cases::{Case, all};
 use stiction_tests::obstacles::run::Run;
 
 fn is_lawful<R: Number>(case: &Case, evolution: Evolution, bounds: Bounds) -> bool {
-    let mut judge = Judge::new(case.among.judged::<R>(), bounds, evolution_of(evolution));
+    let mut judge = Judge::new(case.among.judged::<R>(), bounds, evolution);
     let mut run = Run::<R>::start(&case.among, evolution, case.hands[0]);
     let mut broken = Vec::new();
     for (i, &hand) in case.hands.iter().enumerate() {

@@ -171,7 +171,6 @@ impl Peg {
     }
 }
 
-/// A peg in the world.
 pub(crate) struct Placed {
     /// The unit vector along the peg, into the hole.
     pub(crate) axis: Vec2,

@@ -23,12 +23,10 @@ pub(crate) fn turned([x, y]: Vec2, angle: f64) -> Vec2 {
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-/// A point of the body in the world frame.
 pub(crate) fn placed([x, y, theta]: [f64; 3], point: Vec2) -> Vec2 {
     add([x, y], turned(point, theta))
 }
 
-/// A side of a polygon, counter-clockwise.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
     pub(crate) from: Vec2,

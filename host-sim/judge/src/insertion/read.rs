@@ -97,7 +97,6 @@ impl Insertion {
     }
 }
 
-/// The reactions of the walls on a peg, in its frame.
 struct Walls {
     /// The contacts whose normal points to the right of the insertion direction, and those to the left.
     right: Vec<Reaction>,

@@ -3,7 +3,9 @@
 
 use super::vertex::PLACES;
 use super::{Step, drive, static_excess};
-use crate::frame::{Contact, Evolution, State};
+use stiction_core::{Evolution, StateKind as State};
+
+use crate::frame::Contact;
 use crate::model::borne;
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
@@ -33,7 +35,7 @@ pub(super) fn count(step: &Step<'_>, contact: &Contact) -> Option<u32> {
     let before = step.last.contact(contact.touch)?;
     let chain = Chain {
         step,
-        foot: step.foot(contact),
+        foot: step.foot(contact.touch),
         spots: [step.spot(step.last, before), step.spot(step.next, contact)],
         face: step.one_friction(step.next)?,
         sign: step.direction(contact)?,
@@ -72,7 +74,6 @@ impl Chain<'_> {
         Some((pin(1.0).reaction(turn), turn))
     }
 
-    /// The start of the next slip, if there is one.
     fn begins(&self, link: Link, jumps: bool) -> Option<Option<Link>> {
         let part = |u: f64| link.part + (1.0 - link.part) * u;
         let excess = |u: f64| {
@@ -96,7 +97,6 @@ impl Chain<'_> {
         Some(Some(Link { part, turn, ..link }))
     }
 
-    /// The end of a slip.
     fn ends(&self, begin: Link) -> Option<Link> {
         let along = |from: Link, place: f64| {
             let (reaction, turn) = self.reaction(from, place, begin.part)?;

@@ -1,12 +1,13 @@
 //! Slips of two contacts (STATICS 4, 5): on one line, where only the sums of both count, and off it.
 
 use super::{Onset, Step, drive, static_excess};
+use stiction_core::Touch;
+
 use crate::brace::Brace;
 use crate::finding::Finding;
 use crate::frame::{Contact, Frame};
 use crate::model::borne;
 use crate::onset::Way;
-use crate::touch::Touch;
 use crate::vector::{Vec2, cross, dot, sub};
 
 impl<'a> Step<'a> {

@@ -4,12 +4,11 @@
 use std::borrow::{Borrow, Cow};
 
 use serde::{Deserialize, Deserializer};
+use stiction_core::{Event, StateKind as State, Status, Touch};
 
-use crate::frame::{Contact, Event, Frame, State, Status};
+use crate::frame::{Contact, EVENTS, Frame, STATUSES};
 use crate::scene::Scene;
-use crate::touch::Touch;
 
-/// A record with the keys of JSON.
 #[derive(Deserialize)]
 pub(super) struct Record<'a> {
     #[serde(deserialize_with = "number")]
@@ -77,30 +76,25 @@ impl Record<'_> {
             })
         };
         let contacts = self.contacts.iter().enumerate().map(contact);
-        let event = |name: &Cow<'_, str>| {
-            Event::named(name).ok_or_else(|| unknown("one of `events`", name, Event::NAMES))
-        };
-        let (state, status) = (&self.state, &self.status);
+        let event = |name: &Cow<'_, str>| named("one of `events`", name, EVENTS, Event::name);
         Ok(Frame {
             t: self.t,
             hand: self.hand.map(finite),
             held: self.held,
             pose: self.pose.map(finite),
             depth: self.depth,
-            state: State::named(state).ok_or_else(|| unknown("`state`", state, State::NAMES))?,
+            state: named("`state`", &self.state, State::ALL, State::name)?,
             contacts: contacts.collect::<Result<_, String>>()?,
             complete: !self.more_contacts,
             wrench: self.wrench.map(finite),
             slips: self.slips,
             events: self.events.iter().map(event).collect::<Result<_, _>>()?,
-            status: Status::named(status)
-                .ok_or_else(|| unknown("`status`", status, Status::NAMES))?,
+            status: named("`status`", &self.status, STATUSES, Status::name)?,
             behind: self.behind,
         })
     }
 }
 
-/// The sign of the slide of a contact.
 fn sliding(contact: usize, sign: i64) -> Result<i8, String> {
     match sign {
         -1..=1 => Ok(sign as i8),
@@ -108,6 +102,17 @@ fn sliding(contact: usize, sign: i64) -> Result<i8, String> {
             "`sliding` of contact {contact} is {sign}, allowed: -1, 0, 1"
         )),
     }
+}
+
+/// The item with this name.
+fn named<T: Copy, const N: usize>(
+    what: &str,
+    given: &str,
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> Result<T, String> {
+    let found = all.into_iter().find(|item| name(*item) == given);
+    found.ok_or_else(|| unknown(what, given, &all.map(name)))
 }
 
 fn unknown<S: Borrow<str>>(what: &str, name: &str, known: &[S]) -> String {

@@ -9,12 +9,11 @@ use std::io::{self, BufReader, Read};
 use std::rc::Rc;
 
 use csv::{Reader, StringRecord};
+use stiction_core::StateKind as State;
 
 use super::record::{Entry, Names, Record};
 use super::{LONGEST_RECORD, Line};
-use crate::frame::State;
 
-/// Contacts in a row.
 const CONTACTS: usize = 4;
 
 /// The index of a column; `None` if an optional column is absent.
@@ -140,7 +139,6 @@ impl Rows {
         })
     }
 
-    /// The next row, with its line.
     pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
         self.left.set(LONGEST_RECORD);
         match self.reader.read_record(&mut self.row) {

@@ -2,12 +2,9 @@
 
 use std::fmt::Display;
 
-use stiction_core::{
-    Evolution as Way, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, narrow_hand,
-};
-use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Scene, Status};
+use stiction_core::{Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, narrow_hand};
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Scene};
 use stiction_scene::{Among, HostModel, HostSolver, Indices, Motion, SceneFile, Source};
-use stiction_tests::obstacles::run::judged;
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,14 +40,10 @@ pub(crate) struct Truth {
 /// The solver's answers to the hand of a scene file.
 pub(crate) fn truth(name: &str, text: &str, number: Number, evolution: Evolution) -> Truth {
     let file = SceneFile::parse(Source::new(name, text), f64::from(f32::MAX)).expect("a scene");
-    let way = match evolution {
-        Evolution::Path => Way::Path,
-        Evolution::Frame => Way::Frame,
-    };
     let frames = match number {
-        Number::Double => of_number::<f64>(&file, way),
-        Number::Single => of_number::<f32>(&file, way),
-        Number::Fixed => of_number::<Fixed>(&file, way),
+        Number::Double => of_number::<f64>(&file, evolution),
+        Number::Single => of_number::<f32>(&file, evolution),
+        Number::Fixed => of_number::<Fixed>(&file, evolution),
     };
     Truth {
         name: name.to_owned(),
@@ -61,20 +54,20 @@ pub(crate) fn truth(name: &str, text: &str, number: Number, evolution: Evolution
     }
 }
 
-fn of_number<R: Real<Si: SiFloat + Display>>(file: &SceneFile, way: Way) -> Vec<Frame> {
+fn of_number<R: Real<Si: SiFloat + Display>>(file: &SceneFile, evolution: Evolution) -> Vec<Frame> {
     if file.obstacles.is_empty() {
-        of_model::<R, Full>(file, way)
+        of_model::<R, Full>(file, evolution)
     } else {
-        of_model::<R, Among>(file, way)
+        of_model::<R, Among>(file, evolution)
     }
 }
 
 fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
     file: &SceneFile,
-    way: Way,
+    evolution: Evolution,
 ) -> Vec<Frame> {
     let (scene, indices) = M::scene::<R>(file).expect("a scene");
-    let solver: HostSolver<R, M> = Solver::new(scene, way);
+    let solver: HostSolver<R, M> = Solver::new(scene, evolution);
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {
         panic!("a scene with keyframes");
     };
@@ -118,7 +111,7 @@ fn printed_frame<R: Real<Si: SiFloat + Display>, M: HostModel>(
         };
         let touch = touching.map_or(of_surface, |touching| touching.touch);
         Contact {
-            touch: judged(indices.map_or(touch, |indices| indices.touch(touch))),
+            touch: indices.map_or(touch, |indices| indices.touch(touch)),
             point: contact.point.map(printed),
             direction: touching.map(|touching| touching.direction.map(printed)),
             normal: printed(contact.normal),
@@ -127,22 +120,21 @@ fn printed_frame<R: Real<Si: SiFloat + Display>, M: HostModel>(
         }
     };
     let (hand, wrench) = (state.hand(), solver.wrench(state));
-    let event = |event: &stiction_core::Event| Event::named(event.name()).expect("an event");
     Frame {
         t,
         hand: placed(hand.position, hand.angle.radians()),
         held: output.held,
         pose: placed(output.position, output.angle.radians()),
         depth: printed(output.depth),
-        state: stiction_judge::State::named(output.state.name()).expect("a state"),
+        state: output.state,
         contacts: (solver.contacts(state).iter().enumerate())
             .map(contact)
             .collect(),
         complete: true,
         wrench: placed(wrench.force, wrench.moment),
         slips: output.slips,
-        events: output.events().iter().map(event).collect(),
-        status: Status::named(output.status.name()).expect("a status"),
+        events: output.events().to_vec(),
+        status: output.status,
         behind: None,
     }
 }

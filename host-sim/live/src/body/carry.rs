@@ -15,9 +15,6 @@ pub(super) struct Begun<R: Real, M: HostModel> {
 }
 
 /// Returns the body of `present` in a scene.
-///
-/// # Errors
-/// Why it cannot be there, and what is allowed.
 pub(super) fn carried<R: Real<Si: SiFloat>, M: HostModel>(
     written: &WrittenScene,
     evolution: Evolution,

@@ -88,7 +88,6 @@ impl Solids<'_> {
         shapes.filter(|shape| shape.points.len() > 2).collect()
     }
 
-    /// Returns the part of the window behind a surface.
     fn behind(&self, surface: &SurfaceInfo) -> Vec<Point> {
         clip(&self.window.corners(), |point| -height(surface, point))
     }
@@ -109,7 +108,6 @@ impl Solids<'_> {
         shapes
     }
 
-    /// Adds a piece of a surface's border.
     fn surface_border(&self, surface: &SurfaceInfo, points: &[Point], shapes: &mut Vec<Shape>) {
         let [nx, ny] = surface.normal;
         let along = points.iter().map(|(x, y)| (ny * x - nx * y, 0.0));
@@ -256,7 +254,6 @@ fn height(surface: &SurfaceInfo, (x, y): Point) -> f64 {
     surface.normal[0] * x + surface.normal[1] * y - surface.offset
 }
 
-/// Returns the sides of a polygon.
 fn sides(polygon: &[Point]) -> impl Iterator<Item = [Point; 2]> + '_ {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).map(|(&from, &to)| [from, to])

@@ -11,7 +11,7 @@ use crate::feed::{Latest, Shown};
 use crate::free::Springs;
 use crate::meter;
 use crate::pair::{Comparison, SlipMark};
-use crate::record::{Frame, Names, Scenery};
+use crate::record::Frame;
 use crate::trace::Record;
 
 /// Largest number of ticks in a strip.
@@ -100,10 +100,7 @@ impl News {
     pub fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
-        let scenery = Scenery {
-            names: Names::of(&scene.surfaces, &scene.obstacles),
-            meter: latest.meter.as_deref().cloned(),
-        };
+        let (meter, single) = (latest.meter.as_deref(), latest.number.is_single());
         let springs = Springs::of(scene, &latest.frame);
         let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
         let strip = self
@@ -114,7 +111,7 @@ impl News {
             r#type: "frame",
             tick: latest.tick,
             skipped,
-            frame: Record::new(&latest.frame, &scenery, latest.number.is_single()),
+            frame: Record::new(&latest.frame, scene, meter, single),
             holding: springs.holding,
             ghost: springs.ghost,
             small_angles: Formulas::of(latest),
@@ -135,8 +132,8 @@ fn strip(frame: &Frame, [surfaces, obstacles]: [usize; 2]) -> Vec<f64> {
     let mut row = vec![0.0; 1 + 2 * (surfaces + obstacles)];
     row[0] = frame.t;
     for contact in &frame.contacts {
-        let of_obstacle = contact.obstacle().map(|k| surfaces + k);
-        let Some(solid) = contact.surface().or(of_obstacle) else {
+        let of_obstacle = contact.touch.obstacle().map(|k| surfaces + k);
+        let Some(solid) = contact.touch.surface().or(of_obstacle) else {
             continue;
         };
         let place = 1 + 2 * solid;

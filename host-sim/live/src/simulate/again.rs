@@ -13,7 +13,6 @@ pub trait Contacts: Send + Sync {
     fn each(&self, take: &mut dyn FnMut(&[ContactRecord]));
 }
 
-/// A run at its start, and its hand samples.
 struct Again<R: Shared, M: HostModel> {
     start: Running<R, M>,
     hands: Vec<Hand<R::Si>>,

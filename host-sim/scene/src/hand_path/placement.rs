@@ -63,17 +63,12 @@ impl Placement {
     }
 }
 
-/// Rows of numbers, placed one after another.
 pub(crate) struct Placed {
     live: LivePlacement,
     pub(crate) samples: Vec<Sample>,
 }
 
 impl Placed {
-    /// An empty list.
-    ///
-    /// # Errors
-    /// The plane is invalid.
     pub(crate) fn new(placement: &Placement) -> Result<Self, &'static str> {
         let live = placement.live();
         Ok(Self {
@@ -83,9 +78,6 @@ impl Placed {
     }
 
     /// Adds the sample of a row.
-    ///
-    /// # Errors
-    /// The pose is unusable: the error states the problem and what is allowed.
     pub(crate) fn add(&mut self, row: &Row) -> Result<(), String> {
         let LivePlacement {
             placement,

@@ -17,7 +17,6 @@ const HELD: &str = "held";
 /// 3.1 KB. A comment may follow.
 const LONGEST_LINE: usize = 4096;
 
-/// The pose of a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum RowPose {
     /// x, y (m), phi (rad)
@@ -26,7 +25,6 @@ pub(crate) enum RowPose {
     Spatial(TrackerSample<f64>),
 }
 
-/// One record with its line, counted from 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     pub(crate) line: usize,
@@ -35,7 +33,6 @@ pub(crate) struct Row {
     pub(crate) held: bool,
 }
 
-/// The format of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Format {
     Csv,
@@ -69,7 +66,6 @@ impl Format {
     }
 }
 
-/// The meaning of a file's columns.
 #[derive(Clone, Copy, Debug)]
 struct Columns {
     pose: &'static [&'static str],
@@ -168,9 +164,6 @@ impl<'a, R: BufRead> Records<'a, R> {
     }
 
     /// The next record and its line; `None` after the last one. There is at least one.
-    ///
-    /// # Errors
-    /// The line is unusable, or there is no record at all.
     pub(super) fn next(&mut self) -> Result<Option<(Row, &str)>, InputError> {
         loop {
             let number = self.lines.number() + 1;
@@ -225,7 +218,6 @@ impl<'a, R: BufRead> Records<'a, R> {
         Ok(Some(row))
     }
 
-    /// The end of the file.
     fn end<T>(&self) -> Result<Option<T>, InputError> {
         let problem = match (self.before, self.columns) {
             (Some(_), _) => return Ok(None),

@@ -9,9 +9,8 @@ use stiction_live::thumbnail::thumbnail;
 use stiction_scene::Source;
 
 use crate::module::{For, Module, workspace};
-use crate::{BuildError, of};
+use crate::{Built, of};
 
-/// A name and bytes.
 pub(crate) type File = (String, Vec<u8>);
 
 /// Whether a file is for the tools of the page, and not part of it.
@@ -27,14 +26,12 @@ const WHOLE: &str = "stiction_whole";
 /// A mark that tells the page that it contains the solver itself.
 const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 
-/// The parts of the page.
 #[derive(Debug)]
 pub(crate) struct Page {
     /// The files of `host-sim/web`.
     pub(crate) web: Vec<File>,
     /// Names and pictures of the scenes.
     pub(crate) pictures: Vec<(String, String)>,
-    /// The worker's script.
     worker: Vec<u8>,
     part: Bound,
     pub(crate) whole: Bound,
@@ -48,7 +45,7 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    fn new(module: &Module, name: &'static str) -> Result<Self, BuildError> {
+    fn new(module: &Module, name: &'static str) -> Built<Self> {
         let mut bound = Self::default();
         for (name, bytes) in module.bound(For::Worker(name))? {
             match name.ends_with(".js") {
@@ -62,7 +59,7 @@ impl Bound {
 
 impl Page {
     /// The page with both modules.
-    pub(crate) fn new(part: &Module, whole: &Module) -> Result<Self, BuildError> {
+    pub(crate) fn new(part: &Module, whole: &Module) -> Built<Self> {
         let folder = workspace().join("host-sim/web");
         let mut web = Vec::new();
         gather(&folder, "", &mut web)?;
@@ -74,7 +71,7 @@ impl Page {
             if name == "index.html" {
                 let text = String::from_utf8_lossy(bytes);
                 if !text.contains(MARK.0) {
-                    return Err(BuildError::Page(format!("index.html has no {:?}", MARK.0)));
+                    return Err(format!("index.html has no {:?}", MARK.0).into());
                 }
                 *bytes = text.replacen(MARK.0, MARK.1, 1).into_bytes();
             }
@@ -116,17 +113,16 @@ impl Page {
     }
 }
 
-/// The pictures of the bundled scenes.
-fn pictures() -> Result<Vec<(String, String)>, BuildError> {
+fn pictures() -> Built<Vec<(String, String)>> {
     let picture = |&(name, text): &(&str, &str)| {
         let svg = thumbnail(&Source::new(format!("{name}.toml"), text));
-        let svg = svg.map_err(|error| BuildError::Page(error.to_string()))?;
+        let svg = svg.map_err(|error| error.to_string())?;
         Ok((name.to_owned(), svg))
     };
     scenes::ALL.iter().map(picture).collect()
 }
 
-fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), BuildError> {
+fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Built<()> {
     for entry in fs::read_dir(folder).map_err(of(folder))? {
         let place = entry.map_err(of(folder))?.path();
         let name = place.file_name().unwrap_or_default().to_string_lossy();
@@ -142,8 +138,7 @@ fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), Buil
     Ok(())
 }
 
-/// The files of the npm package.
-pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
+pub(crate) fn package(module: &Module) -> Built<Vec<File>> {
     let wasm = workspace().join("host-sim/wasm");
     let mut files = module.bound(For::Package)?;
     gather(&wasm.join("npm"), "", &mut files)?;
@@ -168,9 +163,7 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
             let text = String::from_utf8_lossy(bytes);
             let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
             if !text.contains(NO_VERSION) {
-                return Err(BuildError::Page(format!(
-                    "package.json has no {NO_VERSION}"
-                )));
+                return Err(format!("package.json has no {NO_VERSION}").into());
             }
             *bytes = text.replacen(NO_VERSION, version, 1).into_bytes();
         }
@@ -178,8 +171,7 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
     Ok(files)
 }
 
-/// Writes files into a folder.
-pub(crate) fn write(folder: &Path, files: &[File]) -> Result<(), BuildError> {
+pub(crate) fn write(folder: &Path, files: &[File]) -> Built<()> {
     for (name, bytes) in files {
         let place = folder.join(name);
         let parent = place.parent().unwrap_or(folder);

@@ -12,13 +12,14 @@ mod folder;
 mod module;
 mod one_file;
 
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use module::{Extent, Module};
+use module::Module;
 
 /// What is built, and where.
 #[derive(Debug, Parser)]
@@ -32,34 +33,12 @@ struct Arguments {
     npm: Option<PathBuf>,
 }
 
-/// Why the build failed.
-#[derive(Debug, thiserror::Error)]
-enum BuildError {
-    /// The compiler failed and printed the reason.
-    #[error("cargo failed; if the target is missing: rustup target add wasm32-unknown-unknown")]
-    Cargo,
-    /// wasm-bindgen rejects the compiler's output.
-    #[error("wasm-bindgen: {0}")]
-    Bindgen(String),
-    /// A file cannot be read or written.
-    #[error("{}: {error}", .place.display())]
-    File {
-        /// Its path.
-        place: PathBuf,
-        /// The system's error.
-        error: io::Error,
-    },
-    /// A file of the page does not have the form that this program expects.
-    #[error("{0}")]
-    Page(String),
-}
+/// What is built, or why it is not.
+type Built<T> = Result<T, Box<dyn Error>>;
 
 /// Adds the path of the file.
-fn of(place: &Path) -> impl Fn(io::Error) -> BuildError + '_ {
-    |error| BuildError::File {
-        place: place.to_owned(),
-        error,
-    }
+fn of(place: &Path) -> impl Fn(io::Error) -> String + '_ {
+    |error| format!("{}: {error}", place.display())
 }
 
 fn main() -> ExitCode {
@@ -72,10 +51,11 @@ fn main() -> ExitCode {
     }
 }
 
-fn build(arguments: &Arguments) -> Result<(), BuildError> {
-    let whole = Module::compile(Extent::Whole)?;
+fn build(arguments: &Arguments) -> Built<()> {
+    let whole = Module::compile("whole.wasm", &[])?;
     if let Some(out) = &arguments.out {
-        let part = Module::compile(Extent::Part)?;
+        // For scenes without obstacles.
+        let part = Module::compile("part.wasm", &["--no-default-features"])?;
         let page = folder::Page::new(&part, &whole)?;
         folder::write(out, &page.files())?;
         let one = one_file::page(&page)?;

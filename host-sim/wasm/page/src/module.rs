@@ -6,25 +6,15 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::{BuildError, of};
+use crate::{Built, of};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// A profile of the workspace.
 const PROFILE: &str = "wasm";
 
-/// The compiled module.
 #[derive(Debug)]
 pub(crate) struct Module {
     file: PathBuf,
-}
-
-/// How much of the solver it contains.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Extent {
-    /// For scenes without obstacles.
-    Part,
-    /// The whole solver.
-    Whole,
 }
 
 /// The environment it is for; the code is the same for both.
@@ -36,20 +26,15 @@ pub(crate) enum For {
     Package,
 }
 
-/// The workspace.
 pub(crate) fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
 }
 
 impl Module {
-    /// Compiles the module.
-    pub(crate) fn compile(extent: Extent) -> Result<Self, BuildError> {
+    /// Compiles the whole solver, or a part of it, to a file of this name.
+    pub(crate) fn compile(name: &str, features: &[&str]) -> Built<Self> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);
-        let (name, features): (_, &[&str]) = match extent {
-            Extent::Part => ("part.wasm", &["--no-default-features"]),
-            Extent::Whole => ("whole.wasm", &[]),
-        };
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let done = Command::new(cargo)
             .args(["build", "--locked", "--package", "stiction-wasm"])
@@ -59,7 +44,9 @@ impl Module {
             .current_dir(workspace())
             .status();
         if !done.is_ok_and(|status| status.success()) {
-            return Err(BuildError::Cargo);
+            let problem =
+                "cargo failed; if the target is missing: rustup target add wasm32-unknown-unknown";
+            return Err(problem.into());
         }
         let folder = target.join(TARGET).join(PROFILE);
         // The next one is built at the same path.
@@ -69,8 +56,8 @@ impl Module {
     }
 
     /// The files that wasm-bindgen writes for an environment: names and bytes.
-    pub(crate) fn bound(&self, whom: For) -> Result<Vec<(String, Vec<u8>)>, BuildError> {
-        let refused = |error: &dyn std::fmt::Display| BuildError::Bindgen(error.to_string());
+    pub(crate) fn bound(&self, whom: For) -> Built<Vec<(String, Vec<u8>)>> {
+        let refused = |error: &dyn std::fmt::Display| format!("wasm-bindgen: {error}");
         let mut bindgen = Bindgen::new();
         bindgen
             .input_path(&self.file)

@@ -10,14 +10,14 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde_json::{Map, Value, json};
 
-use crate::BuildError;
+use crate::Built;
 use crate::folder::{File, Page};
 
 /// The prefix of a module's name in the import map.
 const BARE: &str = "stiction/";
 
 /// The page.
-pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
+pub(crate) fn page(all: &Page) -> Built<String> {
     let files = all.web.as_slice();
     let mut page = text(files, "index.html")?;
     put(
@@ -71,7 +71,7 @@ fn scripts(
     files: &[File],
     mut modules: BTreeMap<String, String>,
     [packed, pictures]: [&Value; 2],
-) -> Result<String, BuildError> {
+) -> Built<String> {
     let main = modules.remove("main.js").unwrap_or_default();
     let imports: Map<String, Value> = modules
         .into_iter()
@@ -94,7 +94,7 @@ fn scripts(
 }
 
 /// The modules by name; they import each other by bare names.
-fn modules(files: &[File]) -> Result<BTreeMap<String, String>, BuildError> {
+fn modules(files: &[File]) -> Built<BTreeMap<String, String>> {
     let scripts = files
         .iter()
         .filter(|(name, _)| name.ends_with(".js") && !name.contains('/'));
@@ -106,40 +106,37 @@ fn modules(files: &[File]) -> Result<BTreeMap<String, String>, BuildError> {
         .collect()
 }
 
-fn find<'a>(files: &'a [File], name: &str) -> Result<&'a [u8], BuildError> {
+fn find<'a>(files: &'a [File], name: &str) -> Built<&'a [u8]> {
     let found = files.iter().find(|(known, _)| known == name);
-    let found = found.ok_or_else(|| BuildError::Page(format!("there is no {name}")))?;
+    let found = found.ok_or_else(|| format!("there is no {name}"))?;
     Ok(&found.1)
 }
 
-fn text(files: &[File], name: &str) -> Result<String, BuildError> {
+fn text(files: &[File], name: &str) -> Built<String> {
     Ok(String::from_utf8_lossy(find(files, name)?).into_owned())
 }
 
 /// Replaces a part of the page.
-fn put(page: &mut String, part: &str, other: &str) -> Result<(), BuildError> {
+fn put(page: &mut String, part: &str, other: &str) -> Built<()> {
     if !page.contains(part) {
-        return Err(BuildError::Page(format!("index.html has no {part}")));
+        return Err(format!("index.html has no {part}").into());
     }
     *page = page.replacen(part, other, 1);
     Ok(())
 }
 
-fn element(name: &str, content: &str) -> Result<String, BuildError> {
+fn element(name: &str, content: &str) -> Built<String> {
     Ok(format!("<{name}>{}</{name}>", closed(content)?))
 }
 
 /// Content of an element, checked not to end it.
-fn closed(content: &str) -> Result<&str, BuildError> {
+fn closed(content: &str) -> Built<&str> {
     match content.contains("</s") {
-        true => Err(BuildError::Page(
-            "a script or style has </s in it".to_owned(),
-        )),
+        true => Err("a script or style has </s in it".into()),
         false => Ok(content),
     }
 }
 
-/// The compressed bytes, as text.
 fn packed(bytes: &[u8]) -> String {
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
     // Writing to memory cannot fail.
