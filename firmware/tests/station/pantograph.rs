@@ -188,10 +188,10 @@ fn a_motor_that_fails_is_off_until_everything_is_reset() {
     *bed.motors[1].broken.borrow_mut() = false;
     for _ in 0..50 {
         assert_eq!(bed.at(DEEP), Wrench::default());
-        assert!(bed.is_off() && bed.rig.pose().force_off);
+        let pose = bed.rig.pose();
+        assert!(bed.is_off() && pose.force_off);
+        assert_eq!(pose.status, Status::Ok, "the pose goes on");
     }
-    let pose = bed.rig.pose();
-    assert_eq!(pose.status, Status::Ok, "the pose goes on");
     assert_eq!(bed.rig.health().drive, Drive::Latched);
     for refused in [Command::Reset(Reset::Body), Command::Mode(Mode::DEFAULT)] {
         assert_eq!(bed.rig.ask(refused).reason, Reason::NotNow);
