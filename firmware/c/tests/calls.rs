@@ -60,33 +60,15 @@ fn init(memory: &mut Memory, surfaces: &[Surface], error: *mut Error) -> Result 
     stiction_init(memory, size_of::<Memory>(), ABI, &scene(surfaces), error)
 }
 
-fn answers(memory: &mut Memory, hand: &Hand) -> Vec<u32> {
+/// The outputs of a step, to the last bit.
+fn answers(memory: &mut Memory, hand: &Hand) -> String {
     let mut output = MaybeUninit::<Output>::uninit();
     assert_eq!(stiction_step(memory, hand, output.as_mut_ptr()), Result::Ok);
-    // SAFETY: it was written.
-    let output = unsafe { output.assume_init() };
     let mut wrench = MaybeUninit::<Wrench>::uninit();
     assert_eq!(stiction_wrench(memory, wrench.as_mut_ptr()), Result::Ok);
-    // SAFETY: it was written.
-    let Wrench { fx, fy, moment } = unsafe { wrench.assume_init() };
-    let numbers = [
-        output.x,
-        output.y,
-        output.theta,
-        output.longest_slip,
-        fx,
-        fy,
-        moment,
-    ];
-    let counts = [
-        output.slips,
-        output.work,
-        output.status as u32,
-        output.state as u32,
-    ];
-    let events = u32::from(output.event_count);
-    let bits = numbers.into_iter().map(f32::to_bits);
-    bits.chain(counts).chain([events]).collect()
+    // SAFETY: both were written.
+    let (output, wrench) = unsafe { (output.assume_init(), wrench.assume_init()) };
+    format!("{output:?} {wrench:?}")
 }
 
 /// Down, along with a turn, and up.
