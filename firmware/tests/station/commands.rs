@@ -211,7 +211,8 @@ fn parameters_that_are_no_numbers_for_them_are_refused() {
     let (nan, infinity) = (f32::NAN, f32::INFINITY);
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 30);
-    let cases: [(Parameter, f32, fn(&mut Parameters) -> &mut f32); 8] = [
+    type Place = fn(&mut Parameters) -> &mut f32;
+    let cases: [(Parameter, f32, Place); 8] = [
         (StiffnessTranslation, 0.0, |p| &mut p.stiffness_translation),
         (StiffnessTranslation, -1.0, |p| &mut p.stiffness_translation),
         (StiffnessTranslation, nan, |p| &mut p.stiffness_translation),
