@@ -43,7 +43,6 @@ const TOLERANCE: u32 = 4;
 /// The longest command line, and the longest file name in it.
 const LINE: usize = 256;
 
-/// The files of the host that the command line names.
 struct HostFiles {
     job: File,
     results: File,
@@ -81,7 +80,6 @@ pub fn count_in_model<R: Real<Si = f32>, const V: usize, const S: usize, M: Boar
     })
 }
 
-/// The counter, and the watch on the stack.
 struct Board {
     counter: Counter,
     watch: Option<Watch>,

@@ -10,13 +10,12 @@ use core::mem::size_of;
 use heapless::Vec;
 use stiction_core::{
     Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State,
-    SurfaceDescription,
 };
 use stiction_wire::{
     Command, CommandAmong, Decoder, EventSet, Events, Frame, List, Pose, Report, wire_bytes,
 };
 
-use crate::model::BoardModel;
+use crate::model::{BoardModel, NOWHERE};
 
 /// The longest message of a job (bytes): a scene of 4 vertices and 17 obstacles of 4 corners has 891.
 const LONGEST: usize = 1024;
@@ -129,16 +128,6 @@ pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     })
 }
 
-/// A place in a list that is to be filled.
-const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [0.0, 1.0],
-    offset: 0.0,
-    friction_static: 0.0,
-    friction_dynamic: 0.0,
-    memory: None,
-};
-
-/// The scene of a command.
 fn scene<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     command: &CommandAmong<'_>,
 ) -> Result<Scene<R, V, S, M>, Failure> {
@@ -160,7 +149,6 @@ fn scene<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     Ok(scene?)
 }
 
-/// The messages of a job, and those of its results.
 struct Job<'f, F> {
     files: &'f mut F,
     decoder: Decoder<LONGEST>,
@@ -223,7 +211,6 @@ impl<'f, F: Files> Job<'f, F> {
         hand.transpose()
     }
 
-    /// Adds a frame to the results.
     fn report(&mut self, instructions: u32, output: &Output<f32>) -> Result<(), Failure> {
         let events = output.events();
         let pose = Pose::new(output, EventSet::of(events), self.samples);
@@ -253,7 +240,6 @@ impl<'f, F: Files> Job<'f, F> {
         added.map_err(|_| Failure::File)
     }
 
-    /// Writes the results so far.
     fn flush(&mut self) -> Result<(), Failure> {
         self.files.write(&self.results)?;
         self.results.clear();

@@ -6,7 +6,7 @@ use core::fmt::Debug;
 use heapless::Vec;
 use stiction_core::{
     Description, MAX_CONTACTS, Model, ObstacleDescription, Parameter, Parts, Real, Scene,
-    SceneError, Solver, State, WithObstacles,
+    SceneError, Solver, State, SurfaceDescription, WithObstacles,
 };
 use stiction_wire::{
     Command, CommandAmong, ContactAmong, Forces, List, Message, ObstacleList, Parameters, Report,
@@ -153,6 +153,15 @@ struct Row {
     friction_dynamic: f32,
     memory: Option<f32>,
 }
+
+/// A place for a surface that is to be received.
+pub(crate) const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
+    normal: [0.0, 1.0],
+    offset: 0.0,
+    friction_static: 0.0,
+    friction_dynamic: 0.0,
+    memory: None,
+};
 
 const NO_OBSTACLE: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[],

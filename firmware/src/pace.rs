@@ -36,7 +36,6 @@ impl Pace {
     }
 }
 
-/// The period of a rate (µs).
 fn period(rate: u16) -> NonZero<u32> {
     let rate = NonZero::new(u32::from(rate)).unwrap_or(NonZero::<u32>::MIN);
     NonZero::new(1_000_000 / rate).unwrap_or(NonZero::<u32>::MIN)

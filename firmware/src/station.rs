@@ -279,7 +279,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         turn.force
     }
 
-    /// The sample that waits.
     fn arrived(&mut self, now_us: u32) -> Option<Sample> {
         let arrived = self.intake.take()?;
         self.stepped = self.stepped.wrapping_add(1);
@@ -291,7 +290,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         })
     }
 
-    /// The device's own sample.
     fn measured(&mut self, sample: Option<Sample>) -> Option<Sample> {
         let sample = sample?;
         let [number, _] = sample.number.to_le_bytes();

@@ -1,52 +1,51 @@
 //! A job of the instruction bench returns the solver's own answers; bytes that are not a job are refused.
 
+use crate::with;
 use stiction_core::{
-    Angle, Description, Evolution, Fixed, Full, Hand, Parameter, Real, Scene, Solver,
-    SurfaceDescription, Weightless,
+    Description, Evolution, Fixed, Full, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+    Weightless,
 };
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, Totals, run};
+use stiction_firmware::model::BoardModel;
+use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{Command, Decoder, EventSet, Frame, Mode, Pose, Report, SceneCommand};
 
 const SAMPLES: u32 = 100;
 const SURFACE: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [0.0, 1.0],
-    offset: 0.0,
-    friction_static: 0.5,
-    friction_dynamic: 0.3,
     memory: Some(1e-3),
+    ..FLOOR
 };
 const WALL: SurfaceDescription<f32> = SurfaceDescription {
     normal: [-1.0, 0.0],
     offset: -0.5,
-    memory: None,
-    ..SURFACE
+    ..FLOOR
 };
 const SCENE: Description<'static, f32> = Description {
-    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
     start: [0.01, 0.0727, 0.5],
     weight: 0.25,
-    holding_point: Some([0.0, 0.02]),
     reach: 0.01,
-    stiffness_translation: 500.0,
-    stiffness_rotation: 0.5,
     surfaces: &[SURFACE, WALL],
+    ..BOX
 };
 
-/// Files in memory.
 struct Memory {
     job: Vec<u8>,
     taken: usize,
     results: Vec<u8>,
 }
 
-impl Memory {
-    fn new(job: Vec<u8>) -> Self {
-        Self {
-            job,
-            taken: 0,
-            results: Vec::new(),
-        }
-    }
+/// Does a job with files in memory.
+fn done<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+    evolution: Option<Evolution>,
+    job: Vec<u8>,
+) -> Result<(Totals, Vec<u8>), Failure> {
+    let mut files = Memory {
+        job,
+        taken: 0,
+        results: Vec::new(),
+    };
+    let totals = run::<R, V, S, M>(evolution, u32::MAX, &mut files, &mut Calls(0))?;
+    Ok((totals, files.results))
 }
 
 /// Counts calls instead of instructions.
@@ -80,16 +79,9 @@ impl Instruments for Calls {
 /// Down onto the floor and along it, with some whole turns.
 fn hand(i: u32) -> Hand<f32> {
     let t = i as f32 / SAMPLES as f32;
-    Hand {
-        position: [0.05 * t, 0.09 - 0.05 * t],
-        angle: Angle {
-            turns: -3,
-            rest: 0.5 - t,
-        },
-        depth: 0.0,
-        held: i != 60,
-        tilted: false,
-    }
+    with(Hand::new(0.05 * t, 0.09 - 0.05 * t, 0.5 - t), |hand| {
+        (hand.angle.turns, hand.held) = (-3, i != 60);
+    })
 }
 
 fn bytes_of(command: Command<'_>) -> Vec<u8> {
@@ -102,10 +94,7 @@ fn bytes_of(command: Command<'_>) -> Vec<u8> {
 }
 
 fn job_of(scene: &Description<'_, f32>, evolution: Evolution) -> Vec<u8> {
-    let mode = Mode {
-        evolution,
-        ..Mode::DEFAULT
-    };
+    let mode = with(Mode::DEFAULT, |mode| mode.evolution = evolution);
     let mut bytes = bytes_of(Command::Scene(SceneCommand::from(scene)));
     bytes.extend(bytes_of(Command::Mode(mode)));
     bytes.extend((0..SAMPLES).flat_map(|i| bytes_of(Command::Hand(hand(i)))));
@@ -132,17 +121,10 @@ fn answers(results: &[u8]) -> Vec<(u32, Pose, u32, u32)> {
     answers
 }
 
-fn done(job: Vec<u8>) -> Result<(Totals, Vec<u8>), Failure> {
-    let mut files = Memory::new(job);
-    let totals = run::<f32, 8, 4, Full>(None, u32::MAX, &mut files, &mut Calls(0))?;
-    Ok((totals, files.results))
-}
-
 fn comes_back<R: Real<Si = f32>>(evolution: Evolution) {
-    let mut files = Memory::new(job_of(&SCENE, evolution));
-    let totals = run::<R, 8, 4, Full>(None, u32::MAX, &mut files, &mut Calls(0)).unwrap();
+    let (totals, results) = done::<R, 8, 4, Full>(None, job_of(&SCENE, evolution)).unwrap();
     assert_eq!(totals.stack, 4321);
-    let answers = answers(&files.results);
+    let answers = answers(&results);
     assert_eq!(answers.len(), SAMPLES as usize);
 
     let solver = Solver::new(Scene::<R, 8, 4>::new(&SCENE).unwrap(), evolution);
@@ -171,20 +153,11 @@ fn a_job_comes_back_with_the_answers_of_the_solver() {
 
 #[test]
 fn in_a_model_of_its_own_it_gives_the_same_answers() {
-    let weightless = Description {
-        weight: 0.0,
-        ..SCENE
-    };
-    let own = done(job_of(&weightless, Evolution::Frame)).unwrap();
+    let weightless = with(SCENE, |scene| scene.weight = 0.0);
+    let own = done::<f32, 8, 4, Full>(None, job_of(&weightless, Evolution::Frame)).unwrap();
     let in_model = |scene| {
-        let mut files = Memory::new(job_of(scene, Evolution::Path));
-        let totals = run::<f32, 4, 2, Weightless>(
-            Some(Evolution::Frame),
-            u32::MAX,
-            &mut files,
-            &mut Calls(0),
-        )?;
-        Ok((totals, files.results))
+        let job = job_of(scene, Evolution::Path);
+        done::<f32, 4, 2, Weightless>(Some(Evolution::Frame), job)
     };
     let small = in_model(&weightless).unwrap();
     assert_eq!(answers(&own.1), answers(&small.1));
@@ -206,14 +179,15 @@ fn what_is_not_a_job_is_refused() {
         scene.clone(),
         [scene.clone(), scene].concat(),
     ] {
-        assert_eq!(done(other).err(), Some(Failure::Format));
+        let failure = done::<f32, 8, 4, Full>(None, other).err();
+        assert_eq!(failure, Some(Failure::Format));
     }
-    let sunk = Description {
-        start: [0.0; 3],
-        ..SCENE
-    };
+    let sunk = job_of(
+        &with(SCENE, |scene| scene.start = [0.0; 3]),
+        Evolution::Path,
+    );
     assert!(matches!(
-        done(job_of(&sunk, Evolution::Path)),
+        done::<f32, 8, 4, Full>(None, sunk),
         Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
     ));
 }

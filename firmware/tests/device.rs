@@ -1,17 +1,14 @@
-//! The loops of a device: silence, drop-outs, recovery, counters, refusals.
+//! The loops of a device: drop-outs, recovery, counters, refusals. Their bits and silence are those of a station.
 
-use stiction_core::{
-    Angle, Description, Evolution, Fixed, Hand, Real, Scene, Solver, Status, SurfaceDescription,
-    Wrench,
-};
+use crate::{SAME, size, with};
+use stiction_core::{Description, Evolution, Fixed, Hand, Real, Status, Wrench};
 use stiction_firmware::device::{
-    Controller, FromLine, NoActuators, Parameters, Refusal, Sample, Servo, Settings, Turn,
+    Controller, FromLine, NoActuators, Refusal, Sample, Servo, Settings, Turn,
 };
-use stiction_firmware::safety::{LimitParameter, Limits, Passivity};
+use stiction_firmware::safety::{LimitParameter, Passivity};
 
 mod budget;
 mod change;
-mod point;
 
 use stiction_tests::station::BOX;
 
@@ -67,132 +64,18 @@ fn deep() -> Hand<f32> {
     Hand::new(0.001, 0.045, 0.0)
 }
 
-fn size(wrench: &Wrench<f32>) -> f32 {
-    let [x, y] = wrench.force;
-    x.hypot(y)
-}
-
-fn follows_the_solver<R: Real<Si = f32>>() {
-    let mut bench = Bench::<R>::new();
-    let scene: Scene<R, 4, 2> = Scene::new(&BOX).unwrap();
-    let solver = Solver::new(scene, Evolution::Path);
-    let mut state = None;
-    for i in 0..2_000 {
-        let t = i as f32 * 1e-3;
-        let hand = Hand::new(0.02 * t, 0.05 - 0.01 * (7.0 * t).sin(), 12.0 * t);
-        let tick = bench.sample(hand);
-        // Ticks without a sample change nothing.
-        let between = bench.tick(None);
-        let expected = match &mut state {
-            None => {
-                let (first, output) = solver.start(hand);
-                state = Some(first);
-                output
-            }
-            Some(state) => solver.step(state, hand),
-        };
-        assert_eq!(tick.output.as_ref(), Some(&expected));
-        assert_eq!(between.output, None);
-        assert_eq!(between.pose, tick.pose);
-        assert_eq!(
-            (tick.pose.position, tick.pose.angle),
-            (expected.position, expected.angle)
-        );
-    }
-    let health = bench.controller.health();
-    assert_eq!((health.ticks, health.samples), (4_000, 2_000));
-    assert_eq!(
-        (
-            health.missed_ticks,
-            health.lost_samples,
-            health.late_samples
-        ),
-        (0, 0, 0)
-    );
-}
-
-#[test]
-fn the_pose_is_the_solvers_bit_for_bit() {
-    follows_the_solver::<f32>();
-    follows_the_solver::<Fixed>();
-}
-
-#[test]
-fn the_force_is_the_opposite_of_the_springs() {
-    let tick = Bench::<f32>::new().pressed(deep());
-    let [x, y] = tick.force.force;
-    // 1 mm aside, 5 mm deep, 500 N/m.
-    assert!((x + 0.5).abs() < 1e-4 && (y - 2.5).abs() < 1e-4, "{tick:?}");
-    assert_eq!(tick.flags, Default::default());
-}
-
-#[test]
-fn silence_gives_zero_force_within_20_ms_and_recovery_no_jump() {
-    let mut bench = Bench::<f32>::new();
-    let before = bench.pressed(deep());
-    let last_received = bench.now_us.wrapping_sub(1_000);
-    loop {
-        let now = bench.now_us;
-        let tick = bench.tick(None);
-        assert_eq!(tick.pose, before.pose);
-        let age = now.wrapping_sub(last_received);
-        if tick.flags.silent {
-            assert_eq!(tick.force, Wrench::default());
-            assert!(age <= 20_000, "{age}");
-            break;
-        }
-        assert_eq!(tick.force, before.force);
-        assert!(age < 20_000);
-    }
-    for _ in 0..5_000 {
-        let tick = bench.tick(None);
-        assert!(tick.flags.silent && tick.force == Wrench::default() && tick.pose == before.pose);
-    }
-    assert_eq!(bench.controller.health().silences, 1);
-    // Samples return from elsewhere: the pose follows immediately, the force within its rate.
-    let away = Hand::new(0.01, 0.045, 0.0);
-    let mut last = Wrench::default();
-    for i in 0..100 {
-        let tick = bench.sample(away);
-        assert!(!tick.flags.silent);
-        let change = Wrench {
-            force: [
-                tick.force.force[0] - last.force[0],
-                tick.force.force[1] - last.force[1],
-            ],
-            moment: 0.0,
-        };
-        assert!(size(&change) <= 0.1 + 1e-5, "tick {i}: {change:?}");
-        last = tick.force;
-    }
-    assert!((last.force[1] - 2.5).abs() < 1e-3);
-}
-
 #[test]
 fn a_sample_that_cannot_be_used_gives_zero_force_and_the_last_pose() {
     let usable = deep();
-    let lost = [f32::NAN, f32::INFINITY].into_iter().flat_map(|bad| {
-        let position = Hand {
-            position: [bad, 0.0],
-            ..usable
-        };
-        let angle = Angle {
-            turns: 0,
-            rest: bad,
-        };
-        [
-            position,
-            Hand { angle, ..usable },
-            Hand {
-                depth: bad,
-                ..usable
-            },
-        ]
-    });
-    for hand in lost.chain([Hand {
-        position: [1e30, 0.0],
-        ..usable
-    }]) {
+    let changes: [fn(&mut Hand<f32>, f32); 3] = [
+        |hand, bad| hand.position = [bad, 0.0],
+        |hand, bad| hand.angle.rest = bad,
+        |hand, bad| hand.depth = bad,
+    ];
+    let bad = [f32::NAN, f32::INFINITY].into_iter();
+    let lost = bad.flat_map(|bad| changes.map(|change| with(usable, |hand| change(hand, bad))));
+    let far = with(usable, |hand| hand.position = [1e30, 0.0]);
+    for hand in lost.chain([far]) {
         let mut bench = Bench::<f32>::new();
         // The first of all samples may be one, too.
         let first = bench.sample(hand);
@@ -200,11 +83,8 @@ fn a_sample_that_cannot_be_used_gives_zero_force_and_the_last_pose() {
         let before = bench.pressed(usable);
         assert!(size(&before.force) > 2.0);
         let tick = bench.sample(hand);
-        assert_eq!(
-            (tick.pose, tick.force),
-            (before.pose, Wrench::default()),
-            "{hand:?}"
-        );
+        let stays = (before.pose, Wrench::default());
+        assert_eq!((tick.pose, tick.force), stays, "{hand:?}");
         assert!(tick.flags.held_last);
         // It stays so until a usable one arrives, and becomes silence if none does.
         assert!(bench.tick(None).flags.held_last);
@@ -213,35 +93,33 @@ fn a_sample_that_cannot_be_used_gives_zero_force_and_the_last_pose() {
         assert!(!tick.flags.is_safe_state());
         assert!(size(&tick.force) <= 0.1 + 1e-5 && size(&tick.force) > 0.0);
         // Those, the first of all and the one after the press.
-        assert_eq!(bench.controller.health().unusable_samples, tried + 2);
+        let health = bench.controller.health();
+        assert_eq!((health.unusable_samples, health.silences), (tried + 2, 1));
     }
 }
 
 #[test]
-fn an_overrun_gives_zero_force_and_is_counted() {
-    let mut bench = Bench::<f32>::new();
-    let before = bench.pressed(deep());
-    bench.now_us = bench.now_us.wrapping_add(2_000);
-    let tick = bench.sample(deep());
-    assert!(tick.flags.overrun);
-    assert_eq!((tick.force, tick.pose), (Wrench::default(), before.pose));
-    assert_eq!(bench.controller.health().missed_ticks, 2);
-    assert!(size(&bench.sample(deep()).force) <= 0.1 + 1e-5);
-
-    let limits = Limits {
-        missed_ticks: 2,
-        ..Limits::default()
-    };
-    let settings = Settings {
-        limits,
-        ..Settings::default()
-    };
-    let mut bench = Bench::<f32>::with(&BOX, &settings);
-    let before = bench.pressed(deep());
-    bench.now_us = bench.now_us.wrapping_add(2_000);
-    let tick = bench.sample(deep());
-    assert!(!tick.flags.overrun && tick.force == before.force);
-    assert_eq!(bench.controller.health().missed_ticks, 2);
+fn an_overrun_gives_zero_force_if_it_is_longer_than_permitted_and_is_counted() {
+    for missed_ticks in [0, 2] {
+        let settings = with(Settings::default(), |s| {
+            s.limits.missed_ticks = missed_ticks
+        });
+        let mut bench = Bench::<f32>::with(&BOX, &settings);
+        let before = bench.pressed(deep());
+        bench.now_us = bench.now_us.wrapping_add(2_000);
+        let tick = bench.sample(deep());
+        assert_eq!(bench.controller.health().missed_ticks, 2);
+        assert_eq!(
+            (tick.pose, tick.flags.overrun),
+            (before.pose, missed_ticks < 2)
+        );
+        if missed_ticks < 2 {
+            assert_eq!(tick.force, Wrench::default());
+            assert!(size(&bench.sample(deep()).force) <= 0.1 + 1e-5);
+        } else {
+            assert_eq!(tick.force, before.force);
+        }
+    }
 }
 
 #[test]
@@ -265,76 +143,18 @@ fn limits_and_stiffness_beyond_the_device_are_refused() {
         hold_us: 1_000,
         delay_us: 0,
     };
-    let settings = Settings {
-        passivity: Some(passivity),
-        ..Settings::default()
-    };
-    let mut bench = Bench::<f32>::with(&BOX, &settings);
-    bench.pressed(deep());
-    let before = bench.controller.clone();
-    let stiff = Parameters {
-        stiffness_translation: 1_000.0,
-        stiffness_rotation: 0.5,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    };
-    let refused = bench.controller.set_parameters(&stiff).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "translational stiffness k_h (N/m) is 1000, allowed: less than 1000, where the device is passive"
-    );
-    let wrong = [
-        Parameters {
-            stiffness_translation: f32::NAN,
-            ..stiff
-        },
-        Parameters {
-            stiffness_translation: 100.0,
-            stiffness_rotation: -1.0,
-            ..stiff
-        },
-        Parameters {
-            stiffness_translation: 100.0,
-            friction_static: 0.2,
-            ..stiff
-        },
-        Parameters {
-            stiffness_translation: 100.0,
-            friction_dynamic: f32::NAN,
-            ..stiff
-        },
-    ];
-    for parameters in wrong {
-        assert!(
-            bench.controller.set_parameters(&parameters).is_err(),
-            "{parameters:?}"
-        );
+    let settings = with(Settings::default(), |s| s.passivity = Some(passivity));
+    let unlimited = with(settings, |settings| settings.limits.force = f32::NAN);
+    let too_stiff = with(BOX, |description| description.stiffness_rotation = 2.01);
+    for (description, settings, parameter) in [
+        (BOX, unlimited, LimitParameter::Force),
+        (too_stiff, settings, LimitParameter::StiffnessRotation),
+    ] {
+        let Err(Refusal::Limit(error)) = Device::<f32>::new(&description, &settings) else {
+            panic!("{parameter:?}")
+        };
+        assert_eq!(error.parameter, parameter);
     }
-    assert_eq!(format!("{:?}", bench.controller), format!("{before:?}"));
-    let settings = Settings {
-        limits: Limits {
-            force: f32::NAN,
-            ..Limits::default()
-        },
-        ..settings
-    };
-    let Err(Refusal::Limit(error)) = Device::<f32>::new(&BOX, &settings) else {
-        panic!()
-    };
-    assert_eq!(error.parameter, LimitParameter::Force);
-    let too_stiff = Description {
-        stiffness_rotation: 2.01,
-        ..BOX
-    };
-    let settings = Settings {
-        passivity: Some(passivity),
-        ..Settings::default()
-    };
-    assert!(matches!(
-        Device::<f32>::new(&too_stiff, &settings),
-        Err(Refusal::Limit(_))
-    ));
 }
 
 #[test]
@@ -346,14 +166,8 @@ fn a_released_body_gives_no_force_and_keeps_its_pose() {
     assert_eq!(after.pose.position, before.pose.position);
     assert!(!after.pose.held && !after.flags.is_safe_state());
     // Grasped again off its holding point, in a scene changed meanwhile: where the hand is.
-    let same = Parameters {
-        stiffness_translation: 400.0,
-        stiffness_rotation: 0.5,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    };
-    bench.controller.set_parameters(&same).unwrap();
+    let softer = with(SAME, |parameters| parameters.stiffness_translation = 400.0);
+    bench.controller.set_parameters(&softer).unwrap();
     let taken = bench.sample(Hand::new(0.03, 0.04, 1.0));
     assert!(taken.pose.held);
     assert_eq!(taken.pose.position, before.pose.position);

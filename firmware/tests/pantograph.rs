@@ -1,5 +1,5 @@
-//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, symmetry is preserved, and where
-//! the mechanism can output no force it outputs none.
+//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, and where the
+//! mechanism can output no force it outputs none.
 
 mod device;
 mod example;
@@ -9,10 +9,10 @@ mod motors;
 use stiction_firmware::pantograph::{Encoder, Geometry, HandleMount};
 
 fn geometry() -> Geometry {
-    let encoder = Encoder {
-        counts_per_turn: 40_000,
-        reversed: false,
-        offset: 0.0,
+    let encoder = |counts_per_turn, reversed, offset| Encoder {
+        counts_per_turn,
+        reversed,
+        offset,
     };
     Geometry {
         origin: [0.0, -0.1],
@@ -20,19 +20,9 @@ fn geometry() -> Geometry {
         proximal: [0.06, 0.06],
         distal: [0.09, 0.09],
         encoders: [
-            Encoder {
-                offset: 2.4,
-                ..encoder
-            },
-            Encoder {
-                offset: 0.7,
-                reversed: true,
-                ..encoder
-            },
-            Encoder {
-                counts_per_turn: 4_096,
-                ..encoder
-            },
+            encoder(40_000, false, 2.4),
+            encoder(40_000, true, 0.7),
+            encoder(4_096, false, 0.0),
         ],
         handle: HandleMount::Base,
         least_sine: 0.05,

@@ -1,26 +1,18 @@
 //! The force that may be output to the hand: limits of size and rate, passivity.
 
+use crate::with;
 use stiction_core::Wrench;
 use stiction_firmware::safety::{Allowed, Governor, LimitParameter, Limits, Passivity};
+use stiction_tests::station::noise::Random;
 
-/// Random numbers (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-    /// Any float, of any magnitude, and sometimes NaN or an infinity.
-    fn any(&mut self) -> f32 {
-        match self.bits() % 8 {
-            0 => f32::from_bits(self.bits() as u32),
-            1 => [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 0.0]
-                [self.bits() as usize % 5],
-            _ => (self.bits() as i32) as f32 / i32::MAX as f32 * 12.0,
+/// Any float, of any magnitude, and sometimes NaN or an infinity.
+fn any(random: &mut Random) -> f32 {
+    match random.bits() % 8 {
+        0 => f32::from_bits(random.bits() as u32),
+        1 => {
+            [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 0.0][random.bits() as usize % 5]
         }
+        _ => (random.bits() as i32) as f32 / i32::MAX as f32 * 12.0,
     }
 }
 
@@ -31,10 +23,8 @@ fn size([x, y]: [f32; 2]) -> f64 {
 fn change(a: &Wrench<f32>, b: &Wrench<f32>) -> (f64, f64) {
     let [ax, ay] = a.force.map(f64::from);
     let [bx, by] = b.force.map(f64::from);
-    (
-        (bx - ax).hypot(by - ay),
-        f64::from(b.moment) - f64::from(a.moment),
-    )
+    let turned = f64::from(b.moment) - f64::from(a.moment);
+    ((bx - ax).hypot(by - ay), turned)
 }
 
 #[test]
@@ -46,16 +36,13 @@ fn force_and_its_rate_are_never_exceeded() {
     let (mut at_size, mut at_rate, mut bad) = (0, 0, 0);
     for _ in 0..1_000_000 {
         let wanted = Wrench {
-            force: [random.any(), random.any()],
-            moment: random.any(),
+            force: [any(&mut random), any(&mut random)],
+            moment: any(&mut random),
         };
         let given = governor.toward(&wanted);
         let w = given.wrench;
         assert!(size(w.force) <= 5.0, "{wanted:?} {w:?}");
-        assert!(
-            f64::from(w.moment).abs() <= f64::from(0.1f32),
-            "{wanted:?} {w:?}"
-        );
+        assert!(w.moment.abs() <= 0.1, "{wanted:?} {w:?}");
         if given.not_finite {
             bad += 1;
             assert_eq!(w, Wrench::default());
@@ -115,68 +102,22 @@ fn a_wanted_force_within_the_limits_is_reached_exactly() {
 #[test]
 fn limits_that_are_not_numbers_or_out_of_range_are_refused_by_name() {
     use LimitParameter as P;
-    let good = Limits::default();
-    assert_eq!(good.check(), Ok(()));
+    assert_eq!(Limits::default().check(), Ok(()));
+    let refused = |change: &dyn Fn(&mut Limits)| with(Limits::default(), change).check();
+    let parameter = |change: &dyn Fn(&mut Limits)| refused(change).unwrap_err().parameter;
     for bad in [f32::NAN, f32::INFINITY, -1.0] {
-        let cases = [
-            (Limits { force: bad, ..good }, P::Force),
-            (
-                Limits {
-                    moment: bad,
-                    ..good
-                },
-                P::Moment,
-            ),
-            (
-                Limits {
-                    force_rate: bad,
-                    ..good
-                },
-                P::ForceRate,
-            ),
-            (
-                Limits {
-                    moment_rate: bad,
-                    ..good
-                },
-                P::MomentRate,
-            ),
-        ];
-        for (limits, parameter) in cases {
-            assert_eq!(limits.check().unwrap_err().parameter, parameter);
-        }
+        assert_eq!(parameter(&|limits| limits.force = bad), P::Force);
+        assert_eq!(parameter(&|limits| limits.moment = bad), P::Moment);
+        assert_eq!(parameter(&|limits| limits.force_rate = bad), P::ForceRate);
+        assert_eq!(parameter(&|limits| limits.moment_rate = bad), P::MomentRate);
     }
-    let refused = |limits: Limits| limits.check().unwrap_err();
+    assert_eq!(parameter(&|limits| limits.force_rate = 0.0), P::ForceRate);
+    assert_eq!(parameter(&|limits| limits.period_us = 0), P::Period);
+    assert_eq!(parameter(&|limits| limits.silence_us = 1_999), P::Silence);
     assert_eq!(
-        refused(Limits {
-            force_rate: 0.0,
-            ..good
-        })
-        .parameter,
-        P::ForceRate
-    );
-    assert_eq!(
-        refused(Limits {
-            period_us: 0,
-            ..good
-        })
-        .parameter,
-        P::Period
-    );
-    assert_eq!(
-        refused(Limits {
-            silence_us: 1_999,
-            ..good
-        })
-        .parameter,
-        P::Silence
-    );
-    let error = refused(Limits {
-        silence_us: 2_000_000,
-        ..good
-    });
-    assert_eq!(
-        error.to_string(),
+        refused(&|limits| limits.silence_us = 2_000_000)
+            .unwrap_err()
+            .to_string(),
         "silence (µs) is 2000000, allowed: 2000 to 1000000"
     );
 }
@@ -190,10 +131,7 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
         delay_us: 0,
     };
     assert_eq!(passivity.check(), Ok(()));
-    let nan = Passivity {
-        damping_rotation: f32::NAN,
-        ..passivity
-    };
+    let nan = with(passivity, |passivity| passivity.damping_rotation = f32::NAN);
     assert_eq!(
         nan.check().unwrap_err().parameter,
         LimitParameter::DampingRotation
@@ -215,21 +153,12 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
         assert!(wrong.iter().all(Result::is_err), "{bad}");
     }
     // A delay costs twice as much as a tick.
-    let late = Passivity {
-        delay_us: 500,
-        ..passivity
-    };
+    let late = with(passivity, |passivity| passivity.delay_us = 500);
     assert_eq!(late.bounds(), [500.0, 31.25]);
     // Without damping only zero stiffness is passive.
-    let free = Passivity {
-        damping_translation: 0.0,
-        ..passivity
-    };
+    let free = with(passivity, |passivity| passivity.damping_translation = 0.0);
     assert!(free.admit(1e-6, 0.0).is_err());
-    let none = Passivity {
-        hold_us: 0,
-        ..passivity
-    };
+    let none = with(passivity, |passivity| passivity.hold_us = 0);
     assert_eq!(none.check().unwrap_err().parameter, LimitParameter::Hold);
 }
 

@@ -31,7 +31,6 @@ stiction_boards::app! {
     turn: SWI0 at 1,
 }
 
-/// Baud rate of the serial line.
 const BAUD: u32 = 115_200;
 /// Clock of the processor and of TIMER0 (Hz), and per µs.
 const CLOCK: u32 = 16_000_000;
@@ -92,11 +91,9 @@ impl Board for Microbit {
 /// Ticks and time, both from one counter that never stops.
 pub struct Clock {
     timer: TIMER0,
-    /// Ticks per second.
     rate: u16,
-    /// Counts between them.
+    /// Counts between two ticks.
     period: u32,
-    /// The count of the next tick.
     next: u32,
     elapsed: Elapsed,
 }
@@ -175,7 +172,6 @@ impl line::Clock for Clock {
     }
 }
 
-/// Counts between the ticks of a rate.
 fn period(rate: u16) -> u32 {
     CLOCK / u32::from(rate.max(1))
 }
@@ -206,7 +202,6 @@ impl Uart {
         }
     }
 
-    /// The byte that arrived, if any.
     fn read(&mut self) -> Option<u8> {
         if self.uart.events_rxdrdy.read().bits() == 0 {
             return None;
@@ -215,7 +210,6 @@ impl Uart {
         Some(self.uart.rxd.read().rxd().bits())
     }
 
-    /// Sends the next byte if the line is free.
     fn send<const N: usize>(&mut self, line: &Line<N>) {
         if self.uart.events_txdrdy.read().bits() != 0 {
             self.uart.events_txdrdy.reset();

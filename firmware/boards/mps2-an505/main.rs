@@ -127,17 +127,14 @@ impl Board for An505 {
         }
     }
 
-    /// There are none.
     fn actuators_off() {}
 }
 
-/// Reads a register.
 fn read(at: usize) -> u32 {
     // SAFETY: all addresses here are those of registers; reading one has only the side effects of that register.
     unsafe { with_exposed_provenance::<u32>(at).read_volatile() }
 }
 
-/// Writes a register.
 fn write(at: usize, value: u32) {
     // SAFETY: all addresses here are those of registers, which change no memory.
     unsafe { with_exposed_provenance_mut::<u32>(at).write_volatile(value) };
@@ -146,7 +143,6 @@ fn write(at: usize, value: u32) {
 /// Ticks, and time from a counter of its own: SysTick alone does not show how many ticks were missed.
 pub struct Clock {
     systick: SYST,
-    /// Ticks per second.
     rate: u16,
     elapsed: Elapsed,
 }

@@ -52,7 +52,6 @@ stiction_boards::app! {
     turn: EXTI0 at 1,
 }
 
-/// Baud rate of the serial line.
 const BAUD: u32 = 921_600;
 /// Clock of the core (Hz).
 const CORE: u32 = 168_000_000;
@@ -185,7 +184,6 @@ fn prime(rcc: &pac::RCC) {
 /// Ticks, and time from a counter of its own: SysTick alone does not show how many ticks were missed.
 pub struct Clock {
     systick: SYST,
-    /// Ticks per second.
     rate: u16,
     timer: TIM5,
     per_us: u32,

@@ -45,25 +45,14 @@ use uart::Uart;
 use usb::{Memory, NUMBER, Usb};
 
 #[cfg(feature = "knob")]
-use knob::start as device;
+use knob as device;
 #[cfg(not(any(feature = "knob", feature = "pantograph")))]
-use no_device::start as device;
+use no_device as device;
 #[cfg(feature = "pantograph")]
-use pantograph::start as device;
+use pantograph as device;
 
-#[cfg(feature = "knob")]
-pub use knob::Device;
-#[cfg(not(any(feature = "knob", feature = "pantograph")))]
-pub use no_device::Device;
-#[cfg(feature = "pantograph")]
-pub use pantograph::Device;
-
-#[cfg(not(any(feature = "knob", feature = "pantograph")))]
-use no_device as numbers;
-#[cfg(feature = "knob")]
-use stiction_firmware::devices::knob as numbers;
-#[cfg(feature = "pantograph")]
-use stiction_firmware::devices::pantograph as numbers;
+pub use device::Device;
+use device::numbers;
 
 /// The differences of the chips.
 #[cfg(feature = "pico")]
@@ -208,7 +197,9 @@ fn start(
         resets,
         was_reset: Dog::has_reset(),
     };
-    let Ok(device) = device(wired) else { stop() };
+    let Ok(device) = device::start(wired) else {
+        stop()
+    };
     Parts {
         uart,
         usb: Usb::start(memory, bus, number()),
@@ -218,7 +209,6 @@ fn start(
     }
 }
 
-/// What a device is wired to.
 #[cfg_attr(not(feature = "pantograph"), allow(dead_code))]
 struct Wired<'a> {
     pio: pac::PIO0,

@@ -11,7 +11,6 @@ unsafe extern "Rust" {
     safe fn stiction_actuators_off();
 }
 
-/// It has stopped.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// Zero force, and nothing more until the watchdog resets the chip.

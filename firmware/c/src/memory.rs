@@ -73,14 +73,12 @@ pub struct Snapshot {
     pub words: [u64; SNAPSHOT_WORDS],
 }
 
-/// The contents of a [`Memory`].
 pub(crate) struct Inner {
     mark: u32,
     pub(crate) solver: Engine,
     pub(crate) run: Option<Run>,
 }
 
-/// The contents of a [`Snapshot`].
 struct Stored {
     mark: u32,
     run: Run,
@@ -113,14 +111,12 @@ pub(crate) fn checked<T>(place: *const T) -> Checked<*const T> {
     }
 }
 
-/// A value from C.
 #[allow(unsafe_code)]
 pub(crate) fn given<'a, T>(place: *const T) -> Checked<&'a T> {
     // SAFETY: the header requires a pointer to a T that nothing changes while the function runs; it is aligned and not null.
     checked(place).map(|place| unsafe { &*place })
 }
 
-/// Writes a value to a location of C.
 #[allow(unsafe_code)]
 pub(crate) fn give<T>(place: *mut T, value: T) {
     // SAFETY: as in `given`; nothing else uses the location while the function runs. The old value needs no drop.
@@ -156,7 +152,6 @@ pub(crate) fn begin(
     Ok(())
 }
 
-/// The solver in the memory.
 #[allow(unsafe_code)]
 pub(crate) fn solver<'a>(memory: *const Memory) -> Checked<&'a Inner> {
     let place = checked(memory)?.cast::<Inner>();
@@ -169,7 +164,6 @@ pub(crate) fn solver<'a>(memory: *const Memory) -> Checked<&'a Inner> {
     Ok(unsafe { &*place })
 }
 
-/// The contents of a memory, to be changed.
 #[allow(unsafe_code)]
 pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
     solver(memory)?;
@@ -177,7 +171,6 @@ pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
     Ok(unsafe { &mut *memory.cast::<Inner>() })
 }
 
-/// The run of a snapshot.
 #[allow(unsafe_code)]
 pub(crate) fn stored(snapshot: *const Snapshot) -> Checked<Run> {
     let place = checked(snapshot)?.cast::<Stored>();
@@ -190,7 +183,6 @@ pub(crate) fn stored(snapshot: *const Snapshot) -> Checked<Run> {
     Ok(unsafe { (*place).run.clone() })
 }
 
-/// Saves a run in a snapshot.
 pub(crate) fn keep(run: &Run, snapshot: *mut Snapshot) -> Checked<()> {
     checked(snapshot)?;
     let stored = Stored {

@@ -26,7 +26,6 @@ const RELOAD: u32 = 0x00FF_FFFF;
 /// The number of times that SysTick reached 0.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
-/// Counts instructions.
 pub(super) struct Counter {
     systick: SYST,
     /// Ticks of an empty measurement.
@@ -61,7 +60,6 @@ impl Counter {
         (black_box(ticks), done)
     }
 
-    /// Does some work and counts its instructions.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let (ticks, done) = self.ticks(work);

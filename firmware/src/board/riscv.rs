@@ -7,7 +7,6 @@ use riscv::register::minstret;
 
 use super::{PROBE, TOLERANCE};
 
-/// Counts instructions.
 pub(super) struct Counter {
     /// Instructions of an empty measurement.
     idle: u64,
@@ -23,7 +22,6 @@ impl Counter {
         (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
     }
 
-    /// Does some work and counts its instructions.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let begun = minstret::read64();

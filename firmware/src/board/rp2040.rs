@@ -10,7 +10,6 @@ use super::{PROBE, TOLERANCE};
 /// Cycles of [`probe`]: each of its 249 taken branches takes one more than an instruction.
 const CYCLES: u32 = PROBE + 249;
 
-/// Counts cycles.
 pub(super) struct Counter;
 
 impl Counter {
@@ -21,7 +20,6 @@ impl Counter {
         (counted.abs_diff(CYCLES) <= TOLERANCE).then_some(counter)
     }
 
-    /// Does some work and counts its cycles.
     #[inline(always)]
     pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let cycles;

@@ -17,7 +17,6 @@ unsafe extern "C" {
     static mut __sheap: u32;
 }
 
-/// The stack below a point of the program.
 pub(super) struct Watch {
     top: usize,
     bottom: usize,
@@ -53,7 +52,6 @@ impl Watch {
     }
 }
 
-/// The stack pointer.
 #[inline(always)]
 fn pointer() -> usize {
     let pointer;

@@ -79,7 +79,6 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = F
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
-    /// The body of a scene at its start.
     pub(super) fn new(given: Described<'_, '_, M>, settings: &Settings) -> Result<Self, Refusal> {
         let solver = solver(given, settings)?;
         let store = Store::new(given).ok_or(Refusal::Unsettled(Status::Saturated))?;
@@ -94,7 +93,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
         })
     }
 
-    /// Moves the hand to the position of a sample.
     fn step(&mut self, hand: &Hand<f32>) -> Output<f32> {
         let hand = hand.turned(self.turns.saturating_neg());
         let output = match &mut self.state {
@@ -137,7 +135,6 @@ pub(crate) const NO_HAND: Hand<f32> = Hand {
     tilted: false,
 };
 
-/// The solver of a scene.
 pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     given: Described<'_, '_, M>,
     settings: &Settings,
@@ -220,7 +217,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         }
     }
 
-    /// Passes a new sample to the solver.
     fn take(&mut self, sample: &Sample) -> Option<Output<f32>> {
         if self.arrivals.arrive(sample.number, self.silent) == Arrival::Late {
             return None;
@@ -247,7 +243,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         Some(output)
     }
 
-    /// The force of the present state.
     pub(super) fn want(&mut self) {
         let wrench = self.run.state.as_ref().map(|s| self.run.solver.wrench(s));
         self.demand.wrench = wrench.unwrap_or_default().feedback();
@@ -278,7 +273,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.run.store.description()
     }
 
-    /// Its obstacles, in stored form.
     pub(crate) fn obstacles(&self) -> &M::Stored {
         &self.run.store.obstacles
     }

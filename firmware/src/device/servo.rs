@@ -29,14 +29,12 @@ pub(super) struct Demand {
     pub(super) received_us: Option<u32>,
     /// First sets the force to zero.
     pub(super) cut: bool,
-    /// New limits.
     pub(super) limits: Option<Limits>,
     /// Everything as after power-up.
     pub(super) anew: bool,
 }
 
 impl Demand {
-    /// As after power-up.
     pub(super) fn new(limits: &Limits) -> Self {
         Self {
             wrench: Wrench::default(),
@@ -57,17 +55,14 @@ impl Demand {
     }
 }
 
-/// The result of a demand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settled {
     pub(super) force: Wrench<f32>,
     pub(super) flags: Flags,
     pub(super) latched: bool,
-    /// The counts of the servo loop.
     pub(super) health: Health,
 }
 
-/// The inputs of a turn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Begun {
     /// When the last tick came (µs, wrapping).
@@ -86,7 +81,6 @@ pub struct Servo<D> {
     rule: Rule,
 }
 
-/// The rules by which a force is output.
 #[derive(Clone, Debug)]
 struct Rule {
     limits: Limits,
@@ -216,7 +210,6 @@ impl<D: Source + Actuators> Servo<D> {
         rule.give(silent, &mut self.device);
     }
 
-    /// Begins a turn of the solver.
     pub(crate) fn begin(&mut self) -> Begun {
         Begun {
             now_us: self.now_us,
@@ -224,7 +217,6 @@ impl<D: Source + Actuators> Servo<D> {
         }
     }
 
-    /// Ends a turn of the solver with a demand.
     pub(super) fn settle(&mut self, demand: &Demand) -> Settled {
         let rule = &mut self.rule;
         if let Some(limits) = &demand.limits {

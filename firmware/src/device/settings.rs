@@ -50,7 +50,6 @@ impl Settings {
         }
     }
 
-    /// Applies these settings to a solver.
     pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
         &self,
         solver: Solver<R, V, S, M>,

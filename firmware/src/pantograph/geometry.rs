@@ -91,11 +91,8 @@ impl Encoder {
     /// The encoder of this index.
     fn check(&self, i: usize) -> Result<(), GeometryError> {
         use GeometryParameter as P;
-        let counts = self.counts_per_turn;
-        if !(4..=MOST_COUNTS).contains(&counts) {
-            let most = MOST_COUNTS as f32;
-            return refused(P::CountsPerTurn(i), counts as f32, [4.0, most]);
-        }
+        let (counts, most) = (self.counts_per_turn as f32, MOST_COUNTS as f32);
+        within(P::CountsPerTurn(i), counts, 4.0, most)?;
         let turn = core::f32::consts::TAU;
         within(P::EncoderOffset(i), self.offset, -turn, turn)
     }
@@ -219,20 +216,11 @@ fn within(
 ) -> Result<(), GeometryError> {
     // Also false for NaN.
     if value >= least && value <= most {
-        Ok(())
-    } else {
-        refused(parameter, value, [least, most])
+        return Ok(());
     }
-}
-
-fn refused(
-    parameter: GeometryParameter,
-    value: f32,
-    allowed: [f32; 2],
-) -> Result<(), GeometryError> {
     Err(GeometryError {
         parameter,
         value,
-        allowed,
+        allowed: [least, most],
     })
 }

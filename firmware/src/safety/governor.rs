@@ -7,7 +7,6 @@ use stiction_core::{Real, Wrench};
 /// A limit is observed with this margin, for the rounding of what is computed with it.
 const MARGIN: f32 = 1.0 - 4.0 * f32::EPSILON;
 
-/// A limit of force or moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Limit {
     /// The largest size (N, N·m).

@@ -220,9 +220,8 @@ fn within(parameter: LimitParameter, value: f32, least: f32, most: f32) -> Resul
 }
 
 fn counted(parameter: LimitParameter, value: u32, least: u32, most: u32) -> Result<(), LimitError> {
-    let holds = value >= least && value <= most;
-    let allowed = Allowed::Within(least as f32, most as f32);
-    refuse_unless(holds, parameter, value as f32, allowed)
+    // Exact up to 2^24, which is more than any bound.
+    within(parameter, value as f32, least as f32, most as f32)
 }
 
 fn below(parameter: LimitParameter, value: f32, bound: f32) -> Result<(), LimitError> {
@@ -236,13 +235,10 @@ fn refuse_unless(
     value: f32,
     allowed: Allowed,
 ) -> Result<(), LimitError> {
-    if holds {
-        Ok(())
-    } else {
-        Err(LimitError {
-            parameter,
-            value,
-            allowed,
-        })
-    }
+    let error = LimitError {
+        parameter,
+        value,
+        allowed,
+    };
+    if holds { Ok(()) } else { Err(error) }
 }

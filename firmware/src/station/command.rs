@@ -4,8 +4,8 @@ use super::intake::Intake;
 use super::refusal::Trouble;
 use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
-use crate::model::BoardModel;
-use stiction_core::{Output, Real, SurfaceDescription};
+use crate::model::{BoardModel, NOWHERE};
+use stiction_core::{Output, Real};
 use stiction_wire::{
     Command, Frame, Mode, Parameters, Pong, Reason, Reference, Reply, Report, Reset, SceneAmong,
     SceneCommand,
@@ -21,14 +21,6 @@ pub(super) enum Next {
     /// Nothing more in this turn, and the faults of the line are cleared.
     Anew,
 }
-
-const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [0.0, 1.0],
-    offset: 0.0,
-    friction_static: 0.0,
-    friction_dynamic: 0.0,
-    memory: None,
-};
 
 /// After a lasting fault nothing is carried out.
 const STOPPED: Trouble = Trouble::whole(

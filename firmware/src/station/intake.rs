@@ -13,7 +13,6 @@ pub(super) struct Arrived {
     pub(super) sequence: u8,
 }
 
-/// The input of samples.
 #[derive(Clone, Debug)]
 pub(super) struct Intake {
     plane: [Axis; 2],
@@ -22,7 +21,6 @@ pub(super) struct Intake {
     sequence: Sequence,
     /// A client that sends samples to a board that measures them itself has been notified.
     pub(super) refused: bool,
-    /// Samples that arrived.
     pub(super) samples: u32,
     /// Samples that no step used.
     pub(super) late: u32,
@@ -50,7 +48,6 @@ impl Intake {
         self.refused = false;
     }
 
-    /// A frame with this sequence number arrived.
     pub(super) fn follow(&mut self, sequence: u8) {
         let lost = self.sequence.lost_before(sequence);
         self.lost = self.lost.saturating_add(u32::from(lost));
@@ -63,7 +60,6 @@ impl Intake {
         self.waiting = Some(Arrived { hand, sequence });
     }
 
-    /// The device measured a sample.
     pub(super) fn measured(&mut self) {
         self.samples = self.samples.saturating_add(1);
     }
@@ -74,7 +70,6 @@ impl Intake {
         self.hand(planar.unwrap_or(NO_HAND), sequence);
     }
 
-    /// The sample for the next step.
     pub(super) fn take(&mut self) -> Option<Arrived> {
         self.waiting.take()
     }

@@ -13,13 +13,10 @@ pub trait Link {
     fn now_ns(&mut self) -> u32;
 }
 
-/// The longest frame.
 const LONGEST: usize = wire_bytes(LONGEST_REPORT);
 
-/// Numbers and encodes frames.
 #[derive(Clone, Debug)]
 pub(super) struct Outbox {
-    /// The number of the next frame.
     sequence: u8,
     /// Frames for which the line had no room.
     pub(super) unsent: u32,

@@ -19,7 +19,6 @@ pub(super) struct Trouble {
 }
 
 impl Trouble {
-    /// About the command as a whole.
     pub(super) const fn whole(reason: Reason, allowed: &'static str) -> Self {
         Self {
             reason,

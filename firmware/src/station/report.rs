@@ -9,7 +9,6 @@ use stiction_wire::{
     Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
 };
 
-/// The version of the firmware.
 const VERSION: [u8; 3] = [
     number(env!("CARGO_PKG_VERSION_MAJOR")),
     number(env!("CARGO_PKG_VERSION_MINOR")),
@@ -60,7 +59,6 @@ impl Reported {
         self.status = Status::HeldLast;
     }
 
-    /// The pose follows this sample.
     pub(super) fn follows(&mut self, sample: u8) {
         self.sample = sample;
     }
@@ -107,7 +105,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// Sends what is due after a step.
     pub(super) fn tell_step(&mut self, turn: &Turn, now_us: u32, link: &mut impl Link) {
         if due(&mut self.reported.since_pose, self.mode.pose_every) {
             let pose = Report::Pose(self.pose(turn));
@@ -162,7 +159,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         );
     }
 
-    /// Sends health, if it is due.
     pub(super) fn tell_health(&mut self, faults: &Faults, now_us: u32, link: &mut impl Link) {
         let every_us = u32::from(self.mode.health_every).saturating_mul(1_000);
         let last = *self.reported.health_us.get_or_insert(now_us);
@@ -200,7 +196,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// Sends what the board is and its present settings.
     #[inline(never)]
     pub(super) fn tell_info(&mut self, longest_frame: usize, now_us: u32, link: &mut impl Link) {
         let scene = self.controller.scene();

@@ -155,7 +155,6 @@ impl Setup {
         arriving.saturating_mul(2).saturating_add(64)
     }
 
-    /// The settings of the device's loops in a mode.
     pub(super) fn settings(&self, mode: &Mode) -> Settings {
         let in_tick = |in_second: u32| {
             in_second

@@ -1,5 +1,6 @@
 //! The device at the Olimex board, every number can be used, and the device can display the scene of the board.
 
+use crate::with;
 use stiction_core::{Angle, Real, Wrench};
 use stiction_firmware::device::{Controller, Settings};
 use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
@@ -13,7 +14,11 @@ fn every_number_can_be_used() {
         motor.check().unwrap();
     }
     LIMITS.check().unwrap();
-    PASSIVITY.unwrap().check().unwrap();
+    let passivity = PASSIVITY.unwrap();
+    passivity.check().unwrap();
+    // b > K T / 2: 0.5 N·s/m and 0.0005 N·m·s/rad at 1 kHz.
+    let [along, round] = with(passivity, |passivity| passivity.hold_us = 1_000).bounds();
+    assert!(along == 1_000.0 && (round - 1.0).abs() < 1e-6);
     let settings = Settings {
         limits: LIMITS,
         passivity: PASSIVITY,

@@ -8,7 +8,6 @@ use std::rc::Rc;
 use stiction_core::{Full, Wrench};
 use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
-use stiction_tests::station::client::{Answer, Said};
 
 /// The values of encoders and switch.
 #[derive(Clone, Debug)]
@@ -98,7 +97,6 @@ impl Bed {
         self.shown.borrow_mut().counts = Some(counts.map(|count| count as u16));
     }
 
-    /// A tick with the hand there.
     pub(crate) fn at(&mut self, hand: [f64; 3]) -> Wrench<f32> {
         self.place(hand);
         self.rig.tick()
@@ -132,14 +130,5 @@ impl Bed {
 
     pub(crate) fn is_off(&self) -> bool {
         self.torques() == [0.0; 3]
-    }
-
-    pub(crate) fn refusals(&mut self) -> Vec<Answer> {
-        let received = self.rig.received().into_iter();
-        let answers = received.filter_map(|received| match received.said {
-            Said::Reply(answer) => Some(answer),
-            _ => None,
-        });
-        answers.collect()
     }
 }

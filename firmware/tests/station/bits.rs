@@ -1,19 +1,16 @@
 //! The result of a step: the bits of a solver run in parallel, whatever the pace of the samples.
 
 use super::rig::Rig;
+use crate::with;
 use stiction_core::{Event, Evolution, Fixed, Full, Hand, Real};
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Said, hand_path};
-use stiction_wire::{Command, Mode, Pose, Stepping};
+use stiction_wire::{Command, Mode, Stepping};
 
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     const SAMPLES: u32 = 3_000;
     let mut rig = Rig::<R>::new();
-    rig.mode(Mode {
-        evolution,
-        stepping: Stepping::PerSample,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| (mode.evolution, mode.stepping) = (evolution, Stepping::PerSample));
     rig.client.inbox.clear();
     let hands = hand_path(SAMPLES);
     let first = rig.client.sequence;
@@ -35,10 +32,8 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     }
     let health = rig.health();
     assert_eq!((health.samples, health.late_samples), (SAMPLES, 0));
-    assert_eq!(
-        (health.lost_frames, health.missed_ticks, health.unsent),
-        (0, 0, 0)
-    );
+    let lost = [health.lost_frames, health.missed_ticks, health.unsent];
+    assert_eq!(lost, [0; 3]);
     assert!((1..50_000).contains(&health.worst_step) && health.worst_tick > health.worst_step);
     // Nothing more arrives: nothing is reported.
     rig.tick();
@@ -77,13 +72,7 @@ fn with_ticks_the_newest_sample_counts_and_the_others_are_late() {
             None => {
                 // The body stays, and nothing happens to it.
                 let Some(last) = last else { continue };
-                assert_eq!(
-                    Pose {
-                        events: last.events,
-                        ..pose
-                    },
-                    last
-                );
+                assert_eq!(with(pose, |pose| pose.events = last.events), last);
                 assert!(Event::ALL.iter().all(|event| !pose.events.contains(*event)));
             }
         }
@@ -95,11 +84,7 @@ fn with_ticks_the_newest_sample_counts_and_the_others_are_late() {
 #[test]
 fn forces_and_events_are_those_of_the_step() {
     let mut rig = Rig::<f32>::new();
-    rig.mode(Mode {
-        pose_every: 2,
-        forces_every: 3,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| (mode.pose_every, mode.forces_every) = (2, 3));
     rig.client.inbox.clear();
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let (mut poses, mut forces, mut events) = (0, 0, 0);
@@ -153,12 +138,7 @@ fn forces_and_events_are_those_of_the_step() {
 #[test]
 fn what_happened_between_two_poses_is_reported_with_the_next() {
     let mut rig = Rig::<f32>::new();
-    rig.mode(Mode {
-        pose_every: 50,
-        events: false,
-        health_every: 0,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| (mode.pose_every, mode.events, mode.health_every) = (50, false, 0));
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let mut happened = Vec::new();
     for hand in hand_path(1_000) {
@@ -189,11 +169,8 @@ fn a_pose_for_which_there_is_no_room_keeps_its_events_for_the_next() {
     rig.line.room = usize::MAX;
     rig.hand(Hand::new(0.0, 0.045, 0.0));
     let received = rig.received();
-    assert_eq!(
-        received[0].sequence,
-        last.sequence.wrapping_add(1),
-        "only what was sent is counted"
-    );
+    let next = last.sequence.wrapping_add(1);
+    assert_eq!(received[0].sequence, next, "only what was sent is counted");
     let Said::Pose(pose) = &received[0].said else {
         panic!("{received:?}")
     };

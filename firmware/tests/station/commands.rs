@@ -2,12 +2,13 @@
 
 use super::rig::{Rig, driven, setup};
 use super::scenes::TRIANGLE;
+use crate::with;
 use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
-use stiction_firmware::station::Setup;
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Known, Said, scene};
 use stiction_wire::{
-    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
+    Command, Drive, Mode, NumberType, Parameters, Pong, Pose, Reason, Report, Reset, Stepping,
+    Subject,
 };
 
 pub(crate) const PARAMETERS: Parameters = Parameters {
@@ -18,11 +19,8 @@ pub(crate) const PARAMETERS: Parameters = Parameters {
     memory: None,
 };
 
-const DEEP: [f32; 3] = [0.001, 0.045, 0.0];
-
 pub(crate) fn deep() -> Hand<f32> {
-    let [x, y, phi] = DEEP;
-    Hand::new(x, y, phi)
+    Hand::new(0.001, 0.045, 0.0)
 }
 
 /// The part of the board's state that a client can see: its description, and its pose.
@@ -33,18 +31,36 @@ pub(crate) fn seen(rig: &mut Rig) -> (Known, Pose) {
     (info, Pose { sample: 0, ..pose })
 }
 
-/// Asserts that the command is refused, with the subject, value and limit, and nothing changes.
-pub(crate) fn refused(rig: &mut Rig, command: Command<'_>, expected: (Reason, Subject, f32, f32)) {
-    let before = seen(rig);
+/// A reason with its subject, and the value and the limit, which may be NaN.
+pub(crate) type Expected = (Reason, Subject, f32, f32);
+
+/// Asserts that the command is refused, with the subject, value and limit.
+pub(crate) fn answered(rig: &mut Rig, command: Command<'_>, expected: Expected) {
     let answer = rig.ask(command);
-    let said = (answer.reason, answer.subject);
     let (reason, subject, value, limit) = expected;
-    assert_eq!(said, (reason, subject), "{answer:?}");
+    assert_eq!(
+        (answer.reason, answer.subject),
+        (reason, subject),
+        "{answer:?}"
+    );
     let same = |a: f32, b: f32| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
-    assert!(same(answer.value, value), "{answer:?}");
-    assert!(same(answer.limit, limit), "{answer:?}");
+    assert!(
+        same(answer.value, value) && same(answer.limit, limit),
+        "{answer:?}"
+    );
     assert!(!answer.allowed.is_empty() && answer.allowed.len() <= 200);
+}
+
+/// Asserts in addition that nothing changes.
+pub(crate) fn refused(rig: &mut Rig, command: Command<'_>, expected: Expected) {
+    let before = seen(rig);
+    answered(rig, command, expected);
     assert_eq!(seen(rig), before);
+}
+
+/// The parameters, some of them changed.
+fn parameters(change: impl FnOnce(&mut Parameters)) -> Command<'static> {
+    Command::Parameters(with(PARAMETERS, change))
 }
 
 #[test]
@@ -80,7 +96,7 @@ fn hello_is_answered_by_info() {
 fn hello_is_answered_whatever_the_name() {
     for length in [0, 1, 161, 162, 199, 200, 201, 300] {
         let name: &str = Box::leak("n".repeat(length).into_boxed_str());
-        let mut rig = Rig::<f32>::of(Setup { name, ..setup() });
+        let mut rig = Rig::<f32>::of(with(setup(), |setup| setup.name = name));
         let said = rig.info().name;
         assert_eq!(said, name[..length.min(200)], "{length} characters");
         assert_eq!(rig.health().unsent, 0);
@@ -115,6 +131,26 @@ fn ping_is_answered_by_pong() {
     assert_eq!(received[0].time, now_us);
 }
 
+/// FRAME 2: an undamaged frame that is no command.
+#[test]
+fn what_is_no_command_is_answered_and_what_is_damaged_is_not() {
+    let mut rig = Rig::<f32>::new();
+    let (sequence, time) = (0, 0);
+    let answer = rig.ask(Report::Pong(Pong { sequence, time }));
+    let said = (answer.reason, answer.subject);
+    assert_eq!(said, (Reason::UnknownType, Subject::Command));
+    let mut damaged = rig.client.encode(Command::Ping);
+    damaged[3] ^= 0x10;
+    rig.line.to_board.extend(damaged);
+    rig.tick();
+    assert!(rig.reports().all(|said| matches!(said, Said::Pose(_))));
+    // The first is a frame of the line all the same, the second is lost.
+    rig.send(Command::Ping);
+    rig.tick();
+    let health = rig.health();
+    assert_eq!((health.faults.total(), health.lost_frames), (2, 1));
+}
+
 #[test]
 fn parameters_in_mid_contact_leave_the_body_where_it_is() {
     let mut rig = Rig::<f32>::new();
@@ -144,10 +180,7 @@ fn parameters_in_mid_contact_leave_the_body_where_it_is() {
 #[test]
 fn parameters_before_the_first_sample_are_those_of_the_start() {
     let mut rig = Rig::<f32>::new();
-    rig.done(Command::Parameters(Parameters {
-        stiffness_translation: 1_000.0,
-        ..PARAMETERS
-    }));
+    rig.done(parameters(|p| p.stiffness_translation = 1_000.0));
     let force = rig.stay(Hand::new(0.0, 0.046, 0.0), 200);
     assert!(
         (force.force[1] - 4.0).abs() < 1e-3,
@@ -160,17 +193,11 @@ fn a_memory_length_is_reported_and_taken_back() {
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 30);
     for memory in [Some(1e-3), Some(0.0), None] {
-        rig.done(Command::Parameters(Parameters {
-            memory,
-            ..PARAMETERS
-        }));
+        rig.done(parameters(|p| p.memory = memory));
         assert_eq!(rig.info().memory, memory);
     }
     for wrong in [-1e-6, f32::NAN, f32::INFINITY] {
-        let command = Command::Parameters(Parameters {
-            memory: Some(wrong),
-            ..PARAMETERS
-        });
+        let command = parameters(|p| p.memory = Some(wrong));
         let subject = Subject::Scene(Parameter::Memory(0));
         let expected = (Reason::Number, subject, wrong, f32::NAN);
         refused(&mut rig, command, expected);
@@ -180,85 +207,54 @@ fn a_memory_length_is_reported_and_taken_back() {
 
 #[test]
 fn parameters_that_are_no_numbers_for_them_are_refused() {
-    use Parameter as P;
-    let nan = f32::NAN;
+    use Parameter::{FrictionDynamic, FrictionStatic, StiffnessRotation, StiffnessTranslation};
+    let (nan, infinity) = (f32::NAN, f32::INFINITY);
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 30);
-    let cases = [
-        (P::StiffnessTranslation, 0.0, [0.0, 0.3, 0.8, 0.2]),
-        (P::StiffnessTranslation, -1.0, [-1.0, 0.3, 0.8, 0.2]),
-        (P::StiffnessTranslation, nan, [nan, 0.3, 0.8, 0.2]),
-        (P::StiffnessRotation, -0.1, [400.0, -0.1, 0.8, 0.2]),
-        (
-            P::StiffnessRotation,
-            f32::INFINITY,
-            [400.0, f32::INFINITY, 0.8, 0.2],
-        ),
-        (P::FrictionStatic(0), 0.1, [400.0, 0.3, 0.1, 0.2]),
-        (P::FrictionDynamic(0), -0.2, [400.0, 0.3, 0.8, -0.2]),
-        (P::FrictionDynamic(0), nan, [400.0, 0.3, 0.8, nan]),
+    type Place = fn(&mut Parameters) -> &mut f32;
+    let cases: [(Parameter, f32, Place); 8] = [
+        (StiffnessTranslation, 0.0, |p| &mut p.stiffness_translation),
+        (StiffnessTranslation, -1.0, |p| &mut p.stiffness_translation),
+        (StiffnessTranslation, nan, |p| &mut p.stiffness_translation),
+        (StiffnessRotation, -0.1, |p| &mut p.stiffness_rotation),
+        (StiffnessRotation, infinity, |p| &mut p.stiffness_rotation),
+        (FrictionStatic(0), 0.1, |p| &mut p.friction_static),
+        (FrictionDynamic(0), -0.2, |p| &mut p.friction_dynamic),
+        (FrictionDynamic(0), nan, |p| &mut p.friction_dynamic),
     ];
-    for (parameter, value, [k_h, k_theta, mu_s, mu_d]) in cases {
-        let command = Command::Parameters(Parameters {
-            stiffness_translation: k_h,
-            stiffness_rotation: k_theta,
-            friction_static: mu_s,
-            friction_dynamic: mu_d,
-            memory: None,
-        });
-        refused(
-            &mut rig,
-            command,
-            (Reason::Number, Subject::Scene(parameter), value, nan),
-        );
+    for (parameter, value, place) in cases {
+        let expected = (Reason::Number, Subject::Scene(parameter), value, nan);
+        refused(&mut rig, parameters(|p| *place(p) = value), expected);
     }
 }
 
 #[test]
 fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
+    let nan = f32::NAN;
     let mut rig = Rig::<f32>::of(driven());
     rig.stay(deep(), 30);
-    let stiff = Parameters {
-        stiffness_translation: 4_000.0,
-        ..PARAMETERS
-    };
-    let subject = Subject::Scene(Parameter::StiffnessTranslation);
+    let along = Subject::Scene(Parameter::StiffnessTranslation);
+    let round = Subject::Scene(Parameter::StiffnessRotation);
+    let stiff = parameters(|p| p.stiffness_translation = 4_000.0);
     refused(
         &mut rig,
-        Command::Parameters(stiff),
-        (Reason::NotPassive, subject, 4_000.0, 4_000.0),
+        stiff,
+        (Reason::NotPassive, along, 4_000.0, 4_000.0),
     );
-    let twisting = Parameters {
-        stiffness_rotation: 3.0,
-        ..PARAMETERS
-    };
-    let subject = Subject::Scene(Parameter::StiffnessRotation);
+    let twisting = parameters(|p| p.stiffness_rotation = 3.0);
     refused(
         &mut rig,
-        Command::Parameters(twisting),
-        (Reason::NotPassive, subject, 3.0, 1.953_125),
+        twisting,
+        (Reason::NotPassive, round, 3.0, 1.953_125),
     );
     // NaN is not too stiff.
-    let nan = Parameters {
-        stiffness_translation: f32::NAN,
-        ..PARAMETERS
-    };
-    let subject = Subject::Scene(Parameter::StiffnessTranslation);
-    refused(
-        &mut rig,
-        Command::Parameters(nan),
-        (Reason::Number, subject, f32::NAN, f32::NAN),
-    );
+    let unknown = parameters(|p| p.stiffness_translation = nan);
+    refused(&mut rig, unknown, (Reason::Number, along, nan, nan));
     // A slower tick holds the force longer: a stiffness that is passive now would not be. 2 b / T = 400 N/m at 100 Hz.
-    let slow = Command::Mode(Mode {
-        tick_rate: 100,
-        ..Mode::DEFAULT
-    });
-    refused(&mut rig, slow, (Reason::NotPassive, subject, 500.0, 400.0));
-    rig.done(Command::Parameters(Parameters {
-        stiffness_translation: 300.0,
-        stiffness_rotation: 0.1,
-        ..PARAMETERS
+    let slow = Command::Mode(with(Mode::DEFAULT, |mode| mode.tick_rate = 100));
+    refused(&mut rig, slow, (Reason::NotPassive, along, 500.0, 400.0));
+    rig.done(parameters(|p| {
+        (p.stiffness_translation, p.stiffness_rotation) = (300.0, 0.1)
     }));
     rig.done(slow);
     assert_eq!(rig.info().stiffest, [400.0, 0.195_312_5]);
@@ -267,11 +263,8 @@ fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
 #[test]
 fn reset_of_the_body_keeps_scene_parameters_and_mode() {
     let mut rig = Rig::<f32>::new();
-    let mode = Mode {
-        evolution: Evolution::Frame,
-        ..Mode::DEFAULT
-    };
-    rig.mode(mode);
+    let mode = with(Mode::DEFAULT, |mode| mode.evolution = Evolution::Frame);
+    rig.done(Command::Mode(mode));
     rig.done(Command::Parameters(PARAMETERS));
     rig.stay(Hand::new(0.08, 0.045, 0.5), 60);
     let samples = rig.health().samples;
@@ -290,11 +283,7 @@ fn reset_of_the_body_keeps_scene_parameters_and_mode() {
 #[test]
 fn reset_of_everything_is_power_up() {
     let mut rig = Rig::<f32>::new();
-    rig.mode(Mode {
-        stepping: Stepping::PerSample,
-        tick_rate: 500,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| (mode.stepping, mode.tick_rate) = (Stepping::PerSample, 500));
     rig.done(scene(&TRIANGLE));
     rig.line.to_board.extend([3, 1, 1, 1, 0]);
     rig.stay(Hand::new(0.0, 0.05, 0.0), 60);

@@ -9,26 +9,19 @@ use stiction_tests::station::client::{Client, Said, hand_path};
 use stiction_tests::station::noise::{Random, garbled};
 use stiction_wire::{Command, Mode, Stepping};
 
-/// The number of a sample returns as the depth of its pose: so every accepted pose can be identified.
-fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {
-    Hand {
-        depth: number as f32,
-        ..hand
-    }
-}
-
 fn run(seed: u64, per_byte: u64, frames: u32) {
     let mut rig = Rig::<f32>::new();
-    rig.mode(Mode {
-        stepping: Stepping::PerSample,
-        events: false,
-        health_every: 0,
-        ..Mode::DEFAULT
+    rig.mode(|mode| {
+        (mode.stepping, mode.events, mode.health_every) = (Stepping::PerSample, false, 0);
     });
     rig.received();
     let mut random = Random(seed);
     let path = hand_path(5_000);
-    let hand = |number: u32| numbered(path[number as usize % path.len()], number);
+    // The number of a sample returns as the depth of its pose: so every accepted pose can be identified.
+    let hand = |number: u32| Hand {
+        depth: number as f32,
+        ..path[number as usize % path.len()]
+    };
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     // The board's reports, before the line to the client.
     let mut at_board = Client::default();

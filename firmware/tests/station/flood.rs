@@ -2,8 +2,9 @@
 
 use super::rig::Rig;
 use stiction_core::{Hand, Wrench};
-use stiction_tests::station::client::Said;
-use stiction_wire::{Command, Mode, Stepping};
+use stiction_tests::station::BOX;
+use stiction_tests::station::client::{Client, Said, scene};
+use stiction_wire::{Command, Stepping};
 
 /// What 921600 baud transfer within 1 ms, twice, and one sample.
 const BOUND: usize = 2 * 92 + 64;
@@ -20,7 +21,11 @@ fn still_there(rig: &mut Rig) {
 #[test]
 fn a_flood_of_anything_is_taken_in_bounded_parts() {
     let mut rig = Rig::<f32>::new();
-    let mut client = stiction_tests::station::client::Client::default();
+    let mut client = Client::default();
+    let mut many = |count: usize, command: Command<'static>| {
+        let frames = (0..count).flat_map(|_| client.encode(command));
+        frames.collect()
+    };
     let flood = [
         vec![0; 50_000],
         vec![1; 50_000],
@@ -28,22 +33,10 @@ fn a_flood_of_anything_is_taken_in_bounded_parts() {
         (0..50_000_u32)
             .map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8)
             .collect(),
-        (0..2_000)
-            .flat_map(|_| client.encode(Command::Ping))
-            .collect(),
-        (0..2_000)
-            .flat_map(|_| client.encode(Command::Hello))
-            .collect(),
-        (0..2_000)
-            .flat_map(|_| client.encode(Command::Hand(Hand::new(0.0, 0.05, 0.0))))
-            .collect(),
-        (0..500)
-            .flat_map(|_| {
-                client.encode(stiction_tests::station::client::scene(
-                    &stiction_tests::station::BOX,
-                ))
-            })
-            .collect(),
+        many(2_000, Command::Ping),
+        many(2_000, Command::Hello),
+        many(2_000, Command::Hand(Hand::new(0.0, 0.05, 0.0))),
+        many(500, scene(&BOX)),
     ];
     for bytes in flood {
         rig.line.to_board.extend(bytes);
@@ -77,10 +70,7 @@ fn a_flood_that_carries_no_sample_is_silence() {
 #[test]
 fn one_command_a_tick_and_samples_behind_it_wait() {
     let mut rig = Rig::<f32>::new();
-    rig.mode(Mode {
-        stepping: Stepping::PerSample,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| mode.stepping = Stepping::PerSample);
     rig.received();
     for i in 0..10 {
         rig.send(Command::Ping);

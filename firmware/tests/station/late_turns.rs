@@ -1,6 +1,7 @@
 //! Turns that take longer than a tick: the servo loop goes on, whatever the solver does.
 
 use super::rig::{Nothing, Rig};
+use crate::{change, size};
 use stiction_core::{Hand, Wrench};
 use stiction_firmware::device::{LockServo, Servo};
 use stiction_wire::{Command, Drive};
@@ -59,11 +60,6 @@ impl Rig<f32> {
     }
 }
 
-fn change(a: &Wrench<f32>, b: &Wrench<f32>) -> f32 {
-    let ([ax, ay], [bx, by]) = (a.force, b.force);
-    (bx - ax).hypot(by - ay)
-}
-
 /// A hand that presses, drags, and leaves the floor.
 fn hand(i: u32) -> Hand<f32> {
     let t = i as f32 * 1e-3;
@@ -81,7 +77,7 @@ fn the_force_changes_by_one_step_in_a_tick_and_no_tick_is_missed() {
             (before, ticks) = (force, ticks + 1);
         }
     }
-    assert!(change(&before, &Wrench::default()) > 1.0, "it pushes");
+    assert!(size(&before) > 1.0, "it pushes");
     let health = rig.health();
     assert_eq!((health.missed_ticks, health.samples), (0, 2_000));
     assert!(health.ticks.abs_diff(ticks) <= 1, "{ticks} {health:?}");
@@ -102,14 +98,8 @@ fn during_a_long_turn_the_last_force_is_given_on() {
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 50);
     let force = rig.force;
-    for given in rig
-        .late(Hand::new(0.001, 0.045, 0.0), 10)
-        .split_last()
-        .unwrap()
-        .1
-    {
-        assert_eq!(*given, force);
-    }
+    let given = rig.late(Hand::new(0.001, 0.045, 0.0), 10);
+    assert!(given[..10].iter().all(|given| *given == force));
     assert_ne!(rig.force, force);
 }
 
@@ -117,7 +107,7 @@ fn during_a_long_turn_the_last_force_is_given_on() {
 fn a_turn_that_does_not_end_is_silence_and_the_way_back_is_slow() {
     let mut rig = Rig::<f32>::new();
     rig.stay(deep(), 50);
-    let full = change(&rig.force, &Wrench::default());
+    let full = size(&rig.force);
     // Its sample is an old one when it comes to an end.
     let forces = rig.late(deep(), 30);
     let off = forces.iter().position(|force| *force == Wrench::default());
@@ -125,19 +115,15 @@ fn a_turn_that_does_not_end_is_silence_and_the_way_back_is_slow() {
     let off = off.expect("zero force");
     assert!((15..=20).contains(&off), "{off} ms");
     let rest = &forces[off..];
-    assert!(
-        rest.iter()
-            .all(|force| change(&Wrench::default(), force) <= STEP)
-    );
+    assert!(rest.iter().all(|force| size(force) <= STEP));
     assert_eq!(rig.health().drive, Drive::Silent);
     let mut before = Wrench::default();
-    for force in (0..100)
-        .flat_map(|_| rig.late(deep(), 0))
-        .collect::<Vec<_>>()
-    {
-        assert!(change(&before, &force) <= STEP);
-        before = force;
+    for _ in 0..100 {
+        for force in rig.late(deep(), 0) {
+            assert!(change(&before, &force) <= STEP);
+            before = force;
+        }
     }
-    assert!((change(&before, &Wrench::default()) - full).abs() < 1e-3);
+    assert!((size(&before) - full).abs() < 1e-3);
     assert_eq!(rig.health().drive, Drive::On);
 }

@@ -2,15 +2,16 @@
 //! fit are refused with the numbers, and a board without room reports it.
 
 use super::rig::{Nothing, Rig, S, V};
+use crate::{SAME, with};
 use stiction_core::{
     Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene, Solver,
     State, StateKind, Touch, WithObstacles,
 };
 use stiction_tests::station::beside::{Beside, assert_same};
-use stiction_tests::station::client::{Received, Said, scene};
+use stiction_tests::station::client::{Said, scene};
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{
-    Command, ContactAmong, Mode, Parameters, Reason, Reset, Room, SceneAmong, Stepping, Subject,
+    Command, CommandAmong, ContactAmong, Reason, Reset, Room, SceneAmong, Stepping, Subject,
     frame_bytes, obstacle_bytes, scene_bytes,
 };
 
@@ -38,8 +39,15 @@ const EDGE: Description<'static, f32> = Description {
 };
 const OBSTACLES: [ObstacleDescription<'static, f32>; 2] = [TABLE, PIN];
 
-fn edge() -> SceneAmong<'static> {
-    SceneAmong::new(&EDGE, &OBSTACLES)
+fn among<'a>(
+    description: &'a Description<'a, f32>,
+    obstacles: &'a [ObstacleDescription<'a, f32>],
+) -> CommandAmong<'a> {
+    CommandAmong::SceneAmong(SceneAmong::new(description, obstacles))
+}
+
+fn edge() -> CommandAmong<'static> {
+    among(&EDGE, &OBSTACLES)
 }
 
 /// Pressed, drawn over the edge until the box tips, against the pin, up and away, and released.
@@ -57,11 +65,7 @@ fn hands() -> impl Iterator<Item = Hand<f32>> {
         let (leg, part) = (i / 200, (i % 200) as f32 / 200.0);
         let at = |k: usize| legs[leg][k] + (legs[leg + 1][k] - legs[leg][k]) * part;
         let hand = Hand::new(at(0), at(1), at(2));
-        if (900..905).contains(&i) {
-            hand.released()
-        } else {
-            hand
-        }
+        with(hand, |hand| hand.held = !(900..905).contains(&i))
     })
 }
 
@@ -80,14 +84,10 @@ fn contacts<R: Real<Si = f32>>(
 /// Every pose and all forces have the bits of a solver run in parallel; records which states and kinds of contacts occurred.
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     let mut rig = Among::<R>::new();
-    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
-    rig.mode(Mode {
-        evolution,
-        stepping: Stepping::PerSample,
-        tick_rate: 500,
-        forces_every: 1,
-        health_every: 0,
-        ..Mode::DEFAULT
+    rig.done(edge());
+    rig.mode(|mode| {
+        (mode.evolution, mode.stepping) = (evolution, Stepping::PerSample);
+        (mode.tick_rate, mode.forces_every, mode.health_every) = (500, 1, 0);
     });
     let there = Scene::<R, V, S, Model>::among(&EDGE, &OBSTACLES).expect("a scene");
     let mut beside = Beside::solving(there, evolution);
@@ -98,7 +98,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         let output = beside.step(hand);
         let (solver, state) = (&beside.solver, beside.state.as_ref().expect("it has begun"));
         let (mut poses, mut forces) = (0, 0);
-        for Received { said, .. } in rig.received() {
+        for said in rig.reports() {
             match said {
                 Said::Pose(pose) => {
                     assert_same(&pose, &output, &format!("sample {i}"));
@@ -126,13 +126,9 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         }
     }
     assert_eq!(kinds, [true; 2], "sides and corners are touched");
-    for state in [
-        StateKind::NonContact,
-        StateKind::SingleVertex,
-        StateKind::Edge,
-    ] {
-        assert!(states.contains(&state), "{states:?}");
-    }
+    use StateKind::{Edge, NonContact, SingleVertex};
+    let visited = [NonContact, SingleVertex, Edge].map(|state| states.contains(&state));
+    assert_eq!(visited, [true; 3], "{states:?}");
 }
 
 #[test]
@@ -145,33 +141,18 @@ fn every_sample_is_stepped_among_obstacles_bit_for_bit() {
 
 #[test]
 fn room_is_reported_before_info_and_by_boards_with_room_alone() {
-    let mut rig = Among::<f32>::new();
-    rig.send(Command::Hello);
-    rig.client.inbox.clear();
-    rig.tick();
-    let said: Vec<Said> = rig
-        .received()
-        .into_iter()
-        .map(|received| received.said)
-        .collect();
+    let said = Among::<f32>::new().hello();
     let room = Said::Room(Room {
         obstacles: 4,
         corners: 16,
     });
     assert_eq!(said[0], room);
     let Said::Info(info) = &said[1] else {
-        panic!("{said:?}");
+        panic!("{said:?}")
     };
     assert_eq!(usize::from(info.longest_frame), LONGEST);
-    let mut rig = Rig::<f32>::new();
-    rig.send(Command::Hello);
-    rig.client.inbox.clear();
-    rig.tick();
-    assert!(
-        !rig.received()
-            .iter()
-            .any(|received| matches!(received.said, Said::Room(_)))
-    );
+    let said = Rig::<f32>::new().hello();
+    assert!(!said.iter().any(|said| matches!(said, Said::Room(_))));
 }
 
 #[test]
@@ -179,11 +160,9 @@ fn a_board_without_room_refuses_the_version_and_changes_nothing() {
     let mut rig = Rig::<f32>::new();
     rig.stay(Hand::new(0.02, 0.045, 0.1), 60);
     let before = rig.pose();
-    let answer = rig.ask_among(edge());
-    assert_eq!(
-        (answer.reason, answer.subject),
-        (Reason::Version, Subject::Command)
-    );
+    let answer = rig.ask(edge());
+    let said = (answer.reason, answer.subject);
+    assert_eq!(said, (Reason::Version, Subject::Command));
     rig.tick();
     let after = rig.pose();
     assert_eq!((before.position, before.rest), (after.position, after.rest));
@@ -193,97 +172,68 @@ fn a_board_without_room_refuses_the_version_and_changes_nothing() {
 fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
     use Parameter as P;
     let nan = f32::NAN;
-    let round: Vec<[f32; 2]> = (0..16)
-        .map(|i| {
-            let (sin, cos) = (std::f32::consts::TAU * i as f32 / 16.0).sin_cos();
-            [1.0 + 0.2 * cos, 0.2 * sin]
-        })
-        .collect();
-    let round = ObstacleDescription {
-        vertices: &round,
-        ..TABLE
-    };
-    let clockwise = ObstacleDescription {
-        vertices: &[[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]],
-        ..TABLE
-    };
-    let slippery = ObstacleDescription {
-        friction_static: 0.1,
-        ..PIN
-    };
-    let empty = ObstacleDescription {
-        vertices: &[],
-        ..PIN
-    };
-    let sunk = Description {
-        start: [-0.02, 0.02, 0.0],
-        ..EDGE
-    };
-    let (number, unsupported) = (Reason::Number, Reason::Unsupported);
+    let round: [[f32; 2]; 16] = std::array::from_fn(|i| {
+        let (sin, cos) = (std::f32::consts::TAU * i as f32 / 16.0).sin_cos();
+        [1.0 + 0.2 * cos, 0.2 * sin]
+    });
+    let round = with(TABLE, |o| o.vertices = &round);
+    let clockwise = with(TABLE, |o| {
+        o.vertices = &[[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]]
+    });
+    let slippery = with(PIN, |o| o.friction_static = 0.1);
+    let empty = with(PIN, |o| o.vertices = &[]);
+    let sunk = with(EDGE, |d| d.start = [-0.02, 0.02, 0.0]);
+    let many = with(EDGE, |d| d.vertices = &[[0.0; 2]; 9]);
     let corner = P::Corner {
         obstacle: 1,
         corner: 2,
     };
     let mut rig = Among::<f32>::new();
-    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
+    rig.done(edge());
     rig.stay(Hand::new(-0.02, 0.045, 0.1), 60);
     let before = rig.pose();
-    for (description, obstacles, reason, parameter, value, limit) in [
-        (EDGE, &[PIN; 5][..], unsupported, P::ObstacleCount, 5.0, 4.0),
-        (EDGE, &[round, PIN], unsupported, P::CornerCount, 17.0, 16.0),
-        (EDGE, &[TABLE, clockwise], number, corner, 0.3, nan),
-        (EDGE, &[PIN, empty], number, P::Corners(1), 0.0, nan),
-        (
-            EDGE,
-            &[slippery],
-            number,
-            P::ObstacleFrictionStatic(0),
-            0.1,
-            nan,
-        ),
-        (sunk, &[TABLE], number, P::Overlap(0), 0.01, nan),
+    for (description, obstacles, parameter, value, limit) in [
+        (&EDGE, &[PIN; 5][..], P::ObstacleCount, 5.0, 4.0),
+        (&EDGE, &[round, PIN], P::CornerCount, 17.0, 16.0),
+        (&EDGE, &[TABLE, clockwise], corner, 0.3, nan),
+        (&EDGE, &[PIN, empty], P::Corners(1), 0.0, nan),
+        (&EDGE, &[slippery], P::ObstacleFrictionStatic(0), 0.1, nan),
+        (&sunk, &[TABLE], P::Overlap(0), 0.01, nan),
+        (&many, &[TABLE], P::VertexCount, 9.0, 8.0),
     ] {
-        let answer = rig.ask_among(SceneAmong::new(&description, obstacles));
+        let answer = rig.ask(among(description, obstacles));
+        // Only what is too large for the board has a limit.
+        let reason = match limit.is_nan() {
+            true => Reason::Number,
+            false => Reason::Unsupported,
+        };
         assert_eq!(answer.reason, reason, "{answer:?}");
         assert_eq!(answer.subject, Subject::Scene(parameter));
         assert!((answer.value - value).abs() < 1e-6, "{answer:?}");
-        assert_eq!(answer.limit.is_nan(), limit.is_nan());
-        assert!(limit.is_nan() || answer.limit == limit, "{answer:?}");
+        let limits = [answer.limit, limit];
+        assert!(limits[0] == limits[1] || limits.iter().all(|limit| limit.is_nan()));
         assert!(!answer.allowed.is_empty());
     }
-    // An allowed scene is accepted: 16 corners.
-    let many = Description {
-        vertices: &[[0.0; 2]; 9],
-        ..EDGE
-    };
-    let answer = rig.ask_among(SceneAmong::new(&many, &[TABLE]));
-    assert_eq!((answer.reason, answer.limit), (unsupported, 8.0));
     rig.tick();
     let after = rig.pose();
     assert_eq!((before.position, before.rest), (after.position, after.rest));
-    assert_eq!(
-        rig.ask_among(SceneAmong::new(&EDGE, &[round])).reason,
-        Reason::Done
-    );
+    // An allowed scene is accepted: 16 corners.
+    rig.done(among(&EDGE, &[round]));
 }
 
 #[test]
 fn obstacles_stay_and_their_friction_follows_the_parameters() {
     let mut rig = Among::<f32>::new();
-    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
+    rig.done(edge());
     assert_eq!(rig.info().friction, [0.5, 0.3], "of the first obstacle");
     // 10 mm down and 4 mm along: it sticks, and slips once mu_s is less than 0.4 of the load.
     rig.stay(Hand::new(-0.02, 0.04, 0.0), 60);
     rig.stay(Hand::new(-0.016, 0.04, 0.0), 60);
     let stuck = rig.pose();
     assert_eq!(stuck.state, StateKind::Edge);
-    rig.done(Command::Parameters(Parameters {
-        stiffness_translation: 500.0,
-        stiffness_rotation: 0.5,
-        friction_static: 0.1,
-        friction_dynamic: 0.1,
-        memory: Some(0.0),
-    }));
+    rig.done(Command::Parameters(with(SAME, |p| {
+        (p.friction_static, p.friction_dynamic, p.memory) = (0.1, 0.1, Some(0.0));
+    })));
     let info = rig.info();
     assert_eq!((info.friction, info.memory), ([0.1, 0.1], Some(0.0)));
     rig.stay(Hand::new(-0.016, 0.04, 0.0), 2);
@@ -300,21 +250,13 @@ fn obstacles_stay_and_their_friction_follows_the_parameters() {
     assert_eq!(rig.pose().state, StateKind::Edge);
     rig.done(Command::Reset(Reset::Everything));
     assert_eq!(rig.info().friction, [0.5, 0.3]);
-    rig.mode(Mode {
-        tick_rate: 500,
-        forces_every: 1,
-        ..Mode::DEFAULT
-    });
+    rig.mode(|mode| (mode.tick_rate, mode.forces_every) = (500, 1));
     rig.client.inbox.clear();
     rig.stay(Hand::new(0.02, 0.045, 0.0), 2);
-    let forces = rig.received();
-    let plain = |received: &Received| matches!(received.said, Said::Forces { .. });
-    assert!(
-        forces.iter().any(plain),
-        "forces of a scene without obstacles"
-    );
-    let among = |received: &Received| matches!(received.said, Said::ForcesAmong { .. });
-    assert!(!forces.iter().any(among));
+    let reports: Vec<Said> = rig.reports().collect();
+    let has = |pick: fn(&Said) -> bool| reports.iter().any(pick);
+    assert!(has(|said| matches!(said, Said::Forces { .. })));
+    assert!(!has(|said| matches!(said, Said::ForcesAmong { .. })));
 }
 
 /// A client without obstacles can use a board with room for them like any other.
@@ -326,20 +268,15 @@ fn a_scene_without_obstacles_goes_either_way() {
     };
     let walk = |rig: &mut Among<f32>| {
         let poses = hands().map(|hand| {
-            rig.hand(Hand {
-                position: [hand.position[0], hand.position[1] + 0.01],
-                ..hand
-            });
+            rig.hand(with(hand, |hand| hand.position[1] += 0.01));
             let pose = rig.pose();
             (pose.position, pose.rest, pose.state, pose.events)
         });
         poses.collect::<Vec<_>>()
     };
-    let mut rig = Among::<f32>::new();
-    rig.done(scene(&WITH_FLOOR));
-    let plain = walk(&mut rig);
-    let mut rig = Among::<f32>::new();
-    let empty = SceneAmong::new(&WITH_FLOOR, &[]);
-    assert_eq!(rig.ask_among(empty).reason, Reason::Done);
-    assert_eq!(walk(&mut rig), plain);
+    let mut rigs = [Among::<f32>::new(), Among::new()];
+    rigs[0].done(scene(&WITH_FLOOR));
+    rigs[1].done(among(&WITH_FLOOR, &[]));
+    let [plain, among] = rigs.each_mut().map(walk);
+    assert_eq!(plain, among);
 }

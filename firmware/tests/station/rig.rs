@@ -1,5 +1,6 @@
 //! A station with a client, a line between them, a device and a clock, all on this machine.
 
+use crate::with;
 use std::collections::VecDeque;
 use stiction_core::{Full, Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
@@ -9,8 +10,7 @@ use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
 use stiction_tests::station::client::{Answer, Client, Known, Received, Said};
 use stiction_wire::{
-    Command, CommandAmong, Health, Message, Mode, NumberType, Pose, Reason, SceneAmong,
-    frame_bytes, scene_bytes,
+    Command, Health, Message, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,
 };
 
 pub(crate) const V: usize = 8;
@@ -44,7 +44,6 @@ pub(crate) fn driven() -> Setup {
     }
 }
 
-/// Both directions, as queues.
 pub(crate) struct Line {
     pub(crate) to_board: VecDeque<u8>,
     pub(crate) from_board: Vec<u8>,
@@ -75,7 +74,6 @@ impl Link for Line {
     }
 }
 
-/// No device.
 pub(crate) type Nothing = (FromLine, NoActuators);
 
 pub(crate) struct Rig<R: Real = f32, M: BoardModel = Full, D = Nothing, const N: usize = LONGEST> {
@@ -142,7 +140,6 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.tick()
     }
 
-    /// The hand stays there for this many ticks.
     pub(crate) fn stay(&mut self, hand: Hand<f32>, ticks: u32) -> Wrench<f32> {
         for _ in 0..ticks {
             self.hand(hand);
@@ -150,20 +147,19 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.force
     }
 
-    /// Everything that was received.
     pub(crate) fn received(&mut self) -> Vec<Received> {
         self.client.inbox.drain(..).collect()
     }
 
-    /// The poses that were received.
+    pub(crate) fn reports(&mut self) -> impl Iterator<Item = Said> {
+        self.received().into_iter().map(|received| received.said)
+    }
+
     pub(crate) fn poses(&mut self) -> Vec<Pose> {
-        let received = self.received();
-        let poses = received
-            .into_iter()
-            .filter_map(|received| match received.said {
-                Said::Pose(pose) => Some(pose),
-                _ => None,
-            });
+        let poses = self.reports().filter_map(|said| match said {
+            Said::Pose(pose) => Some(pose),
+            _ => None,
+        });
         poses.collect()
     }
 
@@ -173,51 +169,48 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
     }
 
     /// The answer to a command: there is one, in the tick in which the command arrived.
-    pub(crate) fn ask(&mut self, message: Command<'_>) -> Answer {
-        let (code, sequence) = (message_code(&message), self.send(message));
-        self.answer(code, sequence)
-    }
-
-    /// Like [`Self::ask`], for a scene with obstacles.
-    pub(crate) fn ask_among(&mut self, scene: SceneAmong<'_>) -> Answer {
-        let sequence = self.send(CommandAmong::SceneAmong(scene));
-        self.answer(9, sequence)
-    }
-
-    fn answer(&mut self, code: u8, sequence: u8) -> Answer {
+    pub(crate) fn ask<'a>(&mut self, message: impl Message<'a>) -> Answer {
+        let (code, sequence) = (message.code(), self.send(message));
         self.client.inbox.clear();
         self.tick();
         while !self.line.to_board.is_empty() {
             // A tick takes a part of a long frame.
             self.tick();
         }
-        let mut answers = Vec::new();
-        for received in &self.client.inbox {
-            if let Said::Reply(answer) = &received.said {
-                answers.push(answer.clone());
-            }
-        }
-        assert_eq!(answers.len(), 1, "{answers:?}");
-        let answer = answers.remove(0);
-        assert_eq!(
-            (answer.command.code, answer.command.sequence),
-            (code, sequence)
-        );
-        answer
+        let answers = self
+            .client
+            .inbox
+            .iter()
+            .filter_map(|received| match &received.said {
+                Said::Reply(answer) => Some(answer),
+                _ => None,
+            });
+        let answers: Vec<_> = answers.collect();
+        let [answer] = answers[..] else {
+            panic!("{answers:?}")
+        };
+        let command = answer.command;
+        assert_eq!((command.code, command.sequence), (code, sequence));
+        answer.clone()
     }
 
     /// A command that is carried out.
-    pub(crate) fn done(&mut self, message: Command<'_>) {
+    pub(crate) fn done<'a>(&mut self, message: impl Message<'a>) {
         let answer = self.ask(message);
         assert_eq!(answer.reason, Reason::Done, "{answer:?}");
     }
 
-    pub(crate) fn info(&mut self) -> Known {
+    /// All answers to hello.
+    pub(crate) fn hello(&mut self) -> Vec<Said> {
         self.send(Command::Hello);
         self.client.inbox.clear();
         self.tick();
-        let mut received = self.received().into_iter();
-        let info = received.find_map(|received| match received.said {
+        self.reports().collect()
+    }
+
+    pub(crate) fn info(&mut self) -> Known {
+        let mut answers = self.hello().into_iter();
+        let info = answers.find_map(|said| match said {
             Said::Info(info) => Some(info),
             _ => None,
         });
@@ -228,21 +221,8 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         self.station.health()
     }
 
-    pub(crate) fn mode(&mut self, mode: Mode) {
-        self.done(Command::Mode(mode));
-    }
-}
-
-/// The type of a command, FRAME 3.
-fn message_code(command: &Command<'_>) -> u8 {
-    match command {
-        Command::Hand(_) => 1,
-        Command::Tracker(_) => 2,
-        Command::Parameters(_) => 3,
-        Command::Scene(_) => 4,
-        Command::Mode(_) => 5,
-        Command::Hello => 6,
-        Command::Ping => 7,
-        Command::Reset(_) => 8,
+    /// The mode after power-up, changed.
+    pub(crate) fn mode(&mut self, change: impl FnOnce(&mut Mode)) {
+        self.done(Command::Mode(with(Mode::DEFAULT, change)));
     }
 }

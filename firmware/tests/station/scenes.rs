@@ -3,8 +3,8 @@
 
 use super::commands::{PARAMETERS, deep, refused, seen};
 use super::rig::{Rig, setup};
+use crate::with;
 use stiction_core::{Bare, Description, Hand, Parameter, Status, SurfaceDescription};
-use stiction_firmware::station::Setup;
 use stiction_tests::station::client::scene;
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{Command, Reason, SceneCommand, Subject};
@@ -37,10 +37,7 @@ fn a_scene_in_mid_contact_begins_at_its_start() {
     let pose = rig.pose();
     assert!(pose.held && pose.status == Status::Ok && !pose.force_off);
     // The same as power-up with that scene.
-    let mut other = Rig::<f32>::of(Setup {
-        scene: TRIANGLE,
-        ..setup()
-    });
+    let mut other = Rig::<f32>::of(with(setup(), |setup| setup.scene = TRIANGLE));
     other.hand(Hand::new(0.0, 0.05, 0.0));
     let expected = other.pose();
     assert_eq!(
@@ -51,164 +48,65 @@ fn a_scene_in_mid_contact_begins_at_its_start() {
 
 #[test]
 fn scenes_that_cannot_be_used_are_refused() {
-    use Parameter as P;
-    let nan = f32::NAN;
-    let mut rig = Rig::<f32>::new();
-    rig.stay(deep(), 30);
-    let many: Vec<[f32; 2]> = (0..9)
-        .map(|i| {
-            let (sin, cos) = (std::f32::consts::TAU * i as f32 / 9.0).sin_cos();
-            [cos * 0.05, sin * 0.05]
-        })
-        .collect();
-    let wrong = SurfaceDescription {
+    use Parameter::{HoldingPoint, Normal, Reach, Start, StiffnessRotation, StiffnessTranslation};
+    use Parameter::{SurfaceCount, Vertex, VertexCount, Weight};
+    type Change = fn(&mut Description<'static, f32>);
+    const NAN: f32 = f32::NAN;
+    const MANY: [[f32; 2]; 9] = [[0.0; 2]; 9];
+    const LOST: [[f32; 2]; 2] = [[0.0, 0.0], [0.05, NAN]];
+    const WRONG: SurfaceDescription<f32> = SurfaceDescription {
         normal: [0.0, 0.0],
         ..FLOOR
     };
-    let number = Reason::Number;
-    let cases = [
-        (
-            Description {
-                vertices: &many,
-                ..BOX
-            },
-            Reason::Unsupported,
-            P::VertexCount,
-            9.0,
-            8.0,
-        ),
-        (
-            Description {
-                vertices: &[],
-                ..BOX
-            },
-            number,
-            P::VertexCount,
-            0.0,
-            nan,
-        ),
-        (
-            Description {
-                surfaces: &[FLOOR; 5],
-                ..BOX
-            },
-            Reason::Unsupported,
-            P::SurfaceCount,
-            5.0,
-            4.0,
-        ),
-        (
-            Description {
-                vertices: &[[0.0, 0.0], [0.05, nan]],
-                ..BOX
-            },
-            number,
-            P::Vertex(1),
-            nan,
-            nan,
-        ),
-        (
-            Description {
-                start: [0.0, nan, 0.0],
-                ..BOX
-            },
-            number,
-            P::Start,
-            nan,
-            nan,
-        ),
-        (
-            Description {
-                weight: -1.0,
-                ..BOX
-            },
-            number,
-            P::Weight,
-            -1.0,
-            nan,
-        ),
-        (
-            Description {
-                holding_point: Some([nan, 0.0]),
-                ..BOX
-            },
-            number,
-            P::HoldingPoint,
-            nan,
-            nan,
-        ),
-        (
-            Description { reach: -0.5, ..BOX },
-            number,
-            P::Reach,
-            -0.5,
-            nan,
-        ),
-        (
-            Description {
-                stiffness_translation: 0.0,
-                ..BOX
-            },
-            number,
-            P::StiffnessTranslation,
-            0.0,
-            nan,
-        ),
-        (
-            Description {
-                stiffness_rotation: -1.0,
-                ..BOX
-            },
-            number,
-            P::StiffnessRotation,
-            -1.0,
-            nan,
-        ),
-        (
-            Description {
-                surfaces: &[FLOOR, wrong],
-                ..BOX
-            },
-            number,
-            P::Normal(1),
-            0.0,
-            nan,
-        ),
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 30);
+    // Those with more than there is room for, and those that no board can use.
+    let larger: [(Change, Parameter, f32, f32); 2] = [
+        (|d| d.vertices = &MANY, VertexCount, 9.0, 8.0),
+        (|d| d.surfaces = &[FLOOR; 5], SurfaceCount, 5.0, 4.0),
     ];
-    for (description, reason, parameter, value, limit) in cases {
+    let wrong: [(Change, Parameter, f32); 9] = [
+        (|d| d.vertices = &[], VertexCount, 0.0),
+        (|d| d.vertices = &LOST, Vertex(1), NAN),
+        (|d| d.start[1] = NAN, Start, NAN),
+        (|d| d.weight = -1.0, Weight, -1.0),
+        (|d| d.holding_point = Some([NAN, 0.0]), HoldingPoint, NAN),
+        (|d| d.reach = -0.5, Reach, -0.5),
+        (|d| d.stiffness_translation = 0.0, StiffnessTranslation, 0.0),
+        (|d| d.stiffness_rotation = -1.0, StiffnessRotation, -1.0),
+        (|d| d.surfaces = &[FLOOR, WRONG], Normal(1), 0.0),
+    ];
+    let mut refused = |change: Change, reason, parameter, value, limit| {
+        let description = with(BOX, change);
         let command = Command::Scene(SceneCommand::from(&description));
-        refused(
-            &mut rig,
-            command,
-            (reason, Subject::Scene(parameter), value, limit),
-        );
-    }
-    let inside = Description {
-        start: [0.0, 0.02, 0.0],
-        ..BOX
+        let expected = (reason, Subject::Scene(parameter), value, limit);
+        refused(&mut rig, command, expected);
     };
+    for (change, parameter, value, limit) in larger {
+        refused(change, Reason::Unsupported, parameter, value, limit);
+    }
+    for (change, parameter, value) in wrong {
+        refused(change, Reason::Number, parameter, value, NAN);
+    }
+    let inside = with(BOX, |d| d.start = [0.0, 0.02, 0.0]);
     let before = seen(&mut rig);
     let answer = rig.ask(Command::Scene(SceneCommand::from(&inside)));
     assert_eq!(answer.reason, Reason::Number);
-    let vertex = |vertex| Subject::Scene(P::Penetration { surface: 0, vertex });
+    let surface = 0;
+    let vertex = |vertex| Subject::Scene(Parameter::Penetration { surface, vertex });
     assert!((0..2).any(|v| answer.subject == vertex(v)), "{answer:?}");
     assert_eq!(seen(&mut rig), before);
 }
 
 #[test]
 fn what_the_solver_lacks_is_not_supported() {
-    let smooth = SurfaceDescription {
+    const SMOOTH: SurfaceDescription<f32> = SurfaceDescription {
         friction_static: 0.0,
         friction_dynamic: 0.0,
         ..FLOOR
     };
-    let mut rig = Rig::<f32, Bare>::of(Setup {
-        scene: Description {
-            surfaces: Box::leak(Box::new([smooth])),
-            ..BOX
-        },
-        ..setup()
-    });
+    let smooth = with(setup(), |setup| setup.scene.surfaces = &[SMOOTH]);
+    let mut rig = Rig::<f32, Bare>::of(smooth);
     assert_eq!(rig.info().has, [false; 3]);
     let answer = rig.ask(Command::Parameters(PARAMETERS));
     assert_eq!(answer.reason, Reason::Unsupported);

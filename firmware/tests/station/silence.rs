@@ -1,53 +1,33 @@
-//! Safety through the wire: silence, lost samples, a fault, and the way back.
+//! Safety through the wire: silence, missed ticks, actuators that fail, and the way back.
 
 use super::rig::{Rig, driven};
+use crate::{size, with};
 use stiction_core::{Full, Hand, Status, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, Outage};
-use stiction_tests::station::client::Said;
-use stiction_wire::{Command, Drive, Mode, Reason, Reset};
+use stiction_wire::Drive;
 
-const DEEP: Hand<f32> = Hand {
-    position: [0.0, 0.045],
-    angle: stiction_core::Angle {
-        turns: 0,
-        rest: 0.0,
-    },
-    depth: 0.25,
-    held: true,
-    tilted: false,
-};
-
-fn size(wrench: &Wrench<f32>) -> f32 {
-    let [x, y] = wrench.force;
-    x.hypot(y)
+/// 5 mm deep: 2.5 N.
+fn deep() -> Hand<f32> {
+    with(Hand::new(0.0, 0.045, 0.0), |hand| hand.depth = 0.25)
 }
 
 #[test]
 fn silence_of_20_ms_makes_the_force_zero_and_the_way_back_is_slow() {
     for tick_rate in [100, 500, 1_000, 3_000, 5_000] {
         let mut rig = Rig::<f32>::new();
-        rig.mode(Mode {
-            tick_rate,
-            pose_every: 2,
-            ..Mode::DEFAULT
-        });
-        let force = rig.stay(DEEP, u32::from(tick_rate) / 5);
-        assert!(
-            (size(&force) - 2.5).abs() < 1e-3,
-            "5 mm of 500 N/m: {force:?}"
-        );
+        rig.mode(|mode| (mode.tick_rate, mode.pose_every) = (tick_rate, 2));
+        let force = rig.stay(deep(), u32::from(tick_rate) / 5);
+        assert!((size(&force) - 2.5).abs() < 1e-3, "{force:?}");
         let last_sample_us = rig.now_us.wrapping_sub(1_000_000 / u32::from(tick_rate));
         rig.received();
-        let mut off_us = None;
-        while off_us.is_none() {
+        let off_us = loop {
             let now_us = rig.now_us;
             if rig.tick() == Wrench::default() {
-                off_us = Some(now_us.wrapping_sub(last_sample_us));
+                break now_us.wrapping_sub(last_sample_us);
             }
-        }
-        let off_us = off_us.unwrap();
+        };
         assert!(
-            off_us <= 20_000 && off_us > 9_000,
+            (9_001..=20_000).contains(&off_us),
             "{tick_rate} Hz: {off_us}"
         );
         rig.received();
@@ -61,7 +41,7 @@ fn silence_of_20_ms_makes_the_force_zero_and_the_way_back_is_slow() {
         let step = 100.0 / f32::from(tick_rate);
         let mut before = 0.0;
         for _ in 0..tick_rate / 5 {
-            let now = size(&rig.hand(DEEP));
+            let now = size(&rig.hand(deep()));
             assert!((now - before).abs() <= step * 1.001);
             before = now;
         }
@@ -86,24 +66,6 @@ fn before_the_first_sample_the_body_is_at_its_start_and_there_is_no_force() {
     }
 }
 
-#[test]
-fn a_sample_that_is_not_finite_holds_the_last_pose() {
-    let mut rig = Rig::<f32>::new();
-    rig.stay(DEEP, 50);
-    let before = rig.pose();
-    let lost = Hand {
-        position: [f32::NAN, 0.0],
-        ..DEEP
-    };
-    assert_eq!(rig.hand(lost), Wrench::default());
-    let pose = rig.pose();
-    assert_eq!((pose.position, pose.depth), (before.position, 0.25));
-    assert_eq!(pose.status, Status::HeldLast);
-    assert!(pose.force_off);
-    assert!(size(&rig.hand(DEEP)) <= 0.1 + 1e-5);
-    assert_eq!(rig.pose().status, Status::Ok);
-}
-
 /// Actuators that record their inputs, and fail on request.
 #[derive(Default)]
 struct Motors {
@@ -125,7 +87,7 @@ impl Actuators for Motors {
 
 fn with_motors() -> Rig<f32, Full, (FromLine, Motors)> {
     let mut rig = Rig::with(driven(), (FromLine, Motors::default()));
-    rig.stay(DEEP, 50);
+    rig.stay(deep(), 50);
     assert!(size(&rig.force) > 2.0 && rig.servo.device.1.given == rig.force);
     rig
 }
@@ -135,14 +97,14 @@ fn a_force_that_cannot_be_given_for_once_is_none_and_grows_again() {
     let mut rig = with_motors();
     rig.servo.device.1.broken = Some(Outage::Passing);
     for _ in 0..5 {
-        assert_eq!(rig.hand(DEEP), Wrench::default());
+        assert_eq!(rig.hand(deep()), Wrench::default());
         assert_eq!(rig.servo.device.1.given, Wrench::default());
         assert!(rig.pose().force_off);
         assert_eq!(rig.health().drive, Drive::Silent);
     }
     rig.servo.device.1.broken = None;
-    assert!(size(&rig.hand(DEEP)) <= 0.1 + 1e-5);
-    rig.stay(DEEP, 50);
+    assert!(size(&rig.hand(deep())) <= 0.1 + 1e-5);
+    rig.stay(deep(), 50);
     assert!(size(&rig.servo.device.1.given) > 2.0);
     assert_eq!(rig.health().drive, Drive::On);
 }
@@ -158,46 +120,13 @@ fn in_the_safe_state_the_actuators_are_off() {
 }
 
 #[test]
-fn after_a_fault_there_is_no_force_until_everything_is_reset() {
-    let mut rig = with_motors();
-    rig.servo.device.1.broken = Some(Outage::Lasting);
-    rig.hand(DEEP);
-    rig.servo.device.1.broken = None;
-    for _ in 0..20 {
-        assert_eq!(rig.hand(DEEP), Wrench::default());
-        assert_eq!(rig.servo.device.1.given, Wrench::default());
-    }
-    let pose = rig.pose();
-    assert!(
-        pose.force_off && pose.status == Status::Ok,
-        "the pose goes on"
-    );
-    assert_eq!(rig.health().drive, Drive::Latched);
-    for refused in [Command::Reset(Reset::Body), Command::Mode(Mode::DEFAULT)] {
-        assert_eq!(rig.ask(refused).reason, Reason::NotNow);
-    }
-    rig.send(Command::Ping);
-    rig.tick();
-    assert!(
-        rig.received()
-            .iter()
-            .any(|h| matches!(h.said, Said::Pong { .. }))
-    );
-    assert_eq!(rig.info().name, "bench");
-    rig.done(Command::Reset(Reset::Everything));
-    rig.stay(DEEP, 50);
-    assert!(size(&rig.force) > 2.0);
-    assert_eq!(rig.health().drive, Drive::On);
-}
-
-#[test]
 fn missed_ticks_are_counted_and_cost_the_force_of_one_tick() {
     let mut rig = Rig::<f32>::new();
-    rig.stay(DEEP, 50);
+    rig.stay(deep(), 50);
     rig.now_us = rig.now_us.wrapping_add(3_000);
-    assert_eq!(rig.hand(DEEP), Wrench::default());
+    assert_eq!(rig.hand(deep()), Wrench::default());
     assert!(rig.pose().force_off);
     assert_eq!(rig.health().missed_ticks, 3);
-    rig.hand(DEEP);
+    rig.hand(deep());
     assert!(!rig.pose().force_off);
 }

@@ -13,7 +13,6 @@ pub struct Clock {
     timer: Timer,
     alarm: Alarm,
     rate: u16,
-    /// When the next tick is due.
     next: Instant,
 }
 

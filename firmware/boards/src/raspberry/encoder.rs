@@ -77,7 +77,6 @@ const MIDDLE: [InstructionOperands; 2] = [
     },
 ];
 
-/// Installs the program in the PIO, for all its state machines.
 pub(super) fn install(pio: &mut PIO<PIO0>) -> InstalledProgram<PIO0> {
     // The PIO contains nothing else.
     match pio.install(&counting()) {

@@ -4,12 +4,14 @@
 use stiction_firmware::knob::{Counter, Knob};
 use stiction_firmware::pantograph::GeometryError;
 
+use super::Wired;
 use super::encoder::{self, Encoder};
 use super::hal::gpio::bank0::Gpio17;
 use super::hal::pio::{PIOExt, SM0};
 use super::hal::pwm::{Pwm0, Slices};
 use super::motor::{MotorAt, motor};
-use super::{Wired, numbers};
+
+pub(super) use stiction_firmware::devices::knob as numbers;
 
 /// The device of this board.
 pub type Device = Knob<Encoder<SM0>, MotorAt<Pwm0, Gpio17>>;
@@ -25,17 +27,11 @@ impl Counter for Encoder<SM0> {
 /// # Errors
 /// An error in the numbers.
 pub(super) fn start(wired: Wired<'_>) -> Result<Device, GeometryError> {
-    let Wired {
-        pio,
-        pwm,
-        pins,
-        resets,
-        ..
-    } = wired;
-    let (mut pio, machine, ..) = pio.split(resets);
+    let (pins, resets) = (wired.pins, wired.resets);
+    let (mut pio, machine, ..) = wired.pio.split(resets);
     let program = encoder::install(&mut pio);
     let counter = Encoder::start(&program, machine, pins.encoders.left);
-    let slices = Slices::new(pwm, resets);
+    let slices = Slices::new(wired.pwm, resets);
     let motor = motor(
         slices.pwm0,
         pins.duties.left,

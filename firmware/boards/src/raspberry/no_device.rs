@@ -4,6 +4,7 @@ use stiction_firmware::pantograph::GeometryError;
 use stiction_firmware::safety::{Limits, Passivity};
 
 use super::Wired;
+pub(super) use super::no_device as numbers;
 use crate::work::{NO_DEVICE, NoDevice};
 
 /// None.

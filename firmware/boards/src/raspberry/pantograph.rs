@@ -3,14 +3,16 @@
 use embedded_hal::digital::InputPin;
 use stiction_firmware::pantograph::{Counters, GeometryError, Pantograph};
 
+use super::Wired;
 use super::encoder::{self, Encoder};
 use super::hal::gpio::bank0::{Gpio17, Gpio19, Gpio21, Gpio22};
 use super::hal::gpio::{FunctionSioInput, Pin, PullUp};
 use super::hal::pio::{PIOExt, SM0, SM1, SM2};
 use super::hal::pwm::{Pwm0, Pwm1, Pwm2, Slices};
 use super::motor::{MotorAt, motor};
-use super::{Wired, numbers};
 use crate::log::not_at_home;
+
+pub(super) use stiction_firmware::devices::pantograph as numbers;
 
 /// The device of this board.
 pub type Device = Pantograph<Encoders, Motors>;
@@ -51,26 +53,20 @@ impl Counters for Encoders {
 /// # Errors
 /// An error in the numbers.
 pub(super) fn start(wired: Wired<'_>) -> Result<Device, GeometryError> {
-    let Wired {
-        pio,
-        pwm,
-        pins,
-        resets,
-        was_reset,
-    } = wired;
-    if was_reset {
+    let (pins, resets) = (wired.pins, wired.resets);
+    if wired.was_reset {
         not_at_home();
     }
-    let (mut pio, first, second, third, _) = pio.split(resets);
+    let (mut pio, first, second, third, _) = wired.pio.split(resets);
     let program = encoder::install(&mut pio);
     let encoders = Encoders {
         left: Encoder::start(&program, first, pins.encoders.left),
         right: Encoder::start(&program, second, pins.encoders.right),
         handle: Encoder::start(&program, third, pins.encoders.handle),
         hold: pins.hold.into_pull_up_input(),
-        at_home: !was_reset,
+        at_home: !wired.was_reset,
     };
-    let slices = Slices::new(pwm, resets);
+    let slices = Slices::new(wired.pwm, resets);
     let (duties, directions) = (pins.duties, pins.directions);
     let [left, right, handle] = numbers::MOTORS;
     let motors = (

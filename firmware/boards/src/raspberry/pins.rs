@@ -30,7 +30,6 @@ pub(super) struct DevicePins {
     pub(super) hold: Free<Gpio22>,
 }
 
-/// Gives every pin to its owner.
 pub(super) fn split(pins: Pins) -> (UartPins, DevicePins) {
     let line = (pins.gpio0.into_function(), pins.gpio1.into_function());
     let device = DevicePins {

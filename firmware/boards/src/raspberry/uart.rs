@@ -9,7 +9,6 @@ use super::hal::uart::{DataBits, Disabled, Reader, StopBits, UartConfig, UartPer
 use super::pins::UartPins;
 use crate::{Port, stop};
 
-/// Baud rate of the serial line.
 pub(super) const BAUD: u32 = 921_600;
 
 /// The serial line.

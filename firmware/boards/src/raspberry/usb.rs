@@ -16,13 +16,11 @@ use crate::{Port, stop};
 
 /// Bytes of the unique number of a board.
 pub const NUMBER: usize = 8;
-/// Bytes of a packet.
 const PACKET: usize = 64;
 
 /// The line, with room for 11 ms of that of the UART in each direction.
 pub static LINE: Line<1_024> = Line::new();
 
-/// A program has the line over USB open.
 static IS_OPEN: AtomicBool = AtomicBool::new(false);
 
 /// Whether a program has the line over USB open.
@@ -53,7 +51,6 @@ pub struct Usb {
 }
 
 impl Usb {
-    /// The line of a board with this unique number.
     pub(super) fn start(place: &'static mut Memory, bus: UsbBus, number: [u8; NUMBER]) -> Self {
         write_hex(number, &mut place.serial_number);
         let serial_number = core::str::from_utf8(&place.serial_number).unwrap_or_default();

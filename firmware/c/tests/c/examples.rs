@@ -21,7 +21,6 @@ const FIXED: Library = Library {
     obstacles: false,
 };
 
-/// The cost of the knob on a chip.
 struct Taken {
     /// Size of the whole program (bytes).
     flash: u64,
@@ -37,7 +36,7 @@ fn knob(machine: &Machine, library: &Library) -> Result<Taken, EmulatorError> {
     let out = tempfile::tempdir()?;
     let sources = ["tests/c/turned.c", "examples/knob.c"];
     let program = machine.build(library, &sources, out.path(), &[])?;
-    let said = machine.run_counting(&program)?;
+    let said = machine.run(&program, true)?;
     let number = |name: &str| {
         let line = said.lines().find_map(|line| line.strip_prefix(name))?;
         u32::from_str_radix(line.trim(), 16).ok()
@@ -105,14 +104,7 @@ fn the_table_of_the_readme() {
 #[test]
 fn the_torques_of_the_pantograph_do_the_work_of_its_force() {
     let machine = Machine::computer(Compiler::Clang, &[]);
-    let out = tempfile::tempdir().expect("a folder");
-    let sources = ["tests/c/pantograph.c", "examples/pantograph.c"];
-    let said = machine
-        .build(&FLOAT, &sources, out.path(), &[])
-        .and_then(|program| machine.run(&program));
-    if let Some(said) = if_installed(said) {
-        assert_eq!(said, "");
-    }
+    machine.finds_nothing_wrong(&FLOAT, &["tests/c/pantograph.c", "examples/pantograph.c"]);
 }
 
 /// The code at the beginning of the README.
@@ -137,12 +129,7 @@ fn the_first_lines_of_the_readme_run() {
     std::fs::write(&source, program).expect("a program");
     let source = source.to_str().expect("a path of text");
     let machine = Machine::computer(Compiler::Gcc, &[]);
-    let said = machine
-        .build(&FLOAT, &[source], out.path(), &[])
-        .and_then(|program| machine.run(&program));
-    if let Some(said) = if_installed(said) {
-        assert_eq!(said, "");
-    }
+    machine.finds_nothing_wrong(&FLOAT, &[source]);
 }
 
 /// With the subset of Arduino that they use, on this computer.

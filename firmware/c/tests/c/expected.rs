@@ -2,18 +2,12 @@
 
 use std::fmt::Write;
 
-use stiction_core::{
-    Contact, Description, Evolution, Full, Hand, Model, ObstacleDescription, Real, Scene, Solver,
-    State, Touch, WithObstacles,
-};
-use stiction_scene::{SceneFile, Source, c_source};
+use stiction_core::{Contact, Evolution, Hand, Real, Solver, State, Touch};
+use stiction_scene::{HostModel, HostSolver, SceneFile, Source, c_source};
 
 use crate::library::{Library, folder};
 
-/// The capacities of the library for obstacles.
-pub(crate) type Among = WithObstacles<8, 32>;
-
-pub(crate) const SCENES_BY_WALLS: [&str; 10] = [
+const SCENES_BY_WALLS: [&str; 10] = [
     "box-flat",
     "burst",
     "corner-stick-slip",
@@ -25,8 +19,7 @@ pub(crate) const SCENES_BY_WALLS: [&str; 10] = [
     "rod-on-floor",
     "vertex-stick-slip",
 ];
-pub(crate) const SCENES_AMONG_OBSTACLES: [&str; 4] =
-    ["table-edge", "step", "plank-on-posts", "peg-in-hole"];
+const SCENES_AMONG_OBSTACLES: [&str; 4] = ["table-edge", "step", "plank-on-posts", "peg-in-hole"];
 
 impl Library {
     fn scenes(self) -> &'static [&'static str] {
@@ -44,7 +37,6 @@ fn scene(name: &str) -> SceneFile {
     SceneFile::parse(source, f32::MAX.into()).expect("a sound scene")
 }
 
-/// The scenes as C.
 pub(crate) fn scenes_header(library: &Library) -> String {
     let mut code = String::new();
     let names = library.scenes();
@@ -61,69 +53,30 @@ pub(crate) fn scenes_header(library: &Library) -> String {
     code
 }
 
-/// The capacities of a variant of the library.
-pub(crate) trait Room: Model {
-    fn scene<R: Real<Si = f32>>(
-        description: &Description<'_, f32>,
-        obstacles: &[ObstacleDescription<'_, f32>],
-    ) -> Scene<R, 8, 4, Self>;
-
-    /// The contacts of a state: feature and other as the library numbers them, and the rest of a contact.
-    fn contacts<R: Real<Si = f32>>(
-        solver: &Solver<R, 8, 4, Self>,
-        state: &State<R>,
-    ) -> Vec<([usize; 2], Contact<f32>)>;
-}
-
-impl Room for Full {
-    fn scene<R: Real<Si = f32>>(
-        description: &Description<'_, f32>,
-        _: &[ObstacleDescription<'_, f32>],
-    ) -> Scene<R, 8, 4, Self> {
-        Scene::new(description).expect("a sound scene")
-    }
-
-    fn contacts<R: Real<Si = f32>>(
-        solver: &Solver<R, 8, 4, Self>,
-        state: &State<R>,
-    ) -> Vec<([usize; 2], Contact<f32>)> {
-        let contacts = solver.contacts(state);
-        contacts
-            .iter()
-            .map(|c| ([c.vertex, c.surface], *c))
-            .collect()
-    }
-}
-
-impl Room for Among {
-    fn scene<R: Real<Si = f32>>(
-        description: &Description<'_, f32>,
-        obstacles: &[ObstacleDescription<'_, f32>],
-    ) -> Scene<R, 8, 4, Self> {
-        Scene::among(description, obstacles).expect("a sound scene")
-    }
-
-    fn contacts<R: Real<Si = f32>>(
-        solver: &Solver<R, 8, 4, Self>,
-        state: &State<R>,
-    ) -> Vec<([usize; 2], Contact<f32>)> {
-        let of = |touch: Touch| match touch {
-            Touch::Surface { vertex, surface } => [vertex, surface],
-            Touch::Side {
+/// The contacts of a state: feature and other as the library numbers them, and the rest of a contact.
+fn contacts<R: Real<Si = f32>, M: HostModel>(
+    solver: &HostSolver<R, M>,
+    state: &State<R>,
+) -> impl Iterator<Item = ([usize; 2], Contact<f32>)> {
+    let touches = M::touches(solver, state);
+    let contacts = solver.contacts(state);
+    (0..contacts.len()).map(move |i| {
+        let contact = contacts[i];
+        let touch = touches.as_ref().map(|touches| touches[i].touch);
+        let features = match touch {
+            None => [contact.vertex, contact.surface],
+            Some(Touch::Surface { vertex, surface }) => [vertex, surface],
+            Some(Touch::Side {
                 vertex, obstacle, ..
-            } => [vertex, obstacle],
-            Touch::Corner {
+            }) => [vertex, obstacle],
+            Some(Touch::Corner {
                 obstacle,
                 body_side,
                 ..
-            } => [body_side, obstacle],
+            }) => [body_side, obstacle],
         };
-        let touches = solver.touches(state);
-        let contacts = solver.contacts(state);
-        (touches.iter().map(|touching| of(touching.touch)))
-            .zip(contacts.iter().copied())
-            .collect()
-    }
+        (features, contact)
+    })
 }
 
 /// Marsaglia's xorshift of 32 bits.
@@ -160,22 +113,21 @@ impl Hash {
     }
 }
 
-/// The hashes of all scenes of a variant.
-pub(crate) fn hashes<R: Real<Si = f32>, M: Room>(library: &Library, frames: u32) -> Vec<u32> {
+pub(crate) fn hashes<R: Real<Si = f32>, M: HostModel>(library: &Library, frames: u32) -> Vec<u32> {
     let names = library.scenes().iter().enumerate();
     names
         .map(|(i, name)| {
             let file = scene(name);
-            let built = file.described_among::<R, _>(|d, o| (M::scene::<R>(d, o), d.start));
-            let ((scene, start), _) = built;
+            let (scene, _) = M::scene::<R>(&file.written).expect("a sound scene");
             let solver = Solver::new(scene, Evolution::ALL[i % 2]);
-            hash(&solver, start, 2_463_534_242 + i as u32, frames)
+            let start = file.written.described(|description| description.start);
+            hash::<R, M>(&solver, start, 2_463_534_242 + i as u32, frames)
         })
         .collect()
 }
 
-fn hash<R: Real<Si = f32>, M: Room>(
-    solver: &Solver<R, 8, 4, M>,
+fn hash<R: Real<Si = f32>, M: HostModel>(
+    solver: &HostSolver<R, M>,
     start: [f32; 3],
     seed: u32,
     frames: u32,
@@ -208,7 +160,7 @@ fn hash<R: Real<Si = f32>, M: Room>(
         let wrench = solver.wrench(state);
         hash.take_floats(&wrench.force);
         hash.take_floats(&[wrench.moment]);
-        for ([feature, other], contact) in M::contacts(solver, state) {
+        for ([feature, other], contact) in contacts(solver, state) {
             hash.take_floats(&[contact.point[0], contact.normal, contact.friction]);
             let sliding = u32::from(contact.sliding as u8);
             hash.take(feature as u32 | (other as u32) << 8 | sliding << 16);

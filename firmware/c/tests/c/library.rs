@@ -7,14 +7,12 @@ use std::sync::{Mutex, PoisonError};
 use stiction_host_sim::firmware::process::{EmulatorError, output_of};
 use stiction_scene::NumberType;
 
-/// A variant of the library.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Library {
     pub(crate) number: NumberType,
     pub(crate) obstacles: bool,
 }
 
-/// The folder of the library.
 pub(crate) fn folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use stiction_host_sim::firmware::process::{EmulatorError, output_of, require_qemu_arm};
+use stiction_host_sim::firmware::process::{
+    EmulatorError, if_installed, output_of, require_qemu_arm,
+};
 
 use crate::library::{Library, folder};
 
@@ -17,27 +19,22 @@ const OF_C: [&str; 6] = [
     "-O2",
 ];
 
-/// A compiler of C.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Compiler {
     Gcc,
     Clang,
 }
 
-/// A machine.
 pub(crate) struct Machine {
     pub(crate) name: &'static str,
     /// Its name for rustc.
     target: &'static str,
     compiler: Compiler,
-    /// Its flags for the compiler.
     flags: &'static [&'static str],
     chip: Option<Chip>,
 }
 
-/// An emulated chip.
 struct Chip {
-    /// The start-up code.
     startup: &'static str,
     /// The locations of code and data: values for the linker's script.
     memory: [&'static str; 3],
@@ -47,74 +44,66 @@ struct Chip {
     shift: u32,
 }
 
-pub(crate) const CORTEX_M0: Machine = Machine {
-    name: "Cortex-M0",
-    target: "thumbv6m-none-eabi",
-    compiler: Compiler::Clang,
-    flags: &[
-        "--target=thumbv6m-none-eabi",
-        "-mcpu=cortex-m0",
-        "-DCLOCK=16000000u",
-        "-DSHIFT=8",
-    ],
-    chip: Some(Chip {
-        startup: "cortex_m.c",
-        memory: ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x4000"],
-        emulator: ("qemu-system-arm", &["microbit"]),
-        shift: 8,
-    }),
-};
+const fn cortex_m(
+    name: &'static str,
+    target: &'static str,
+    flags: &'static [&'static str],
+    memory: [&'static str; 3],
+    machine: &'static [&'static str],
+) -> Machine {
+    Machine {
+        name,
+        target,
+        compiler: Compiler::Clang,
+        flags,
+        chip: Some(Chip {
+            startup: "cortex_m.c",
+            memory,
+            emulator: ("qemu-system-arm", machine),
+            shift: 8,
+        }),
+    }
+}
 
-pub(crate) const CORTEX_M4F: Machine = Machine {
-    name: "Cortex-M4F",
-    target: "thumbv7em-none-eabihf",
-    compiler: Compiler::Clang,
-    flags: &[
-        "--target=thumbv7em-none-eabihf",
+pub(crate) const CORTEX_M0: Machine = cortex_m(
+    "Cortex-M0",
+    "thumbv6m-none-eabi",
+    &["-mcpu=cortex-m0", "-DCLOCK=16000000u"],
+    ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x4000"],
+    &["microbit"],
+);
+
+pub(crate) const CORTEX_M4F: Machine = cortex_m(
+    "Cortex-M4F",
+    "thumbv7em-none-eabihf",
+    &[
         "-mcpu=cortex-m4",
         "-mfloat-abi=hard",
         "-mfpu=fpv4-sp-d16",
         "-DCLOCK=25000000u",
-        "-DSHIFT=8",
     ],
-    chip: Some(Chip {
-        startup: "cortex_m.c",
-        memory: ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x10000"],
-        emulator: ("qemu-system-arm", &["mps2-an386"]),
-        shift: 8,
-    }),
-};
+    ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x10000"],
+    &["mps2-an386"],
+);
 
-pub(crate) const CORTEX_M33: Machine = Machine {
-    name: "Cortex-M33",
-    target: "thumbv8m.main-none-eabihf",
-    compiler: Compiler::Clang,
-    flags: &[
-        "--target=thumbv8m.main-none-eabihf",
+pub(crate) const CORTEX_M33: Machine = cortex_m(
+    "Cortex-M33",
+    "thumbv8m.main-none-eabihf",
+    &[
         "-mcpu=cortex-m33",
         "-mfloat-abi=hard",
         "-mfpu=fpv5-sp-d16",
         "-DCLOCK=20000000u",
-        "-DSHIFT=8",
     ],
-    chip: Some(Chip {
-        startup: "cortex_m.c",
-        memory: ["FLASH=0x10000000", "RAM=0x38000000", "RAM_SIZE=0x10000"],
-        emulator: ("qemu-system-arm", &["mps2-an505"]),
-        shift: 8,
-    }),
-};
+    ["FLASH=0x10000000", "RAM=0x38000000", "RAM_SIZE=0x10000"],
+    &["mps2-an505"],
+);
 
 pub(crate) const RISC_V: Machine = Machine {
     name: "RISC-V",
     target: "riscv32imc-unknown-none-elf",
     compiler: Compiler::Clang,
-    flags: &[
-        "--target=riscv32-unknown-none-elf",
-        "-march=rv32imc",
-        "-mabi=ilp32",
-        "-mno-relax",
-    ],
+    flags: &["-march=rv32imc", "-mabi=ilp32", "-mno-relax"],
     chip: Some(Chip {
         startup: "riscv.c",
         memory: ["FLASH=0x80000000", "RAM=0", "RAM_SIZE=0x100000"],
@@ -124,7 +113,6 @@ pub(crate) const RISC_V: Machine = Machine {
 };
 
 impl Machine {
-    /// This computer.
     pub(crate) const fn computer(compiler: Compiler, flags: &'static [&'static str]) -> Self {
         Self {
             name: "this computer",
@@ -179,8 +167,12 @@ impl Machine {
             output_of(compile)?;
             return Ok(program);
         };
+        // clang names no extensions.
+        let target = self.target.replace("riscv32imc", "riscv32");
         compile
             .current_dir(out)
+            .arg(format!("--target={target}"))
+            .arg(format!("-DSHIFT={}", chip.shift))
             .args(["-ffreestanding", "-c"])
             .args(&sources);
         output_of(compile)?;
@@ -192,31 +184,42 @@ impl Machine {
         Ok(program)
     }
 
-    /// What a program prints.
+    /// What a program prints. Where it `counts`, its clock counts the instructions of the chip, which is slower to emulate.
     ///
     /// # Errors
     /// The emulator is missing, or the program fails.
-    pub(crate) fn run(&self, program: &Path) -> Result<String, EmulatorError> {
-        match &self.chip {
-            Some(chip) => chip.run(program, false),
-            None => output_of(Command::new(program)),
+    pub(crate) fn run(&self, program: &Path, counts: bool) -> Result<String, EmulatorError> {
+        let Some(chip) = &self.chip else {
+            return output_of(Command::new(program));
+        };
+        let (emulator, machine) = chip.emulator;
+        if emulator == "qemu-system-arm" {
+            require_qemu_arm()?;
         }
+        let mut qemu = Command::new(emulator);
+        qemu.arg("-machine").args(machine);
+        qemu.args(["-nographic", "-monitor", "none", "-serial", "none"]);
+        qemu.args(["-chardev", "stdio,id=said", "-semihosting-config"]);
+        qemu.arg("enable=on,target=native,chardev=said");
+        if counts {
+            qemu.arg("-icount").arg(format!("shift={}", chip.shift));
+        }
+        qemu.arg("-kernel").arg(program);
+        output_of(qemu)
     }
 
-    /// What a program prints, with a clock that counts the instructions of the chip, which is slower to emulate.
-    ///
-    /// # Errors
-    /// As above.
-    pub(crate) fn run_counting(&self, program: &Path) -> Result<String, EmulatorError> {
-        match &self.chip {
-            Some(chip) => chip.run(program, true),
-            None => self.run(program),
+    /// Asserts that a program, which prints what is wrong, prints nothing.
+    pub(crate) fn finds_nothing_wrong(&self, library: &Library, sources: &[&str]) {
+        let out = tempfile::tempdir().expect("a folder");
+        let program = self.build(library, sources, out.path(), &[]);
+        let said = program.and_then(|program| self.run(&program, false));
+        if let Some(said) = if_installed(said) {
+            assert_eq!(said, "", "{:?} {library:?}", self.compiler);
         }
     }
 }
 
 impl Chip {
-    /// With the linker of rustc.
     fn link(
         &self,
         script: &Path,
@@ -236,22 +239,5 @@ impl Chip {
         link.args(self.memory.iter().flat_map(|value| ["--defsym", value]));
         link.args(objects).arg(archive).arg("-o").arg(program);
         Ok(link)
-    }
-
-    fn run(&self, program: &Path, counts: bool) -> Result<String, EmulatorError> {
-        let (emulator, machine) = self.emulator;
-        if emulator == "qemu-system-arm" {
-            require_qemu_arm()?;
-        }
-        let mut qemu = Command::new(emulator);
-        qemu.arg("-machine").args(machine);
-        qemu.args(["-nographic", "-monitor", "none", "-serial", "none"]);
-        qemu.args(["-chardev", "stdio,id=said", "-semihosting-config"]);
-        qemu.arg("enable=on,target=native,chardev=said");
-        if counts {
-            qemu.arg("-icount").arg(format!("shift={}", self.shift));
-        }
-        qemu.arg("-kernel").arg(program);
-        output_of(qemu)
     }
 }
