@@ -165,7 +165,7 @@ part 'tests: compiling'
 # shares every dependency; a package built alone would need some of them with other features.
 packages=(--workspace) examples=()
 if is_all; then
-  examples=(--example walk --example bits)
+  examples=(--example walk --example walks)
 else
   for package in boards c fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
 fi

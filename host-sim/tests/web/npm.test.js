@@ -121,8 +121,8 @@ test(`${FRAMES} frames of ten scenes have the same bits as the program's, in eve
   const { Solver } = await load();
   const folder = newFolder();
   // The wasm is optimised, the program is not: the bits do not depend on it.
-  const bits = join(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"), "debug", "examples", "bits");
-  const printed = execFileSync(bits, [folder, String(FRAMES)], { encoding: "utf8" });
+  const walks = join(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"), "debug", "examples", "walks");
+  const printed = execFileSync(walks, [folder, String(FRAMES)], { encoding: "utf8" });
   const runs = printed.trim().split("\n").map((line) => JSON.parse(line));
   assert.equal(runs.length, 30);
   assert.ok(runs.reduce((sum, { slips }) => sum + slips, 0) > 1000);

@@ -1,7 +1,6 @@
 //! The answers of the slow reference as frames that the laws can judge.
 
 use super::shape::{Point, outward, placed};
-use crate::laws::named;
 use crate::reference::{ContactForce, Reference, Scene};
 use stiction_judge::{Contact, Frame, State, Status, Touch};
 
@@ -50,7 +49,7 @@ pub fn frame_of(scene: &Scene, body: &Reference, (t, hand): (f64, [f64; 3])) -> 
         held: true,
         pose,
         depth: 0.0,
-        state: named(State::named, body.state()),
+        state: named(body.state()),
         contacts: body.contacts().iter().map(contact).collect(),
         complete: true,
         wrench: [
@@ -69,4 +68,9 @@ pub fn frame_of(scene: &Scene, body: &Reference, (t, hand): (f64, [f64; 3])) -> 
         },
         behind: None,
     }
+}
+
+fn named(name: &str) -> State {
+    let state = State::ALL.into_iter().find(|state| state.name() == name);
+    state.unwrap_or_else(|| panic!("the judge does not know {name:?}"))
 }

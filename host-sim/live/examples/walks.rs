@@ -3,7 +3,7 @@
 //! number type, a line of JSON holds the SHA-256 of all answers.
 //!
 //! ```sh
-//! cargo run --release -p stiction-live --example bits -- FOLDER 100000
+//! cargo run --release -p stiction-live --example walks -- FOLDER 100000
 //! ```
 
 use std::error::Error;
