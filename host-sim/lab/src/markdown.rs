@@ -87,7 +87,10 @@ impl Destination {
 }
 
 /// Replaces a section of a file by a text.
-fn replace(file: &Path, section: &str, text: &str) -> io::Result<()> {
+///
+/// # Errors
+/// The file cannot be read or written, or has no such section.
+pub fn replace(file: &Path, section: &str, text: &str) -> io::Result<()> {
     let [begin, end] = ["begin", "end"].map(|end| format!("<!-- {section}: {end} -->"));
     let whole = fs::read_to_string(file)?;
     let parts = whole.split_once(&begin);

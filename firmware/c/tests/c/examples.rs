@@ -6,7 +6,7 @@ use std::process::Command;
 use stiction_host_sim::columns::thousands;
 use stiction_host_sim::firmware::image::Contents;
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed, output_of};
-use stiction_lab::markdown::Section;
+use stiction_lab::markdown::replace;
 use stiction_scene::NumberType;
 
 use crate::library::{Library, folder};
@@ -97,8 +97,7 @@ fn the_table_of_the_readme() {
             taken.work
         );
     }
-    let readme = Section::find(&folder().join("README.md"), "knob").expect("a section");
-    readme.write(&table).expect("the README");
+    replace(&folder().join("README.md"), "knob", &table).expect("the README");
 }
 
 #[test]
