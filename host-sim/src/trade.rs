@@ -107,6 +107,9 @@ pub fn trade(args: &TradeArgs) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Name and contents.
+type NamedBytes = (String, Vec<u8>);
+
 impl Report {
     /// Measures the suite, with a progress bar, and adds what was counted on chips.
     ///
@@ -134,7 +137,7 @@ impl Report {
     ///
     /// # Errors
     /// A picture cannot be drawn.
-    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Box<dyn Error>> {
+    pub fn files(&self) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
         let table = self.csv().map_err(WriteError::of(Path::new(TABLE)))?;
         let mut files = vec![(TABLE.to_owned(), table), (DATA.to_owned(), self.json())];
         let rows = self.overall();

@@ -9,8 +9,12 @@ use super::{ContactEntry, InsertionEntry, Record, Value};
 /// Maximum number of contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
 
+type OfRecord = fn(&Record<'_>) -> String;
+type OfContact = fn(&ContactEntry<'_>) -> String;
+type OfInsertion = fn(&InsertionEntry) -> String;
+
 /// The columns of every trace, each with its value.
-const COLUMNS: [(&str, fn(&Record<'_>) -> String); 17] = [
+const COLUMNS: [(&str, OfRecord); 17] = [
     ("t", |record| format!("{:?}", record.t)),
     ("hand_x", |record| digits(record.hand[0])),
     ("hand_y", |record| digits(record.hand[1])),
@@ -31,7 +35,7 @@ const COLUMNS: [(&str, fn(&Record<'_>) -> String); 17] = [
 ];
 
 /// The columns of a contact, each with its value.
-const CONTACT: [(&str, fn(&ContactEntry<'_>) -> String); 13] = [
+const CONTACT: [(&str, OfContact); 13] = [
     ("vertex", |of| index(of.vertex)),
     ("surface", |of| of.surface.unwrap_or_default().to_owned()),
     ("obstacle", |of| of.obstacle.unwrap_or_default().to_owned()),
@@ -58,7 +62,7 @@ const AMONG_OBSTACLES: [&str; 6] = [
 ];
 
 /// The columns of a scene that has a peg and a hole, each with its value; empty while the peg is not in it.
-const INSERTION: [(&str, fn(&InsertionEntry) -> String); 7] = [
+const INSERTION: [(&str, OfInsertion); 7] = [
     ("depth", |insertion| digits(insertion.depth)),
     ("fx", |insertion| digits(insertion.fx)),
     ("fz", |insertion| digits(insertion.fz)),
