@@ -7,6 +7,7 @@ mod faulty_line;
 mod flood;
 mod late_turns;
 mod modes;
+mod no_commands;
 mod obstacles;
 mod pantograph;
 mod rig;

@@ -7,8 +7,7 @@ use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Known, Said, scene};
 use stiction_wire::{
-    Command, Drive, Mode, NumberType, Parameters, Pong, Pose, Reason, Report, Reset, Stepping,
-    Subject,
+    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
 };
 
 pub(crate) const PARAMETERS: Parameters = Parameters {
@@ -129,26 +128,6 @@ fn ping_is_answered_by_pong() {
     let received = rig.received();
     assert_eq!(received[0].said, Said::Pong { sequence, time: 7 });
     assert_eq!(received[0].time, now_us);
-}
-
-/// FRAME 2: an undamaged frame that is no command.
-#[test]
-fn what_is_no_command_is_answered_and_what_is_damaged_is_not() {
-    let mut rig = Rig::<f32>::new();
-    let (sequence, time) = (0, 0);
-    let answer = rig.ask(Report::Pong(Pong { sequence, time }));
-    let said = (answer.reason, answer.subject);
-    assert_eq!(said, (Reason::UnknownType, Subject::Command));
-    let mut damaged = rig.client.encode(Command::Ping);
-    damaged[3] ^= 0x10;
-    rig.line.to_board.extend(damaged);
-    rig.tick();
-    assert!(rig.reports().all(|said| matches!(said, Said::Pose(_))));
-    // The first is a frame of the line all the same, the second is lost.
-    rig.send(Command::Ping);
-    rig.tick();
-    let health = rig.health();
-    assert_eq!((health.faults.total(), health.lost_frames), (2, 1));
 }
 
 #[test]
