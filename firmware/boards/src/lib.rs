@@ -1,5 +1,5 @@
-//! The program of every board, on RTIC: ticks interrupt turns, and the line interrupts both. A board implements [`Board`] in its folder, with
-//! its pins, its clocks and its watchdog, and [`app!`] binds its interrupts.
+//! The program of every board, on RTIC: ticks interrupt turns, and the line interrupts both. A board implements `Board` in its folder, with
+//! its pins, its clocks and its watchdog, and `app!` binds its interrupts.
 //!
 //! ```text
 //! app.rs        the tasks and their priorities
