@@ -31,15 +31,15 @@ mkdir -p $logs
 : >$logs/times
 : >$logs/tests.log
 
-# The times of the last run of this machine would be better known, but these are the ones that a reader has to expect.
+# The goals, which the times at the end are to be compared with.
 case $mode in
-  quick) printf 'Takes about a minute once the tests are built. Installs nothing.\n' ;;
+  quick) printf 'Is to take a minute once the tests are built. Installs nothing.\n' ;;
   change)
-    printf 'Takes about 15 minutes on two cores, 5 once everything is built, and what downloads take.\n'
+    printf 'Is to take 15 minutes on two cores, 5 once everything is built, and what downloads take.\n'
     printf 'Installs, where they are missing: a target of Rust, QEMU, Node.js, Chromium.\n'
     ;;
   all)
-    printf 'Takes about 45 minutes on two cores, and what downloads take.\n'
+    printf 'Is to take 45 minutes on two cores, and what downloads take.\n'
     printf 'Installs, where they are missing: targets of Rust and the oldest compiler, QEMU, Node.js, Chromium, Python packages,\n'
     printf 'compilers for C, flip-link, defmt-print, cargo-deny, cargo-fuzz.\n'
     ;;
