@@ -41,13 +41,7 @@ fn artifact(message: &str) -> Option<PathBuf> {
     if message["reason"] != "compiler-artifact" {
         return None;
     }
-    if let Some(executable) = message["executable"].as_str() {
-        return Some(executable.into());
-    }
-    let mut files = message["filenames"].as_array()?.iter();
-    files
-        .find_map(|file| file.as_str().filter(|name| name.ends_with(".wasm")))
-        .map(PathBuf::from)
+    message["executable"].as_str().map(PathBuf::from)
 }
 
 /// A part of the flash and the bytes that an image writes there.

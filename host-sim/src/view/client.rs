@@ -13,7 +13,7 @@ use stiction_live::feed::Cursor;
 use stiction_live::inbound::{self, Incoming, LONGEST, Message};
 use stiction_live::outbound::{self, Runner};
 use tokio::sync::{mpsc, watch};
-use tokio::time::{Instant as Tick, sleep, sleep_until, timeout};
+use tokio::time::{Instant as Tick, sleep_until, timeout};
 
 use super::connections::Seat;
 use super::orders::Order;
@@ -88,7 +88,11 @@ impl Inbound<'_> {
                 let problem =
                     format!("too many messages, allowed: {MOST} a second; the connection ends");
                 let _ = self.answers.try_send(outbound::error(None, &problem));
-                sleep(rest).await;
+                // What the client has still sent is dropped: closing before it is read would also drop the warning on its way.
+                let _ = timeout(rest, async {
+                    while let Some(Ok(_)) = stream.next().await {}
+                })
+                .await;
                 return;
             }
             let refusal = match message {

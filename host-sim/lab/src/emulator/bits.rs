@@ -86,14 +86,14 @@ impl Machine {
 }
 
 fn on_this_computer(profile: Profile, line: [&str; 2]) -> Result<String, EmulatorError> {
-    let image = Image::of_example("bits", profile, None)?;
+    let image = Image::hosted("bits", profile, None)?;
     let mut program = Command::new(image.path());
     program.args(line);
     output_of(program)
 }
 
 fn in_node([number, frames]: [&str; 2]) -> Result<String, EmulatorError> {
-    let image = Image::of_example("bits_wasm", Profile::Device, Some("wasm32-unknown-unknown"))?;
+    let image = Image::hosted("bits_wasm", Profile::Device, Some("wasm32-unknown-unknown"))?;
     let script = format!(
         "const wasm = new WebAssembly.Module(require('fs').readFileSync(process.argv[1]));
          const hash = new WebAssembly.Instance(wasm).exports.bits_{number}({frames});

@@ -82,14 +82,14 @@ impl Image {
         })
     }
 
-    /// An example of the firmware for a target, or for this computer.
-    pub(super) fn of_example(
-        example: &str,
+    /// A binary of the firmware for this computer, or for a WebAssembly runtime.
+    pub(super) fn hosted(
+        binary: &str,
         profile: Profile,
         target: Option<&str>,
     ) -> Result<Self, EmulatorError> {
         let mut cargo = cargo(profile, target);
-        cargo.args(["--example", example]);
+        cargo.args(["--features", "hosted", "--bin", binary]);
         Self::built(cargo)
     }
 

@@ -1,4 +1,4 @@
-//! Prints the result of the walk of the hand, or of the one among obstacles, on this machine: `cargo run --example bits -- f32 100000`.
+//! Prints the result of the walk of the hand, or of the one among obstacles, on this machine: `cargo run --features hosted --bin bits -- f32 100000`.
 
 use std::process::ExitCode;
 use stiction_core::{Fixed, Full};

@@ -1,4 +1,5 @@
 //! For a WebAssembly runtime: the hash of the walk of the hand, by number type. It has no main program of its own.
+#![no_main]
 #![allow(unsafe_code)]
 
 use stiction_core::{Fixed, Full};
