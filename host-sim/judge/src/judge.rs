@@ -65,13 +65,15 @@ impl Judge {
         &self.bounds
     }
 
-    /// The laws of a single frame, for a body that is held at the scene's holding point for the first time, or not at all.
+    /// The laws of a single frame, for a body that is held at the scene's holding point for the first time, or not at all. A body that stays
+    /// may have been out of balance before: its balance is not judged.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
         if let Some(unknown) = still::unknown(&self.model, frame) {
             return vec![unknown];
         }
         let grip = (self.model.scene.holding_point).map(|point| Grip { point, offset: 0.0 });
-        self.still(frame, grip.filter(|_| frame.held).as_ref())
+        let grip = grip.filter(|_| frame.held);
+        self.still(frame, grip.as_ref(), leaves_unbalanced(frame, true))
     }
 
     /// Every law on the next frame.
@@ -86,7 +88,8 @@ impl Judge {
         }
         let reported = self.take_hold(&frame);
         let grip = self.hold.grip;
-        let mut findings = self.still(&frame, grip.as_ref());
+        let unbalanced = leaves_unbalanced(&frame, self.unbalanced);
+        let mut findings = self.still(&frame, grip.as_ref(), unbalanced);
         findings.push(reported);
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
@@ -124,17 +127,17 @@ impl Judge {
         }
         let frames = (self.last.as_ref(), &frame);
         findings.extend(self.unreported.next(&self.model, &self.bounds, frames));
-        self.unbalanced = self.leaves_unbalanced(&frame);
+        self.unbalanced = unbalanced;
         self.last = Some(frame);
         findings
     }
 
-    fn still(&self, frame: &Frame, grip: Option<&Grip>) -> Vec<Finding> {
+    fn still(&self, frame: &Frame, grip: Option<&Grip>, unbalanced: bool) -> Vec<Finding> {
         let mut findings = vec![still::finite(frame)];
         findings.extend(still::names(&self.model, &self.bounds, frame));
         findings.extend(still::geometry(&self.model, &self.bounds, frame));
         match grip {
-            _ if self.leaves_unbalanced(frame) => {}
+            _ if unbalanced => {}
             Some(grip) => {
                 findings.extend(still::statics(&self.model, &self.bounds, grip, frame));
                 findings.extend(slide::alone(&self.model, &self.bounds, grip, frame));
@@ -142,16 +145,6 @@ impl Judge {
             None => findings.push(still::idle(frame)),
         }
         findings
-    }
-
-    /// Whether the body is out of balance and reports it (STATICS 9, rule 8), or has followed an unreported part of the hand's
-    /// path; or stays as it was when it last did.
-    fn leaves_unbalanced(&self, frame: &Frame) -> bool {
-        match frame.status {
-            Status::Ambiguous | Status::Jammed | Status::Behind => true,
-            Status::Saturated | Status::HeldLast => self.unbalanced,
-            Status::Ok | Status::EventLimit | Status::IterationLimit | Status::Twist => false,
-        }
     }
 
     /// Tracks the grip: initially the scene's holding point, if given; otherwise the hand's position at the grasp, in the
@@ -310,4 +303,14 @@ const START: f64 = 1e-5;
 
 fn later(last: &Frame, frame: &Frame) -> Finding {
     Finding::whether(law::TIME, frame.t > last.t)
+}
+
+/// Whether the body is out of balance and reports it (STATICS 9, rule 8), or has followed an unreported part of the hand's path; or stays
+/// as it was `before`.
+fn leaves_unbalanced(frame: &Frame, before: bool) -> bool {
+    match frame.status {
+        Status::Ambiguous | Status::Jammed | Status::Behind => true,
+        Status::Saturated | Status::HeldLast => before,
+        Status::Ok | Status::EventLimit | Status::IterationLimit | Status::Twist => false,
+    }
 }
