@@ -23,8 +23,8 @@ case "$*" in
 esac
 is_all() { [ $mode = all ]; }
 
-# Incremental compilation and debug information take gigabytes and minutes, and are of no use to a checkout that is built only once.
-[ "${CI:-}" != true ] || export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
+# Incremental compilation and debug information take gigabytes and minutes.
+export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 target=${CARGO_TARGET_DIR:-target} built=${CARGO_TARGET_DIR:-target}/debug
 logs=target/checks
 mkdir -p $logs
@@ -107,8 +107,14 @@ if is_all; then
   tools=$!
 fi
 
+# What the lints, the tests and the documentation are of.
+packages=(--workspace)
+if ! is_all; then
+  for package in boards c fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
+fi
+
 part 'lints'
-cargo clippy --workspace --all-targets --locked -- -D warnings
+cargo clippy "${packages[@]}" --all-targets --locked -- -D warnings
 
 part 'core on bare metal'
 chips=(thumbv7em-none-eabihf)
@@ -163,12 +169,8 @@ fi
 part 'tests: compiling'
 # The tests run with debug assertions and overflow checks; the nightly run repeats them in a release build. One build of all programs and tests
 # shares every dependency; a package built alone would need some of them with other features.
-packages=(--workspace) examples=()
-if is_all; then
-  examples=(--example walk --example walks)
-else
-  for package in boards c fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
-fi
+examples=()
+! is_all || examples=(--example walk --example walks)
 cargo build --locked "${packages[@]}" --lib --bins --tests "${examples[@]}"
 
 part 'tests'
@@ -250,7 +252,7 @@ if is_all; then
 fi
 
 part 'documentation'
-RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
+RUSTDOCFLAGS='-D warnings' cargo doc "${packages[@]}" --no-deps --locked
 cargo_test "${packages[@]}" --doc
 
 # as_database ARCHIVE: makes cargo-deny fetch its database from the files of this archive.
