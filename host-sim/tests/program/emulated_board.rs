@@ -2,6 +2,7 @@
 //! installed is skipped with the command that installs it; with CI=true it must be there.
 use crate::common::{Folder, assert_all, said, text};
 use stiction_host_sim::firmware::process::may_skip;
+use stiction_tests::times;
 
 /// The folder's program with an emulated board, patient with a slow machine: what it prints; nothing where something is
 /// missing.
@@ -29,13 +30,14 @@ fn hand(samples: u32, rate: f64) -> String {
 /// 300 samples: every answer of a board has the bits of this computer. In the place of the Pico 2 is the AN505.
 #[test]
 fn emulated_boards_have_the_bits_of_this_computer() {
-    for (board, rate) in [
+    let boards = [
         ("olimex-stm32-h405", 1000),
         ("microbit", 100),
         ("mps2-an505", 1000),
-    ] {
+    ];
+    for (board, rate) in &boards[..times(1, boards.len())] {
         let folder = Folder::new();
-        folder.write("hand.csv", hand(300, f64::from(rate)));
+        folder.write("hand.csv", hand(300, f64::from(*rate)));
         let stream = format!("board box-flat --emulate {board} --rate {rate} --hand hand.csv");
         if let Some(said) = emulated(&folder, &format!("{stream} --verify --quiet")) {
             assert_eq!(said, "300 of 300 frames equal\n", "{board}");
@@ -64,6 +66,10 @@ fn the_emulated_f405_has_the_bits_of_this_computer_among_obstacles() {
 /// a second.
 #[test]
 fn the_emulated_microbit_takes_a_scene_with_obstacles() {
+    // Its image takes most of a minute to build.
+    if !times(false, true) {
+        return;
+    }
     let folder = Folder::new();
     folder.write("hand.csv", "t,x,y,phi\n0,-0.07,0.05,0\n2,-0.02,0.04,0\n");
     let stream = "board table-edge --emulate microbit --rate 100 --hand hand.csv";
@@ -80,10 +86,11 @@ fn the_emulated_microbit_takes_a_scene_with_obstacles() {
 #[test]
 fn emulated_boards_say_what_they_are() {
     let folder = Folder::new();
-    for (board, number, room) in [
+    let boards = [
         ("olimex-stm32-h405", "f32", "8 vertices, 4 surfaces"),
         ("microbit", "fixed", "8 vertices, 2 surfaces"),
-    ] {
+    ];
+    for (board, number, room) in &boards[..times(1, boards.len())] {
         let Some(said) = emulated(&folder, &format!("info --emulate {board}")) else {
             continue;
         };

@@ -5,6 +5,7 @@ use object::{Object, ObjectSection, ObjectSegment, ObjectSymbol};
 use std::fs;
 use std::sync::Mutex;
 use stiction_host_sim::firmware::process::may_skip;
+use stiction_tests::times;
 
 use crate::common::{Folder, said, text};
 
@@ -68,6 +69,10 @@ fn boot_program(file: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
+    // The image takes most of a minute to build.
+    if !times(false, true) {
+        return;
+    }
     let folder = Folder::new();
     let Some(said) = made(&folder, "image pico") else {
         return;
@@ -107,6 +112,10 @@ fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
 
 #[test]
 fn an_image_for_a_probe_is_what_cargo_builds() {
+    // The image takes most of a minute to build.
+    if !times(false, true) {
+        return;
+    }
     let folder = Folder::new();
     let Some(said) = made(&folder, "image microbit") else {
         return;
