@@ -109,12 +109,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let frame = self
             .statics
             .frame(lost, self.body.rotation, self.body.holding);
-        let gap_opens =
-            rates.is_some_and(|rates| frame.opening(rates.g, rates.theta) >= R::ZERO);
-        if !gap_opens && !lost.is_in_line(lasting) {
-            self.body.contacts.add(lost.feature);
-            self.body.loosen();
-            return;
+        let is_edge = lost.is_in_line(lasting);
+        let gap_opens = rates.map(|rates| frame.opening(rates.g, rates.theta) >= R::ZERO);
+        match gap_opens {
+            Some(opens) if opens || is_edge => {}
+            // The slide of the one is not stable: it sticks, and snaps if friction gives way.
+            None if is_edge => return self.body.loosen(),
+            Some(_) | None => {
+                self.body.contacts.add(lost.feature);
+                return self.body.loosen();
+            }
         }
         let [normal, _] = self.statics.reaction(self.body);
         if self.statics.friction(lasting).is_pressed(normal) {
