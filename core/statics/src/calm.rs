@@ -69,7 +69,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         };
         match yields {
-            Some(sense) => self.yields_calmly(body, &m, (sense, &i), (way.whole, room)),
+            Some(sense) => {
+                // What is near at the end says nothing about the place.
+                let room = (body.room - bound.way).max(R::ZERO);
+                self.yields_calmly(body, &m, (sense, &i), (way.whole, room))
+            }
             None => {
                 body.go_to(&i, room);
                 body.hand = *to;

@@ -13,6 +13,8 @@
 //! The statics of a body held in the hand.
 #![allow(dead_code)]
 
+#[cfg(feature = "trace")]
+extern crate std;
 mod bounds;
 mod calm;
 mod cone;
