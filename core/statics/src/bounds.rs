@@ -71,7 +71,11 @@ impl<R: Real> Sup<R> {
 impl<R: Real> Add for Sup<R> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
-        Self::new(self.value + b.value, self.slope + b.slope, self.bend + b.bend)
+        Self::new(
+            self.value + b.value,
+            self.slope + b.slope,
+            self.bend + b.bend,
+        )
     }
 }
 impl<R: Real> Mul for Sup<R> {
@@ -188,7 +192,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Q
     fn chord(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         if m.kind == Kind::Slide && m.first().is_corner() {
-            self.curvature(m, i, Extent { way: R::ZERO, strip: R::ZERO }).q
+            self.curvature(
+                m,
+                i,
+                Extent {
+                    way: R::ZERO,
+                    strip: R::ZERO,
+                },
+            )
+            .q
         } else {
             R::ZERO
         }
@@ -260,7 +272,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let turn = Sup::new(R::ZERO, th1, z2);
         let foot = Sup::new(R::ZERO, x1, z2);
         let (r1, r2) = (i.r.length_bound(), i.r2.length_bound());
-        let more = if turns1 { (th1 * x1).doubled() } else { R::ZERO };
+        let more = if turns1 {
+            (th1 * x1).doubled()
+        } else {
+            R::ZERO
+        };
         let (g1, g2) = (x1 + r1 * th1, z2 + r1 * th2 + more);
         let holding = Sup::new(R::ZERO, g1, g2);
         let lever = |turns: bool, r: R| {
@@ -287,13 +303,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let sum = of_first + of_second;
             Sup::new(apart + sum.slope * at.strip, sum.slope, sum.bend)
         };
-        let force = Sup::new(i.force.length_bound() + h_p * at.way + g1 * at.strip, g1, g2);
+        let force = Sup::new(
+            i.force.length_bound() + h_p * at.way + g1 * at.strip,
+            g1,
+            g2,
+        );
         let couple = self.couple_sup(turn);
         // r_1×F = r_1×P, P = F - r_1: P' = -c'
         let pull = if turns1 {
             Sup::constant((i.force - i.r).length_bound() + h_p * at.way)
         } else {
-            Sup::new((i.force - i.r).length_bound() + h_p * at.way + x1 * at.strip, x1, z2)
+            Sup::new(
+                (i.force - i.r).length_bound() + h_p * at.way + x1 * at.strip,
+                x1,
+                z2,
+            )
         };
         let lever_part = of_first * pull;
         let slope = couple.slope + lever_part.slope;

@@ -51,7 +51,8 @@ impl<R: Real> WrenchCone<R> {
     fn facet(&self, edges: [ConeEdge<R>; 2]) -> Option<Facet<R>> {
         let [a, b] = &edges;
         let x = a.wrench.cross(b.wrench);
-        let is_same = |c: &ConeEdge<R>, d: &ConeEdge<R>| c.contact == d.contact && c.slide == d.slide;
+        let is_same =
+            |c: &ConeEdge<R>, d: &ConeEdge<R>| c.contact == d.contact && c.slide == d.slide;
         let (mut inside, mut outside) = (false, false);
         for c in &self.edges {
             if is_same(c, a) || is_same(c, b) {

@@ -365,9 +365,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> R {
         match contact.feature {
             Feature::Vertex { side, .. } => frame.n.dot(g + frame.r) - self.side(side).offset,
-            Feature::Corner { body_side, .. } => {
-                frame.n.dot(rotation.apply(self.vertex(body_side)) - frame.r)
-            }
+            Feature::Corner { body_side, .. } => frame
+                .n
+                .dot(rotation.apply(self.vertex(body_side)) - frame.r),
         }
     }
 }

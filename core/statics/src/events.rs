@@ -296,7 +296,10 @@ pub(crate) struct Judging<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {
     /// All functions, with their places in [`Values`].
-    pub(crate) fn functions(&self, along_u: bool) -> impl Iterator<Item = (usize, Function)> + use<R, V, S, C> {
+    pub(crate) fn functions(
+        &self,
+        along_u: bool,
+    ) -> impl Iterator<Item = (usize, Function)> + use<R, V, S, C> {
         let more: &[(usize, Function)] = if along_u {
             const {
                 &[
@@ -328,7 +331,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
 
     /// The values at an instant; those along u in addition if p ends at `stop`.
     #[inline(never)]
-    pub(crate) fn values(&self, i: &Instant<R>, rates: &Rates<R>, stop: Option<R>, out: &mut Values<R>) {
+    pub(crate) fn values(
+        &self,
+        i: &Instant<R>,
+        rates: &Rates<R>,
+        stop: Option<R>,
+        out: &mut Values<R>,
+    ) {
         match self.watch {
             Watch::Way => out.fill(&[]),
             Watch::Turn => out.fill(&[self.drive(i, rates)]),

@@ -83,10 +83,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         let [r1, r2] = couple.levers(rates.u);
         let [m1, m2] = [r1, r2].map(|r| moment + -r.cross(force));
         let r12 = i.r2 - i.r;
-        [
-            signed(m2, r12.cross(f1.at)),
-            signed(m1, -r12.cross(f2.at)),
-        ]
+        [signed(m2, r12.cross(f1.at)), signed(m1, -r12.cross(f2.at))]
     }
     /// Out of balance, with a drag against the velocities: det(borne, w_2, drag), det(w_1, borne, drag), of the sign of det(w_1, w_2, drag).
     fn drag_shares(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> [Value<R>; 2] {
@@ -156,7 +153,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     }
 
     /// What bounds the functions of a pair.
-    pub(crate) fn pair_order(&self, function: Function, i: &Instant<R>, on: &Judging<R>) -> Order<R> {
+    pub(crate) fn pair_order(
+        &self,
+        function: Function,
+        i: &Instant<R>,
+        on: &Judging<R>,
+    ) -> Order<R> {
         let m = self.motion;
         let sup = self.statics.pair_sup(m, i, on.pace.extent);
         let h_p = m.hand_p.at.length_bound();

@@ -103,9 +103,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.body.stiction = false;
             return;
         }
-        let rates = self
-            .statics
-            .rates_as(self.body, lasting.sense, self.path());
+        let rates = self.statics.rates_as(self.body, lasting.sense, self.path());
         let frame = self
             .statics
             .frame(lost, self.body.rotation, self.body.holding);
@@ -170,9 +168,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.slide_begins(contacts, senses)
             }
             Some(mode @ Mode::Turn { with: None, .. }) => self.turn_begins(&mode),
-            Some(
-                Mode::Joint { .. } | Mode::Turn { .. } | Mode::Slide { .. } | Mode::Lift,
-            )
+            Some(Mode::Joint { .. } | Mode::Turn { .. } | Mode::Slide { .. } | Mode::Lift)
             | None => false,
         };
         if !begun {

@@ -13,8 +13,6 @@
 //! The statics of a body held in the hand.
 #![allow(dead_code)]
 
-#[cfg(feature = "trace")]
-extern crate std;
 mod bounds;
 mod calm;
 mod cone;
@@ -34,10 +32,10 @@ mod real;
 mod search;
 mod settle;
 mod slip;
+mod solver;
 mod state;
 mod step;
 mod thresholds;
 mod touch;
 mod world;
-mod solver;
 pub use solver::{Output, Solver, State};

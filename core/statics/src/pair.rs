@@ -81,7 +81,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The slide of the body's first two contacts, with given contacts' friction, in the direction of `sense` (1 or -1) times (g_y, -g_x).
     pub(crate) fn pair(&self, body: &Body<R>, hand_p: HandPose<R>, sense: R) -> Motion<R> {
         let mut m = Motion::new(Kind::Pair, body, hand_p);
-        let frames = m.contacts.map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = m
+            .contacts
+            .map(|c| self.frame(c, body.rotation, body.holding));
         let [first, second] = frames;
         let [_, second_contact] = m.contacts;
         let g = gap_slope(&frames);
@@ -266,7 +268,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
         let spread_u = f1_u.cross(f2) + f1.cross(f2_u);
         let arm_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
-        let e_up = spread_u * m1_p - f1.cross(f2) * r1_u.cross(h_p) - arm_u * f1.cross(h_p)
+        let e_up = spread_u * m1_p
+            - f1.cross(f2) * r1_u.cross(h_p)
+            - arm_u * f1.cross(h_p)
             - k.r12.cross(f2) * f1_u.cross(h_p);
         e_up * m.pair.flip
     }
@@ -310,10 +314,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut sum = R::ZERO;
         let normal = self.shares(m, i).normal;
         let levers = [Vec2::ZERO, k.r12];
-        for (((contact, frame), n), lever) in m.contacts.iter().zip(&k.frames).zip(normal).zip(levers)
+        for (((contact, frame), n), lever) in
+            m.contacts.iter().zip(&k.frames).zip(normal).zip(levers)
         {
             let product = through_first(f1, w2, Wrench::at(lever, frame.t)) * m.pair.flip;
-            sum = sum + contact.sense.along(self.friction(*contact).drop * n * product);
+            sum = sum
+                + contact
+                    .sense
+                    .along(self.friction(*contact).drop * n * product);
         }
         let scale = sum / -i.e_u;
         let rooms = m.contacts.iter().zip(&k.frames).map(|(contact, frame)| {

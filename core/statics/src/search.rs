@@ -326,7 +326,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     rotation: body.rotation,
                 }
             };
-            (statics.window(motion, begin, x, &mut self.hi.instant)?, R::ZERO)
+            (
+                statics.window(motion, begin, x, &mut self.hi.instant)?,
+                R::ZERO,
+            )
         };
         let instant = &self.hi.instant;
         Ok(Judging {
@@ -545,14 +548,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn is_over(&self, track: &Track<R>) -> bool {
         let (a, b) = (track.begin, track.end);
         let falls = match track.order {
+            Order::Second(_) if self.bracket.round >= 2 => a.d < -R::in_plane(),
             Order::Second(_) => a.d < R::ZERO,
+            Order::First(_) if self.bracket.round >= 2 => false,
             Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
         };
-        self.bracket.certain == R::ZERO
-            && self.bracket.round < 2
-            && a.v <= R::zero()
-            && b.v < a.v.max(R::ZERO)
-            && falls
+        self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
     }
     /// One event function on the window.
     fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
@@ -576,7 +577,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let is_inside = x0 + w + newton <= self.bracket.end || b.v.abs() <= tol;
             if is_near && k * part * part <= tol.doubled() && is_inside {
                 found.hit = Some((track.ending, newton));
-                found.unsure |= !certified(begin, b.v, k) && k > tol.doubled() && a.v > tol;
+                found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
                 return;
             }
         }
@@ -608,9 +609,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     found.hit = found.hit.or(Some((track.ending, newton)));
                 }
                 let is_open = a.v > tol || b.v > tol;
-                if is_open && k > tol.doubled() && !certified(begin, b.v, k) {
-                    found.unsure = true;
-                    let part = (begin.sqrt() + b.v.max(R::ZERO).sqrt()) / k.halved().sqrt();
+                if is_open && k > tol.doubled() {
+                    let part = certainty(begin, b.v, k);
+                    found.unsure |= part < R::ONE;
                     found.part = found.part.min(part);
                 }
             }
@@ -751,10 +752,11 @@ fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
     end > R::zero() && end >= enough
 }
 
-/// Nowhere negative between its ends: (sqrt v0 + sqrt v1)² >= K/2 (ONE 5).
-fn certified<R: Real>(v0: R, v1: R, k: R) -> bool {
-    let sum = v0.max(R::ZERO).sqrt() + v1.max(R::ZERO).sqrt();
-    sum * sum >= k.halved()
+/// sqrt v0 + sqrt v1 over sqrt(K/2): a function is nowhere less than zero by more than its accuracy if this is 1 or more (ONE 5). A gap that
+/// opens from zero without a velocity is certified thereby.
+fn certainty<R: Real>(v0: R, v1: R, k: R) -> R {
+    let root = |v: R| (v.max(R::ZERO) + R::zero()).sqrt();
+    (root(v0) + root(v1)) / k.halved().sqrt()
 }
 
 /// Where the first event is by tangents.

@@ -22,8 +22,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.errand.runs = 0;
         let statics = self.statics;
         let pair = self.body.contacts.pair();
-        self.errand.feet =
-            pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
+        self.errand.feet = pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
         if self.body.contacts.len() == 1 {
             self.errand.feet = [self.body.foot; 2];
             return self.slide_on(sense);
@@ -162,7 +161,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let feet = m
             .contacts
             .map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
-        let moved = feet.iter().zip(self.errand.feet).map(|(now, then)| *now - then);
+        let moved = feet
+            .iter()
+            .zip(self.errand.feet)
+            .map(|(now, then)| *now - then);
         let is_pressed = if first.is_in_line(second) {
             let [normal, _] = statics.reaction(self.body);
             statics.friction(first).is_pressed(normal)

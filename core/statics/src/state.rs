@@ -210,8 +210,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 
 /// The gradient of the second contact's gap by foot and angle of the first: g = (n_2·t_1, t_2·r12).
 pub(crate) fn gap_slope<R: Real>([first, second]: &[Frame<R>; 2]) -> Vec2<R> {
-    Vec2::new(
-        second.n.dot(first.t),
-        second.t.dot(second.r - first.r),
-    )
+    Vec2::new(second.n.dot(first.t), second.t.dot(second.r - first.r))
 }

@@ -59,8 +59,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
 
     /// The smallest part of a step that leaves plain data behind.
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
-        #[cfg(feature = "trace")]
-        if std::env::var("TRACE").is_ok() { std::eprintln!("{:?} next {:?} bit {} xi {:?} th {:?} hand {:?} con {:?} load {:?} ended {:?}", self.errand.stage, self.errand.settling.next, self.body.stiction, self.body.foot, self.body.angle, self.body.hand, self.body.contacts.as_slice(), self.statics.present_load(self.body), self.errand.ended); }
         match self.errand.stage {
             Stage::Still => {
                 self.errand.paths = self.errand.paths.saturating_add(1);
@@ -233,7 +231,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn stand_still(&mut self, way: &Displacement<R>) {
         let to = self.errand.target;
         let change = (to.at - self.body.hand.at).length_bound()
-            + self.statics.stiffness.of((to.angle - self.body.hand.angle).abs());
+            + self
+                .statics
+                .stiffness
+                .of((to.angle - self.body.hand.angle).abs());
         if self.body.slack > change {
             self.body.slack = self.body.slack - change;
             self.body.hand = to;

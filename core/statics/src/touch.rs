@@ -56,9 +56,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (rotation, holding, contacts) = (body.rotation, body.holding, body.contacts);
         let sides = u8::try_from(self.world.sides.len()).unwrap_or(u8::MAX);
         let vertices = u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
-        let features = (0..vertices).flat_map(move |vertex| {
-            (0..sides).map(move |side| Feature::Vertex { vertex, side })
-        });
+        let features = (0..vertices)
+            .flat_map(move |vertex| (0..sides).map(move |side| Feature::Vertex { vertex, side }));
         features.filter(move |&feature| {
             let gap = self.gap(Contact::at(feature), rotation, holding);
             !contacts.contains(feature) && gap <= tolerance
@@ -75,7 +74,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.forget();
         if was_free {
             let contact = self.body.contacts.first();
-            let foot = self.statics.foot_of(contact, self.body.rotation, self.body.holding);
+            let foot = self
+                .statics
+                .foot_of(contact, self.body.rotation, self.body.holding);
             self.body.foot = foot;
         }
         let others = *self.body;
