@@ -214,6 +214,8 @@ struct Track<R> {
     begin: Value<R>,
     end: Value<R>,
     order: Order<R>,
+    /// Its second derivative is at least this.
+    least: R,
 }
 
 struct Run<'a, R, const V: usize, const S: usize, const C: usize> {
@@ -486,11 +488,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             if function == crate::events::Function::Memory && begin.v <= R::ZERO {
                 continue;
             }
+            let least = match order {
+                Order::Second(k) => -k,
+                Order::First(_) => R::LEAST,
+            };
             let track = Track {
                 ending: self.watched.ending(function),
                 begin,
                 end,
                 order,
+                least,
             };
             if self.is_over(&track) {
                 let room = self.watched.body.room;
@@ -535,6 +542,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     begin: gap_at(statics, feature, self.lo),
                     end: gap_at(statics, feature, self.hi),
                     order: Order::Second(bend),
+                    least: self.least_bend(on, surface.normal, arm).max(-bend),
                 };
                 if self.is_over(&track) {
                     return Some(self.ended_low(track.ending, R::ZERO));
@@ -543,6 +551,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
         }
         None
+    }
+    /// A lower bound of the second derivative of a gap: if the body turns about a fixed or straight moving point it is -n·R a theta'².
+    fn least_bend(&self, on: &Judging<R>, normal: Vec2<R>, arm: Vec2<R>) -> R {
+        let motion = self.watched.motion;
+        let turn = match motion.kind {
+            Kind::Line => motion.line.theta_u.abs() * on.width,
+            Kind::Pin if motion.frozen && !motion.first().is_corner() => on.width,
+            Kind::Free | Kind::Pin | Kind::Slide | Kind::Pair => return R::LEAST,
+        };
+        let arm = arm - self.hi.instant.r;
+        (-normal.dot(arm) - arm.length_bound() * turn) * turn * turn
     }
     /// Zero at the beginning of the motion, and falling: the event is there.
     fn is_over(&self, track: &Track<R>) -> bool {
@@ -597,6 +616,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             found.crossing = found.crossing.or(Some(track.ending));
             return;
         }
+        // f >= v0 + v0' x + least x²/2, which is least at an end or at both.
+        let from_begin = a.v + a.d * w + track.least.min(R::ZERO).halved();
+        let is_certain = a.v >= -tol && from_begin >= -tol;
         match track.order {
             Order::First(k) => {
                 if b.v <= tol {
@@ -609,7 +631,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     found.hit = found.hit.or(Some((track.ending, newton)));
                 }
                 let is_open = a.v > tol || b.v > tol;
-                if is_open && k > tol.doubled() {
+                if is_open && k > tol.doubled() && !is_certain {
                     let part = certainty(begin, b.v, k);
                     found.unsure |= part < R::ONE;
                     found.part = found.part.min(part);
