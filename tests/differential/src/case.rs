@@ -70,12 +70,10 @@ impl Case {
     pub fn apart(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
         let way = (a[0] - b[0]).hypot(a[1] - b[1]) / self.among.setup.size();
         let turn = (a[2] - b[2]).abs();
-        // Not a number is far.
-        if way >= turn || way.is_nan() {
-            way
-        } else {
-            turn
+        if way.is_nan() || turn.is_nan() {
+            return f64::INFINITY;
         }
+        way.max(turn)
     }
 }
 

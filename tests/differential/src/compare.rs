@@ -7,7 +7,7 @@ use crate::subject::Solver;
 use crate::tally::{Spread, Tally};
 use std::fmt;
 use std::ops::Range;
-use stiction_judge::{Contact, Frame, State, Status, Touch};
+use stiction_judge::{Contact, Frame, State, Status};
 
 /// What two solvers did on a family.
 #[derive(Clone, Debug, Default)]
@@ -16,7 +16,8 @@ pub struct Pair {
     /// Runs all of whose frames are equal.
     whole: u64,
     frames: u64,
-    /// Frames equal in state, contacts and pose; those equal in the pose; those equal in the contacts' signs, reactions and events, too.
+    /// Frames equal in state, contacts and pose; those equal in the pose; those of the equal ones with the
+    /// same signs, reactions and events; 0 if one of the two does not report these.
     equal: u64,
     poses: u64,
     signs: u64,
@@ -58,18 +59,25 @@ impl Pair {
     fn add(&mut self, case: &Case, seed: u64, runs: [(Solver, &[Frame]); 2]) {
         let [(a, one), (b, other)] = runs;
         let bound = a.digits.equal().max(b.digits.equal());
+        let near = 1e-5 * case.among.setup.size();
         let unit = case.among.setup.stiffness_translation * case.among.setup.size();
         let mut first = None;
         for (i, frames) in one.iter().zip(other).enumerate() {
             let (x, y) = frames;
             let apart = case.apart(x.pose, y.pose);
             let pose = apart <= bound;
-            let equal = pose && x.state == y.state && touches(x) == touches(y);
+            let equal = pose && x.state == y.state && touch_alike(x, y, near);
             self.poses += u64::from(pose);
             self.equal += u64::from(equal);
             self.signs += u64::from(equal && signs(x) == signs(y));
-            self.reactions += u64::from(equal && unbalance(x, y) <= 2.0 * bound * unit);
-            self.events += u64::from(equal && x.events == y.events);
+            self.reactions += u64::from(
+                equal
+                    && a.tells_reactions
+                    && b.tells_reactions
+                    && unbalance(x, y) <= 2.0 * bound * unit,
+            );
+            self.events +=
+                u64::from(equal && a.tells_events && b.tells_events && x.events == y.events);
             if x.state != State::NonContact || y.state != State::NonContact {
                 self.apart.add(apart);
             }
@@ -93,17 +101,31 @@ impl Pair {
     }
 }
 
-/// The features that touch, in order.
-pub(crate) fn touches(frame: &Frame) -> Vec<Touch> {
-    let mut touches: Vec<Touch> = frame.contacts.iter().map(|contact| contact.touch).collect();
-    touches.sort();
-    touches
+/// Whether both have the same contacts: of the same features, or, where sides of obstacles adjoin, at the same place and with the same normal,
+/// to within a length.
+fn touch_alike(a: &Frame, b: &Frame, near: f64) -> bool {
+    let is_in =
+        |one: &Contact, all: &Frame| all.contacts.iter().any(|other| alike(one, other, near));
+    a.contacts.len() == b.contacts.len()
+        && a.contacts.iter().all(|contact| is_in(contact, b))
+        && b.contacts.iter().all(|contact| is_in(contact, a))
 }
 
-fn signs(frame: &Frame) -> Vec<(Touch, i8)> {
-    let sign = |contact: &Contact| (contact.touch, contact.sliding.unwrap_or(0));
-    let mut signs: Vec<_> = frame.contacts.iter().map(sign).collect();
-    signs.sort();
+fn alike(one: &Contact, other: &Contact, near: f64) -> bool {
+    let apart = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+    let along = one.direction.zip(other.direction);
+    one.touch == other.touch
+        || along.is_some_and(|(n, m)| apart(n, m) <= 1e-5) && apart(one.point, other.point) <= near
+}
+
+/// The contacts that slide, and in which directions.
+fn signs(frame: &Frame) -> Vec<i8> {
+    let mut signs: Vec<i8> = frame
+        .contacts
+        .iter()
+        .map(|c| c.sliding.unwrap_or(0))
+        .collect();
+    signs.sort_unstable();
     signs
 }
 

@@ -170,7 +170,7 @@ fn mirror(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
         let bound = solver.digits.equal();
         let off = run.iter().zip(&image).map(apart);
         most.add(off.clone().fold(0.0, f64::max));
-        let Some(frame) = off.clone().position(|apart| !(apart <= bound)) else {
+        let Some(frame) = off.clone().position(|apart| apart > bound) else {
             continue;
         };
         let has_status = run.iter().chain(&image).any(is_flagged);
@@ -230,11 +230,11 @@ fn cut(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
         let bound = solver.digits.equal();
         let largest = off.clone().fold(0.0, f64::max);
         most.add(largest);
-        let Some(frame) = off.clone().position(|apart| !(apart <= bound)) else {
+        let Some(frame) = off.clone().position(|apart| apart > bound) else {
             continue;
         };
         differ += 1;
-        at_end += u64::from(off.last().is_some_and(|apart| !(apart <= bound)));
+        at_end += u64::from(off.clone().next_back().is_some_and(|apart| apart > bound));
         let has_status = run.iter().chain(&parts).any(is_flagged);
         to_blame.push(format!(
             "{seed}: frame {frame}, up to {largest:.1e}, status {has_status}"
