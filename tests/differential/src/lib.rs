@@ -13,6 +13,7 @@ mod families;
 mod lawful;
 mod measures;
 mod old;
+mod statics;
 mod subject;
 mod tally;
 
@@ -20,4 +21,5 @@ pub use case::Case;
 pub use compare::{Pair, compare};
 pub use families::{FAMILIES, Family};
 pub use old::OLD;
+pub use statics::STATICS;
 pub use subject::{Digits, Solver, Subject};
