@@ -77,6 +77,8 @@ pub(crate) enum Watch {
     Slip(Sense),
     /// A turn to balance at a frozen hand.
     Turn,
+    /// A turn to balance of a body whose contact slides.
+    Topple,
     /// A slide of one contact.
     Slide,
     /// A slide of two.
@@ -131,6 +133,7 @@ impl Watch {
             Self::Corner => &[F::Low, F::High],
             Self::Slip(_) => &[F::Excess, F::Normal],
             Self::Turn => &[F::Drive],
+            Self::Topple => &[F::Drive, F::Normal],
             Self::Slide => &[F::Normal, F::Halt, F::Stiction],
             Self::Joint => &[
                 F::Share(Which::First),
@@ -342,7 +345,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Watch::Way => out.fill(&[]),
             Watch::Turn => out.fill(&[self.drive(i, rates)]),
             Watch::Corner => out.fill(&self.corner_values(i, rates)),
-            Watch::Stick | Watch::Slip(_) | Watch::Slide => self.single_values(i, rates, out),
+            Watch::Stick | Watch::Slip(_) | Watch::Slide | Watch::Topple => {
+                self.single_values(i, rates, out);
+            }
             Watch::Joint | Watch::JointSlip => self.pair_values(i, rates, out),
         }
         if let Some(stop) = stop {
@@ -418,6 +423,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 };
                 out.fill(&[normal, halt, self.stiction(&friction, normal)]);
             }
+            Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
             Watch::Way | Watch::Corner | Watch::Turn | Watch::Joint | Watch::JointSlip => {}
         }
     }
@@ -449,7 +455,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         };
         let force = force + h_p * on.p_bend;
         match function {
-            Function::Normal | Function::Stiction if self.watch == Watch::Slide && !turns => {
+            Function::Normal | Function::Stiction
+                if matches!(self.watch, Watch::Slide | Watch::Topple) && !turns =>
+            {
                 Order::Second(i.r.length_bound() * on.bound.turn + h_p * on.p_bend)
             }
             Function::Margin(_)

@@ -226,19 +226,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.log.event(Event::Snap);
         let way = self.errand.before.to(&self.errand.target);
         // So far that the drive is more than its rounding.
-        let drive = if kind == Kind::Pair {
-            R::ONE
-        } else {
+        let sense = self.body.contacts.first().sense;
+        let (mut drive, mut runs_back) = (R::ONE, false);
+        if kind != Kind::Pair {
             let m = Motion::new(kind, self.body, way.per_p);
-            self.statics.placed_at_start(&m).e_p.abs()
-        };
-        let known = R::in_plane() / drive.max(R::EPSILON);
+            let i = self.statics.placed_at_start(&m);
+            drive = i.e_p;
+            runs_back = sense.along(i.xi_u * drive) < R::ZERO;
+        }
+        let known = R::in_plane() / drive.abs().max(R::EPSILON);
         let p = (R::TOUCH * R::from_int(16) * way.whole).max(known.min(way.whole));
         self.body.hand = self.body.hand.moved(&way.per_p, p);
         if kind == Kind::Pair {
-            let sense = self.body.contacts.first().sense;
             let sense = if sense.slides() { sense } else { Sense::Plus };
             return self.errand.settle(Next::Slip(sense));
+        }
+        if runs_back {
+            // The foot would move against its friction: it slips on at the angle that holds it in balance.
+            self.body.contacts.rest();
+            return self.errand.settle(Next::Relax(sense));
         }
         self.errand.runs = 0;
         self.turn(Stage::Snap(kind));
@@ -255,13 +261,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.touch(feature);
             return self.errand.settle(Next::Relax(sense));
         }
-        if slides {
+        if ending == Ending::Clear {
+            self.log.event(Event::Lift);
+            self.body.lift();
+        } else if slides {
             self.errand.stage = Stage::Still;
-            let [normal, _] = self.statics.reaction(self.body);
-            if normal > R::ZERO {
-                return;
-            }
-            self.body.contacts.rest();
+            return;
         }
         self.errand.settle(Next::Relax(Sense::Rests));
     }
@@ -303,7 +308,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 | Stage::Joint => self.snapped(kind, Ending::Stopped),
             };
         }
-        self.run(stage, m, Watch::Turn, R::from_int(100), true);
+        let watch = if kind == Kind::Slide {
+            Watch::Topple
+        } else {
+            Watch::Turn
+        };
+        self.run(stage, m, watch, R::from_int(100), true);
         self.errand.search.toward(e.sign());
     }
 }
