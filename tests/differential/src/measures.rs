@@ -217,7 +217,7 @@ fn rates(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
 }
 
 fn cut(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
-    let [mut runs, mut differ, mut at_end, mut missing] = [0_u64; 4];
+    let [mut runs, mut flagged, mut silent, mut at_end, mut missing] = [0_u64; 5];
     let (mut most, mut to_blame) = (Spread::default(), Vec::new());
     for (seed, case) in cases(family, seeds) {
         let (Ok(run), Ok(parts)) = (solver.run(&case), solver.run(&case.cut(PARTS))) else {
@@ -233,16 +233,17 @@ fn cut(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
         let Some(frame) = off.clone().position(|apart| apart > bound) else {
             continue;
         };
-        differ += 1;
         at_end += u64::from(off.clone().next_back().is_some_and(|apart| apart > bound));
         let has_status = run.iter().chain(&parts).any(is_flagged);
+        flagged += u64::from(has_status);
+        silent += u64::from(!has_status);
         to_blame.push(format!(
             "{seed}: frame {frame}, up to {largest:.1e}, status {has_status}"
         ));
     }
     Measured {
         line: format!(
-            "runs {runs} (not run {missing}): differ {differ}, still at the end {at_end}; largest distance of a run, \
+            "runs {runs} (not run {missing}): differ without a status {silent}, with one {flagged}, still at the end {at_end}; largest distance of a run, \
              50 / 90 / 99 / 99.9 / 100 %: {most}"
         ),
         seeds: to_blame,
