@@ -35,7 +35,7 @@ const fn family(
 }
 
 /// All families.
-pub const FAMILIES: [Family; 21] = [
+pub const FAMILIES: [Family; 22] = [
     family(
         "haptic",
         320,
@@ -134,7 +134,13 @@ pub const FAMILIES: [Family; 21] = [
         "tops",
         500,
         tops::tops,
-        "a level body slides across tiles, posts, pins and gaps",
+        "a level body slides across tiles, posts, pins and gaps, level or each up to 1 um lower",
+    ),
+    family(
+        "tops-uneven",
+        500,
+        tops::uneven,
+        "tops that differ by less than 2^-20 L, up and down",
     ),
     family(
         "faults",

@@ -19,7 +19,17 @@ enum Tops {
     Falling,
 }
 
+/// Level tops, and falling ones, in turn.
 pub(super) fn tops(seed: u64) -> Option<Case> {
+    let tops = [Tops::Level, Tops::Falling][usize::from(seed % 2 == 1)];
+    glide(seed, tops)
+}
+
+pub(super) fn uneven(seed: u64) -> Option<Case> {
+    glide(seed, Tops::Uneven)
+}
+
+fn glide(seed: u64, tops: Tops) -> Option<Case> {
     let draw = &mut Draw::new(0x70b5_0000 + seed);
     let wide = 0.1 * draw.power(-0.3, 0.3);
     let high = wide * draw.between(0.1, 0.5);
@@ -36,7 +46,7 @@ pub(super) fn tops(seed: u64) -> Option<Case> {
         .held_at([draw.between(-0.05, 0.05) * wide, 0.0])
         .springs(stiffness, stiffness * l * l * draw.power(-1.0, 0.3))
         .weighing(draw.one(&[0.0, 0.0, 0.1]) * stiffness * l);
-    let [obstacles, level] = floor(draw, [wide, l], friction);
+    let [obstacles, level] = floor(draw, tops, [wide, l], friction);
     let [x, y] = setup.grip();
     let depth = y - above - draw.between(0.02, 0.1) * l;
     let travel = draw.between(0.8, 1.6) * wide;
@@ -72,8 +82,13 @@ pub(super) fn tops(seed: u64) -> Option<Case> {
 }
 
 /// A long tile, up to five tiles, posts or pins, and a long tile; and with tops at the same height if they are one floor.
-fn floor(draw: &mut Draw, [wide, l]: [f64; 2], friction: [f64; 2]) -> [Vec<Obstacle>; 2] {
-    let tops = draw.one(&[Tops::Level, Tops::Uneven, Tops::Falling]);
+fn floor(
+    draw: &mut Draw,
+    tops: Tops,
+    [wide, l]: [f64; 2],
+    friction: [f64; 2],
+) -> [Vec<Obstacle>; 2] {
+    let mut was_pin = false;
     let deep = -0.5 * wide;
     let mut end = draw.between(0.2, 0.6) * wide;
     let mut top = 0.0;
@@ -91,7 +106,7 @@ fn floor(draw: &mut Draw, [wide, l]: [f64; 2], friction: [f64; 2]) -> [Vec<Obsta
         // A gap, a seam, or an overlap.
         let gap = match draw.below(8) {
             0 => 0.0,
-            1 => -draw.between(0.01, 0.05) * wide,
+            1 if !was_pin => -draw.between(0.01, 0.05) * wide,
             _ => draw.power(-6.0, -0.8) * wide,
         };
         let left = end + gap;
@@ -101,8 +116,9 @@ fn floor(draw: &mut Draw, [wide, l]: [f64; 2], friction: [f64; 2]) -> [Vec<Obsta
             1 => left + draw.between(0.02, 0.05) * wide,
             _ => left + draw.between(0.06, 0.4) * wide,
         };
-        // A pin inside the tile before it is none.
+        // A pin inside the tile before it is none, nor is one inside the tile after it.
         let is_pin = right == left;
+        was_pin = is_pin;
         let left = if is_pin {
             left.max(end + 1e-3 * wide)
         } else {
