@@ -5,7 +5,7 @@ use crate::geometry::{Vec2, Wrench};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::thresholds::Thresholds;
-use crate::world::Statics;
+use crate::world::{Cone, Statics};
 use heapless::Vec;
 
 /// An edge of the friction cone of a contact.
@@ -15,8 +15,10 @@ pub(crate) struct ConeEdge<R> {
     pub(crate) wrench: Wrench<R>,
     /// The place of the contact among those of the body.
     pub(crate) contact: usize,
-    /// The slide that begins at this edge: against its friction.
+    /// The slide that begins at this edge: against its friction; without friction either.
     pub(crate) slide: Sense,
+    /// The angle of friction.
+    pub(crate) cone: Cone<R>,
 }
 
 /// A plane through two edges that has all others on one side: x·w >= 0 for all reactions w, x inward.
@@ -40,36 +42,66 @@ pub(crate) struct WrenchCone<R> {
     edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
 }
 
+/// The facets through two edges: one, or four where all edges lie in one plane.
+type Facets<R> = Vec<Facet<R>, 4>;
+
 impl<R: Real> WrenchCone<R> {
+    pub(crate) fn edges(&self) -> &[ConeEdge<R>] {
+        &self.edges
+    }
     pub(crate) fn facets(&self) -> impl Iterator<Item = Facet<R>> + '_ {
         let pairs = self.edges.iter().enumerate().flat_map(move |(i, a)| {
             let rest = self.edges.iter().skip(i.saturating_add(1));
             rest.map(move |b| [*a, *b])
         });
-        pairs.filter_map(|edges| self.facet(edges))
+        pairs.flat_map(|edges| self.through(edges))
     }
-    fn facet(&self, edges: [ConeEdge<R>; 2]) -> Option<Facet<R>> {
+    fn through(&self, edges: [ConeEdge<R>; 2]) -> Facets<R> {
         let [a, b] = &edges;
         let x = a.wrench.cross(b.wrench);
-        let is_same =
-            |c: &ConeEdge<R>, d: &ConeEdge<R>| c.contact == d.contact && c.slide == d.slide;
+        let mut facets = Facets::new();
         let (mut inside, mut outside) = (false, false);
         for c in &self.edges {
-            if is_same(c, a) || is_same(c, b) {
+            if c.is(a) || c.is(b) {
                 continue;
             }
             let side = x.dot(c.wrench);
             inside |= side > R::in_plane();
             outside |= side < -R::in_plane();
             if inside && outside {
-                return None;
+                return facets;
             }
         }
         if x.size() <= R::in_plane() {
-            return None;
+            return facets;
         }
-        let inward = if outside { x * -R::ONE } else { x };
-        Some(Facet { inward, edges })
+        let mut add = |inward, edges| {
+            // There is room for four.
+            let _ = facets.push(Facet { inward, edges });
+        };
+        let back = x * -R::ONE;
+        if inside || outside {
+            add(if outside { back } else { x }, edges);
+            return facets;
+        }
+        // Contacts without friction: the load has to lie in their plane, between the outer edges.
+        add(x, edges);
+        add(back, edges);
+        for (edge, other) in [(a, b), (b, a)] {
+            let side = x.cross(edge.wrench);
+            let inward = side * side.dot(other.wrench).sign();
+            let is_outer = |c: &ConeEdge<R>| inward.dot(c.wrench) >= -R::in_plane();
+            if self.edges.iter().all(is_outer) {
+                add(inward, [*edge, *edge]);
+            }
+        }
+        facets
+    }
+}
+
+impl<R: Real> ConeEdge<R> {
+    fn is(&self, other: &Self) -> bool {
+        self.contact == other.contact && self.slide == other.slide
     }
 }
 
@@ -86,13 +118,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         for (contact, c) in body.contacts.iter().enumerate() {
             let frame = self.frame(c, body.rotation, body.holding);
             let cone = self.friction(c).cone(body.stiction);
-            for slide in [Sense::Minus, Sense::Plus] {
+            let both = [Sense::Minus, Sense::Plus];
+            let slides = if cone.sin > R::ZERO {
+                both.as_slice()
+            } else {
+                &[Sense::Rests]
+            };
+            for &slide in slides {
                 let force = frame.n * cone.cos - frame.t * slide.along(cone.sin);
                 // There is room for two of each contact.
                 let _ = edges.push(ConeEdge {
                     wrench: Wrench::at(frame.r, force),
                     contact,
                     slide,
+                    cone,
                 });
             }
         }

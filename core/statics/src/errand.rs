@@ -69,6 +69,8 @@ pub(crate) struct Settling<R> {
 #[derive(Clone, Debug)]
 pub(crate) struct Errand<R> {
     pub(crate) stage: Stage,
+    /// The spring that holds an angle which nothing else holds is off: the body comes to its own balance at the end of a frame.
+    pub(crate) loose: bool,
     /// The displacement under way.
     pub(crate) before: HandPose<R>,
     pub(crate) target: HandPose<R>,
@@ -93,6 +95,7 @@ impl<R: Real> Errand<R> {
         let start = Body::new(Vec2::ZERO, R::ZERO, HandPose::REST);
         Self {
             stage: Stage::Still,
+            loose: false,
             before: HandPose::REST,
             target: HandPose::REST,
             paths: 0,

@@ -1,7 +1,7 @@
 //! The motions that a load can begin at contacts that fix the pose, ranked (ONE 8): a pure function of the pose, the load and the motions
 //! that are struck off.
 
-use crate::cone::Facet;
+use crate::cone::{ConeEdge, Facet};
 use crate::contact::{Contact, Frame, Sense};
 use crate::geometry::{Vec2, Wrench};
 use crate::motion::{Instant, Motion};
@@ -193,10 +193,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         } else {
             Mode::Joint {
                 contacts,
-                senses: [a.slide, b.slide],
+                senses: [a, b].map(|edge| self.slide_of(body, edge, &facet)),
             }
         };
         Some((margin, mode))
+    }
+    /// The slide that begins at an edge of a facet; without friction the facet's normal is the motion itself.
+    fn slide_of(&self, body: &Body<R>, edge: ConeEdge<R>, facet: &Facet<R>) -> Sense {
+        if edge.slide.slides() {
+            return edge.slide;
+        }
+        let contact = body.contacts.get(edge.contact);
+        let frame = self.frame(contact, body.rotation, body.holding);
+        Sense::of(facet.inward.dot(Wrench::at(frame.r, frame.t)))
     }
     /// A turn about a contact of a vertex that has another contact keeps both.
     fn with_vertex(&self, body: &Body<R>, mode: Mode) -> Mode {

@@ -1,8 +1,10 @@
 //! The door: hands in SI units in, poses, events and forces out.
 
-use crate::description::Described;
+use crate::contact::{Feature, MAX_CONTACTS};
+use crate::description::{Described, Units};
 use crate::errand::{Errand, Next, Stage};
 use crate::geometry::{Rotation, Vec2};
+use crate::list::gather;
 use crate::log::{Log, kind};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
@@ -11,7 +13,7 @@ use crate::thresholds::Thresholds;
 use crate::world::{Statics, Stiffness};
 use heapless::Vec;
 use stiction_core::{
-    Angle, Description, Event, Hand, MAX_EVENTS, SceneError, StateKind, Status, Wrench,
+    Angle, Contact, Description, Event, Hand, MAX_EVENTS, SceneError, StateKind, Status, Wrench,
 };
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run.
@@ -54,6 +56,16 @@ pub struct Output<F> {
     events: Vec<Event, MAX_EVENTS>,
 }
 
+/// The tangent of a state, SI units, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tangent<F> {
+    /// Rows: x, y (m) of the holding point and the angle (rad) of the body; columns: x, y (m) and angle (rad) of the hand.
+    pub compliance: [[F; 3]; 3],
+    /// Rows: force along x and y (N) and moment (N·m) that the hand feels about the holding point; columns: as above. Negative where it is
+    /// pushed back.
+    pub stiffness: [[F; 3]; 3],
+}
+
 impl<F> Output<F> {
     /// What happened in this frame, in order; a run of equal ones once.
     pub fn events(&self) -> &[Event] {
@@ -71,10 +83,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             scene: Described::new(description)?,
         })
     }
-    /// The statics with a spring that holds the angle where nothing else does (ONE 10).
+    /// The statics as the scene has it.
     fn statics(&self) -> Statics<'_, R, V, S, C> {
-        let mut statics = self.scene.world.held_at(self.scene.holding_point);
-        if self.swings() {
+        self.scene.world.held_at(self.scene.holding_point)
+    }
+    /// The statics with a spring that holds the angle where nothing else does, unless it is off (ONE 10).
+    fn held(&self, loose: bool) -> Statics<'_, R, V, S, C> {
+        let mut statics = self.statics();
+        if self.swings() && !loose {
             statics.stiffness = Stiffness::new(R::swing(), R::swing() * R::from_int(64));
         }
         statics
@@ -90,7 +106,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     /// Starts a run: the equilibrium that is reached from the scene's start pose with the hand at its first pose. A hand that cannot be
     /// used counts as absent.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
-        let (statics, mut log) = (self.statics(), Log::default());
+        let (statics, mut log) = (self.held(false), Log::default());
         let HandPose { at, angle } = self.scene.start;
         let holding = at + Rotation::by(angle).apply(self.scene.holding_point);
         let first = HandPose { at: holding, angle };
@@ -147,7 +163,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         hand: Hand<R::Si>,
         more: impl FnMut() -> bool,
     ) -> Output<R::Si> {
-        let (statics, mut log) = (self.statics(), Log::default());
+        let (statics, mut log) = (self.held(false), Log::default());
         if let Some(mut target) = self.usable(state, &hand, &mut log) {
             let is_still = state.errand.stage == Stage::Still;
             if is_still && self.unwind(state, &target) {
@@ -168,13 +184,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 if is_still && state.body.hand == target {
                     log.limit(state.unrest);
                 } else {
-                    let mut step = Step {
-                        statics: &statics,
-                        body: &mut state.body,
-                        errand: &mut state.errand,
-                        log: &mut log,
-                    };
-                    step.follow_to(target, more);
+                    self.follow(state, target, &mut log, more);
                     state.unrest = match log.status {
                         Status::Ok | Status::EventLimit | Status::Twist | Status::Behind => {
                             Status::Ok
@@ -191,6 +201,45 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             }
         }
         self.output(state, log)
+    }
+
+    /// Follows the hand; where nothing holds the angle the body comes to its own balance at the end.
+    fn follow(
+        &self,
+        state: &mut State<R>,
+        target: HandPose<R>,
+        log: &mut Log<R>,
+        mut more: impl FnMut() -> bool,
+    ) {
+        let [held, loose] = [false, true].map(|loose| self.held(loose));
+        let mut step = Step {
+            statics: &held,
+            body: &mut state.body,
+            errand: &mut state.errand,
+            log,
+        };
+        if step.errand.loose {
+            let before = step.errand.target;
+            let mut step = Step {
+                statics: &loose,
+                body: &mut *step.body,
+                errand: &mut *step.errand,
+                log: &mut *step.log,
+            };
+            step.errand.loose = !step.follow_to(before, &mut more);
+            if step.errand.loose || before == target {
+                return;
+            }
+        }
+        if step.follow_to(target, &mut more) && self.swings() {
+            let mut step = Step {
+                statics: &loose,
+                ..step
+            };
+            step.errand.target = target;
+            step.rebalance();
+            step.errand.loose = !step.follow_to(target, &mut more);
+        }
     }
 
     /// A sample relative to the whole turns of the state.
@@ -298,21 +347,61 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             moment: moment.to_si(units.moment),
         }
     }
-    /// Vertex, surface and slide of each contact.
-    #[doc(hidden)]
-    pub fn touching(&self, state: &State<R>) -> impl Iterator<Item = (u8, u8, i8)> {
-        let contacts = state.body.contacts;
-        (0..contacts.len()).map(move |k| {
-            let c = contacts.get(k);
-            match c.feature {
-                crate::contact::Feature::Vertex { vertex, side } => {
-                    (vertex, side, c.sense.integer())
-                }
-                crate::contact::Feature::Corner { corner, body_side } => {
-                    (body_side, corner, c.sense.integer())
-                }
+    /// How the pose follows the hand while nothing happens, and the stiffness that the hand feels; none at a fold, where the body would
+    /// snap. Of contacts that slide it holds in the direction of their slide.
+    pub fn tangent(&self, state: &State<R>) -> Option<Tangent<R::Si>> {
+        let columns = self.held(false).compliance(&state.body)?;
+        let Units { length, force, .. } = self.scene.units;
+        let moment = self.scene.units.moment;
+        let one = R::Si::ONE;
+        // Non-dimensional, x and y count in L.
+        let pose = [length, length, one];
+        let hand = [one / length, one / length, one];
+        let wrench = [force, force, moment];
+        let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
+        let mut tangent = Tangent {
+            compliance: [[R::Si::ZERO; 3]; 3],
+            stiffness: [[R::Si::ZERO; 3]; 3],
+        };
+        for (k, (column, per)) in columns.iter().zip(hand).enumerate() {
+            let rows = tangent.compliance.iter_mut().zip(&mut tangent.stiffness);
+            let units = pose.iter().zip(wrench).zip(springs);
+            for (row, (((c_row, k_row), ((pose, wrench), spring)), &moves)) in
+                rows.zip(units).zip(column).enumerate()
+            {
+                let rest = if row == k { R::ONE } else { R::ZERO };
+                let (Some(c), Some(felt)) = (c_row.get_mut(k), k_row.get_mut(k)) else {
+                    continue;
+                };
+                *c = moves.to_si(*pose) * per;
+                *felt = (spring * (moves - rest)).to_si(wrench) * per;
             }
-        })
+        }
+        Some(tangent)
+    }
+
+    /// The contacts with their reactions, in an order that is fixed as long as the state lasts; for a body that is not held without them.
+    pub fn contacts(&self, state: &State<R>) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
+        let (body, units) = (&state.body, &self.scene.units);
+        let statics = self.statics();
+        let reactions = statics.reactions(body);
+        let all = body.contacts.iter().zip(&reactions);
+        gather(all.map(|(contact, &[n, t])| {
+            let frame = statics.frame(contact, body.rotation, body.holding);
+            let point = body.holding + frame.r;
+            let [vertex, surface] = match contact.feature {
+                Feature::Vertex { vertex, side } => [vertex, side],
+                Feature::Corner { corner, body_side } => [body_side, corner],
+            };
+            Contact {
+                vertex: usize::from(vertex),
+                surface: usize::from(surface),
+                point: [point.x, point.y].map(|x| x.to_si(units.length)),
+                normal: n.max(R::ZERO).to_si(units.force),
+                friction: t.to_si(units.force),
+                sliding: contact.sense.integer(),
+            }
+        }))
     }
     /// Whether the contacts have stiction.
     #[doc(hidden)]

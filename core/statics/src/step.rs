@@ -27,7 +27,8 @@ pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
     /// Follows the hand to a pose, as far as `more` permits: it is asked between two pieces. What is under way goes on with the next step.
-    pub(crate) fn follow_to(&mut self, to: HandPose<R>, mut more: impl FnMut() -> bool) {
+    /// Returns whether it is done.
+    pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
         if self.errand.stage == Stage::Path && self.errand.target != to {
             self.turn_path();
@@ -35,10 +36,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         while !self.is_done(&to) {
             self.piece(to);
             if !self.is_done(&to) && !more() {
-                return self.log.limit(Status::Behind);
+                self.log.limit(Status::Behind);
+                return false;
             }
         }
         self.errand.paths = 0;
+        true
     }
     fn is_done(&self, to: &HandPose<R>) -> bool {
         self.errand.stage == Stage::Still && self.body.hand == *to
@@ -196,14 +199,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Turns => (self.along(Kind::Pin, &way), Watch::Stick),
             Freedom::Slides => (self.along(Kind::Slide, &way), Watch::Slide),
             Freedom::Together | Freedom::Fixed => {
-                let [first, second] = self.body.contacts.pair();
-                let mut m = self.statics.pair(self.body, way.per_p, R::ONE);
-                let [along1, along2] = m.contacts;
-                let is_back = first.sense.opposes(along1.sense)
-                    || !along1.sense.slides() && second.sense.opposes(along2.sense);
-                if is_back {
-                    m = self.statics.pair(self.body, way.per_p, -R::ONE);
-                }
+                let m = self.statics.sliding_pair(self.body, way.per_p);
                 (m, Watch::Joint)
             }
         };
@@ -257,16 +253,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             (Borne::Until(part), None) => (at(part * way.whole), Ending::GivesWay),
             (Borne::Until(_) | Borne::All(_), Some(p)) => (at(p), Ending::Pressed),
             (Borne::All(slack), None) => {
-                let may_press = !self.body.stiction && self.body.contacts.are_edge();
-                if !may_press {
-                    self.body.slack = slack;
-                }
                 self.body.hand = to;
-                return;
+                return self.stay(slack);
             }
         };
         self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
+    }
+    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined before it has doubled.
+    fn stay(&mut self, slack: R) {
+        if self.statics.is_jammed(self.body) {
+            return self.log.limit(Status::Jammed);
+        }
+        let may_press = !self.body.stiction && self.body.contacts.are_edge();
+        if !may_press {
+            let load = self.statics.present_load(self.body);
+            self.body.slack = slack.min(R::ONE + load.size());
+        }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
     fn presses(&self, way: &Displacement<R>) -> Option<R> {

@@ -69,6 +69,15 @@ pub(crate) trait Thresholds: Real {
     fn ahead() -> Self {
         Self::TOUCH.sqrt()
     }
+    /// 2^-8 (1): components along three edges of a larger volume are known to 2^8 roundings, no worse than in fixed point a reaction at the
+    /// limit is known to its rounding.
+    fn sharp() -> Self {
+        Self::ONE / Self::from_int(256)
+    }
+    /// 1/64 (1): a quotient with a larger divisor is known to 64 roundings, as accurately as the result of a search.
+    fn divisor() -> Self {
+        Self::ONE / Self::from_int(64)
+    }
     /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)

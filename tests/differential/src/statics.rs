@@ -1,4 +1,4 @@
-//! The uniform statics: contacts on half-planes so far, without reactions.
+//! The uniform statics: contacts on half-planes so far.
 
 use crate::subject::{Digits, Solver, Subject};
 use stiction_core::Fixed;
@@ -23,7 +23,7 @@ const fn statics(name: &'static str, digits: Digits, make: fn(&Among) -> Made) -
         name,
         digits,
         tells_events: true,
-        tells_reactions: false,
+        tells_reactions: true,
         make,
     }
 }
@@ -51,16 +51,17 @@ impl<R: Number> Run<R> {
         let wide = R::wide;
         let [x, y] = output.position;
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
-        let contact = |(vertex, surface, sign): (u8, u8, i8)| {
-            let (vertex, surface) = (usize::from(vertex), usize::from(surface));
-            Contact {
-                touch: Touch::Surface { vertex, surface },
-                point: self.setup.world(pose, self.setup.vertices[vertex]),
-                direction: None,
-                normal: 0.0,
-                friction: 0.0,
-                sliding: Some(sign),
-            }
+        let contacts = self.solver.contacts(state);
+        let contact = |c: &stiction_core::Contact<R::Si>| Contact {
+            touch: Touch::Surface {
+                vertex: c.vertex,
+                surface: c.surface,
+            },
+            point: self.setup.world(pose, self.setup.vertices[c.vertex]),
+            direction: None,
+            normal: wide(c.normal),
+            friction: wide(c.friction),
+            sliding: Some(c.sliding),
         };
         let wrench = self.solver.wrench(state);
         let [fx, fy] = wrench.force;
@@ -71,7 +72,7 @@ impl<R: Number> Run<R> {
             pose,
             depth: 0.0,
             state: output.state,
-            contacts: self.solver.touching(state).map(contact).collect(),
+            contacts: contacts.iter().map(contact).collect(),
             complete: true,
             wrench: [wide(fx), wide(fy), wide(wrench.moment)],
             slips: output.slips,
