@@ -1,0 +1,199 @@
+//! What contacts that fix the pose bear: the cone of all sums of their reactions, by the planes through two of its edges (ONE 8).
+
+use crate::contact::{MAX_CONTACTS, Sense};
+use crate::geometry::{Vec2, Wrench};
+use crate::real::Real;
+use crate::state::{Body, HandPose};
+use crate::thresholds::Thresholds;
+use crate::world::{Cone, Statics};
+use heapless::Vec;
+
+/// An edge of the friction cone of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ConeEdge<R> {
+    /// The reaction, of force 1, about the holding point.
+    pub(crate) wrench: Wrench<R>,
+    /// The place of the contact among those of the body.
+    pub(crate) contact: usize,
+    /// The slide that begins at this edge: against its friction; without friction either.
+    pub(crate) slide: Sense,
+    /// The angle of friction.
+    pub(crate) cone: Cone<R>,
+}
+
+/// A plane through two edges that has all others on one side: x·w >= 0 for all reactions w, x inward.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Facet<R> {
+    pub(crate) inward: Wrench<R>,
+    pub(crate) edges: [ConeEdge<R>; 2],
+}
+
+/// How long contacts bear a load along a displacement of the hand.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Borne<R> {
+    /// To its end, where they bear any load that differs by less than this.
+    All(R),
+    /// Up to this part of it.
+    Until(R),
+}
+
+/// The cone of the reactions of all contacts.
+pub(crate) struct WrenchCone<R> {
+    edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
+}
+
+/// The facets through two edges: one, or four where all edges lie in one plane.
+type Facets<R> = Vec<Facet<R>, 4>;
+
+impl<R: Real> WrenchCone<R> {
+    pub(crate) fn edges(&self) -> &[ConeEdge<R>] {
+        &self.edges
+    }
+    pub(crate) fn facets(&self) -> impl Iterator<Item = Facet<R>> + '_ {
+        let pairs = self.edges.iter().enumerate().flat_map(move |(i, a)| {
+            let rest = self.edges.iter().skip(i.saturating_add(1));
+            rest.map(move |b| [*a, *b])
+        });
+        pairs.flat_map(|edges| self.through(edges))
+    }
+    fn through(&self, edges: [ConeEdge<R>; 2]) -> Facets<R> {
+        let [a, b] = &edges;
+        let x = a.wrench.cross(b.wrench);
+        let mut facets = Facets::new();
+        let (mut inside, mut outside) = (false, false);
+        for c in &self.edges {
+            if c.is(a) || c.is(b) {
+                continue;
+            }
+            let side = x.dot(c.wrench);
+            inside |= side > R::in_plane();
+            outside |= side < -R::in_plane();
+            if inside && outside {
+                return facets;
+            }
+        }
+        if x.size() <= R::in_plane() {
+            return facets;
+        }
+        let mut add = |inward, edges| {
+            // There is room for four.
+            let _ = facets.push(Facet { inward, edges });
+        };
+        let back = x * -R::ONE;
+        if inside || outside {
+            add(if outside { back } else { x }, edges);
+            return facets;
+        }
+        // Contacts without friction: the load has to lie in their plane, between the outer edges.
+        add(x, edges);
+        add(back, edges);
+        for (edge, other) in [(a, b), (b, a)] {
+            let side = x.cross(edge.wrench);
+            let inward = side * side.dot(other.wrench).sign();
+            let is_outer = |c: &ConeEdge<R>| inward.dot(c.wrench) >= -R::in_plane();
+            if self.edges.iter().all(is_outer) {
+                add(inward, [*edge, *edge]);
+            }
+        }
+        facets
+    }
+}
+
+impl<R: Real> ConeEdge<R> {
+    fn is(&self, other: &Self) -> bool {
+        self.contact == other.contact && self.slide == other.slide
+    }
+}
+
+impl<R: Real> Facet<R> {
+    /// Not negative while the facet does not yield to a load.
+    pub(crate) fn margin(&self, load: Wrench<R>) -> R {
+        -self.inward.dot(load)
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    pub(crate) fn cone(&self, body: &Body<R>) -> WrenchCone<R> {
+        let mut edges = Vec::new();
+        for (contact, c) in body.contacts.iter().enumerate() {
+            let frame = self.frame(c, body.rotation, body.holding);
+            let cone = self.friction(c).cone(body.stiction);
+            let both = [Sense::Minus, Sense::Plus];
+            let slides = if cone.sin > R::ZERO {
+                both.as_slice()
+            } else {
+                &[Sense::Rests]
+            };
+            for &slide in slides {
+                let force = frame.n * cone.cos - frame.t * slide.along(cone.sin);
+                // There is room for two of each contact.
+                let _ = edges.push(ConeEdge {
+                    wrench: Wrench::at(frame.r, force),
+                    contact,
+                    slide,
+                    cone,
+                });
+            }
+        }
+        WrenchCone { edges }
+    }
+    /// Several contacts of one vertex: the two extreme edges, counter-clockwise from the first to the second; none if they span all
+    /// directions.
+    pub(crate) fn extreme_edges(&self, body: &Body<R>) -> Option<[Vec2<R>; 2]> {
+        let cone = self.cone(body);
+        let extreme = |sign: R| {
+            let mut forces = cone.edges.iter().map(|edge| edge.wrench.force);
+            forces.find(|a| {
+                let mut others = cone.edges.iter();
+                others.all(|b| sign * a.cross(b.wrench.force) >= R::ZERO)
+            })
+        };
+        Some([extreme(R::ONE)?, extreme(-R::ONE)?])
+    }
+    /// How long the contacts bear the load along the hand's displacement to another pose, as a part of it.
+    #[inline(never)]
+    pub(crate) fn borne(&self, body: &Body<R>, to: &HandPose<R>) -> Borne<R> {
+        let cone = self.cone(body);
+        let (begin, end) = (self.present_load(body), self.load(body, to));
+        let (mut first, mut slack) = (None, R::HUGE);
+        for facet in cone.facets() {
+            let v1 = facet.margin(end);
+            if v1 >= -R::EPSILON * R::from_int(8) {
+                slack = slack.min(v1 / facet.inward.size());
+                continue;
+            }
+            let v0 = facet.margin(begin).max(R::ZERO);
+            let part = v0 / (v0 - v1);
+            first = Some(first.map_or(part, |least: R| least.min(part)));
+        }
+        match first {
+            Some(part) => Borne::Until(part),
+            None => Borne::All(slack),
+        }
+    }
+    /// The contacts bear the present load, up to a residual.
+    pub(crate) fn bears(&self, body: &Body<R>, little: R) -> bool {
+        let cone = self.cone(body);
+        let load = self.present_load(body);
+        let mut facets = cone.facets();
+        facets.all(|facet| facet.margin(load) >= -little * (R::ONE + facet.inward.size()))
+    }
+    /// How far the hand has to go on along a displacement until facets that only just bear the load certainly do not, at most `most`.
+    pub(crate) fn beyond_facets(&self, body: &Body<R>, per_p: &HandPose<R>, most: R) -> R {
+        let cone = self.cone(body);
+        let load = self.present_load(body);
+        let change = Wrench {
+            force: per_p.at,
+            moment: self.stiffness.of(per_p.angle),
+        };
+        let mut way = R::ZERO;
+        for facet in cone.facets() {
+            let little = R::of_release(load.size()) * facet.inward.size();
+            let rate = -facet.margin(change);
+            if facet.margin(load).abs() <= little && rate > R::ZERO {
+                way = way.max((little / rate).min(most));
+            }
+        }
+        way
+    }
+}

@@ -1,0 +1,187 @@
+//! From a description in SI units to the world of the solver, in units of L and k_h L.
+
+use crate::geometry::Vec2;
+use crate::list::gather;
+use crate::real::Real;
+use crate::state::HandPose;
+use crate::thresholds::Thresholds;
+use crate::world::{Cone, Friction, Side, Stiffness, World};
+use stiction_core::{Angle, Description, Scene, SceneError, SurfaceDescription};
+
+/// The size of 1 inside the solver, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Units<F> {
+    /// L (m)
+    pub(crate) length: F,
+    /// k_h L (N)
+    pub(crate) force: F,
+    /// k_h L² (N·m)
+    pub(crate) moment: F,
+    /// 1/L (1/m)
+    per_length: F,
+}
+
+/// A checked scene.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Described<R: Real, const V: usize, const S: usize, const C: usize> {
+    pub(crate) world: World<R, V, S, C>,
+    pub(crate) units: Units<R::Si>,
+    /// g, body frame
+    pub(crate) holding_point: Vec2<R>,
+    /// The pose of the body's origin at the start, and its whole turns.
+    pub(crate) start: HandPose<R>,
+    pub(crate) turns: i32,
+}
+
+impl<F: Real> Units<F> {
+    fn of(d: &Description<'_, F>) -> Self {
+        let mut length = F::ZERO;
+        for [ax, ay] in d.vertices {
+            for [bx, by] in d.vertices {
+                length = length.max((*ax - *bx).hypot(*ay - *by));
+            }
+        }
+        if length <= F::ZERO {
+            length = size_of_point(d);
+        }
+        let force = d.stiffness_translation * length;
+        Self {
+            length,
+            force,
+            moment: force * length,
+            per_length: F::ONE / length,
+        }
+    }
+    /// A length (m), non-dimensional.
+    pub(crate) fn length<R: Real<Si = F>>(&self, x: F) -> R {
+        R::from_si(x, self.per_length)
+    }
+    /// A point (m), non-dimensional.
+    pub(crate) fn point<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
+        Vec2::new(self.length(x), self.length(y))
+    }
+}
+
+/// The size of a body of one vertex: a power of two near the length at which its springs balance.
+fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
+    let mut square = d.stiffness_rotation / d.stiffness_translation;
+    for ([gx, gy], [vx, vy]) in d.holding_point.iter().zip(d.vertices) {
+        let (x, y) = (*gx - *vx, *gy - *vy);
+        square = square + x * x + y * y;
+    }
+    let mut size = F::ONE;
+    if square > F::ZERO && square.is_finite() {
+        while size * size > square * F::from_int(64) {
+            size = size.halved();
+        }
+        while size * size * F::from_int(16) < square {
+            size = size.doubled();
+        }
+    }
+    size
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S, C> {
+    /// Checks a description and makes it non-dimensional.
+    ///
+    /// # Errors
+    /// Those of [`Scene::new`].
+    pub(crate) fn new(d: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
+        // The checks are those of the crate that this one will be part of.
+        Scene::<R, V, S>::new(d)?;
+        let units = Units::of(d);
+        let vertices = gather(d.vertices.iter().map(|&v| units.point::<R>(v)));
+        let centroid = centroid(&vertices);
+        let k = d.stiffness_rotation;
+        let per_moment = R::Si::ONE / units.moment;
+        let [x, y, theta] = d.start;
+        let theta = Angle::from_radians(theta);
+        let world = World {
+            vertices,
+            centroid,
+            sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
+            corners: gather([]),
+            stiffness: Stiffness::new(
+                R::from_si(k, per_moment),
+                R::from_si(k * R::Si::from_int(64), per_moment),
+            ),
+            weight: R::from_si(d.weight, R::Si::ONE / units.force),
+        };
+        Ok(Self {
+            world,
+            units,
+            holding_point: d.holding_point.map_or(centroid, |g| units.point(g)),
+            start: HandPose {
+                at: units.point([x, y]),
+                angle: R::from_si(theta.rest, R::Si::ONE),
+            },
+            turns: theta.turns,
+        })
+    }
+}
+
+fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
+    let [x, y] = s.normal;
+    let length = x.hypot(y);
+    let normal = Vec2::new(
+        R::from_si(x / length, R::Si::ONE),
+        R::from_si(y / length, R::Si::ONE),
+    );
+    // L/4096 unless it is given.
+    let default = R::Si::ONE / R::Si::from_int(4096);
+    let memory = s.memory.map_or(default, |memory| units.length(memory));
+    Side {
+        normal,
+        tangent: Vec2::new(normal.y, -normal.x),
+        offset: units.length(s.offset),
+        friction: Friction::new(s.friction_static, s.friction_dynamic, memory),
+    }
+}
+
+impl<R: Real> Friction<R> {
+    /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; it is at least the shortest that the number types
+    /// distinguish.
+    fn new(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {
+        let cone = |mu: R::Si| {
+            let length = R::Si::ONE.hypot(mu);
+            Cone {
+                sin: R::from_si(mu / length, R::Si::ONE),
+                cos: R::from_si(R::Si::ONE / length, R::Si::ONE),
+            }
+        };
+        let number = |x: R::Si| R::from_si(x, R::Si::ONE).min(R::HUGE);
+        let memory = memory.max(R::MICRO.to_si(R::Si::ONE));
+        let drop = fixed - sliding;
+        let cones = [fixed, sliding].map(cone);
+        let [held, slides] = cones;
+        Self {
+            fixed: held,
+            sliding: slides,
+            drop: number(drop),
+            // Coefficients that the number type does not distinguish count as one.
+            threshold: if held == slides {
+                R::HUGE
+            } else {
+                number(memory / drop)
+            },
+            memory: number(memory),
+        }
+    }
+}
+
+/// The centroid of the area; for a point and a rod the mean of the vertices.
+fn centroid<R: Real>(vertices: &[Vec2<R>]) -> Vec2<R> {
+    let at = |end: Option<&Vec2<R>>| end.copied().unwrap_or(Vec2::ZERO);
+    let (first, last) = (at(vertices.first()), at(vertices.last()));
+    if vertices.len() < 3 {
+        return first + (last - first) * R::HALF;
+    }
+    let (mut sum, mut area) = (Vec2::ZERO, R::ZERO);
+    for (a, b) in vertices.iter().zip(vertices.iter().skip(1)) {
+        let (a, b) = (*a - first, *b - first);
+        let twice = a.cross(b);
+        sum = sum + (a + b) * twice;
+        area = area + twice;
+    }
+    first + sum * (R::ONE / (R::from_int(3) * area))
+}

@@ -1,0 +1,124 @@
+//! What a step leaves to the next one when it ends early: plain data.
+
+use crate::contact::Sense;
+use crate::events::Ending;
+use crate::geometry::Vec2;
+use crate::modes::Ranking;
+use crate::motion::{Kind, Motion};
+use crate::real::Real;
+use crate::search::{Ended, Search};
+use crate::state::{Body, HandPose};
+
+/// What a body that comes to rest at a frozen hand does next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Next {
+    /// It rests.
+    #[default]
+    Rest,
+    /// Comes to balance; with a sense, while it slips.
+    Relax(Sense),
+    /// Slips in this sense of the first contact.
+    Slip(Sense),
+    /// The contacts do not bear the load: the next motion of the list.
+    Give,
+}
+
+/// The parts of a flight to balance without contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Leg {
+    Straight,
+    /// The contact that was left blocks the turn: first the holding point moves.
+    Holding,
+    /// Then the body turns.
+    Turning,
+}
+
+/// What is under way between two pieces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// Nothing: the body is in balance with the hand where it has followed it.
+    #[default]
+    Still,
+    /// A motion has ended there.
+    At(Ending),
+    /// The hand stands still; the next word of coming to rest.
+    Settle,
+    /// The motion that begins at contacts that give way is looked for.
+    Yields,
+    /// Searches, by what they are for.
+    Path,
+    Snap(Kind),
+    Relax(Sense),
+    Fly(Leg),
+    Slip(Sense),
+    Joint,
+}
+
+/// A body that comes to rest.
+#[derive(Clone, Debug)]
+pub(crate) struct Settling<R> {
+    pub(crate) next: Next,
+    pub(crate) ranking: Ranking<R>,
+    pub(crate) rounds: u8,
+    /// Where the last word began.
+    pub(crate) holding: Vec2<R>,
+    pub(crate) angle: R,
+}
+
+/// A step that is under way.
+#[derive(Clone, Debug)]
+pub(crate) struct Errand<R> {
+    pub(crate) stage: Stage,
+    /// The spring that holds an angle which nothing else holds is off: the body comes to its own balance at the end of a frame.
+    pub(crate) loose: bool,
+    /// The displacement under way.
+    pub(crate) before: HandPose<R>,
+    pub(crate) target: HandPose<R>,
+    /// Paths that have begun since the body caught up with the hand.
+    pub(crate) paths: u8,
+    pub(crate) settling: Settling<R>,
+    /// Of a chain of searches: their number, and the feet where the first began.
+    pub(crate) runs: u8,
+    pub(crate) feet: [R; 2],
+    /// The turn that a flight has left to do.
+    pub(crate) turn: R,
+    /// The body before a turn, or with the hand where contacts give way beyond doubt.
+    pub(crate) start: Body<R>,
+    pub(crate) search: Search<R>,
+    /// How the search ended, which is not acted on yet.
+    pub(crate) ended: Option<Ended<R>>,
+}
+
+impl<R: Real> Errand<R> {
+    /// Nothing is under way.
+    pub(crate) fn none() -> Self {
+        let start = Body::new(Vec2::ZERO, R::ZERO, HandPose::REST);
+        Self {
+            stage: Stage::Still,
+            loose: false,
+            before: HandPose::REST,
+            target: HandPose::REST,
+            paths: 0,
+            settling: Settling {
+                next: Next::Rest,
+                ranking: Ranking::default(),
+                rounds: 0,
+                holding: Vec2::ZERO,
+                angle: R::ZERO,
+            },
+            runs: 0,
+            feet: [R::ZERO; 2],
+            turn: R::ZERO,
+            search: Search::none(Motion::frozen(Kind::Line, &start)),
+            start,
+            ended: None,
+        }
+    }
+    /// The body comes to rest at the frozen hand, beginning with a word.
+    pub(crate) fn settle(&mut self, next: Next) {
+        self.stage = Stage::Settle;
+        self.settling.next = next;
+        self.settling.rounds = 0;
+        self.settling.ranking = Ranking::default();
+    }
+}

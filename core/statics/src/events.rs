@@ -1,0 +1,482 @@
+//! Whatever can end a motion, as a function with a value, a slope along x and a bound: the search looks for the first zero of all.
+
+use crate::bounds::{Bound, Pace};
+use crate::contact::{Feature, Sense};
+use crate::geometry::Vec2;
+use crate::motion::{Instant, Motion, Rates};
+use crate::real::Real;
+use crate::state::Body;
+use crate::thresholds::Thresholds;
+use crate::world::{Friction, Statics};
+use core::ops::{Add, Mul, Neg};
+
+/// What ended a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ending {
+    /// The end of the displacement.
+    End,
+    /// The evaluations are used up, or the bounds end; nothing has happened so far.
+    GoesOn,
+    /// Balance of a frozen motion, or the excess of a slip is used up.
+    Stopped,
+    /// The branch of balance ends.
+    Fold,
+    /// A gap closes.
+    Touch(Feature),
+    /// The cone of a stick ends on the side of a slide.
+    Yields(Sense),
+    /// The reaction of a single contact vanishes.
+    Clear,
+    /// The contacts press hard enough for stiction.
+    Pressed,
+    /// A slide comes to a halt.
+    Halt,
+    /// The reaction of one of two contacts that slide vanishes.
+    Opens(Which),
+    /// The contacts do not bear the load any more.
+    GivesWay,
+}
+
+/// One of two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Which {
+    First,
+    Second,
+}
+impl Which {
+    pub(crate) fn other(self) -> Self {
+        match self {
+            Self::First => Self::Second,
+            Self::Second => Self::First,
+        }
+    }
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Self::First => 0,
+            Self::Second => 1,
+        }
+    }
+    pub(crate) fn of<T: Copy>(self, [first, second]: [T; 2]) -> T {
+        match self {
+            Self::First => first,
+            Self::Second => second,
+        }
+    }
+}
+
+/// What a motion is watched for, besides gaps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Watch {
+    /// Nothing else.
+    Way,
+    /// A stick of one contact.
+    Stick,
+    /// A stick of several contacts of one vertex.
+    Corner,
+    /// A slip of one contact.
+    Slip(Sense),
+    /// A turn to balance at a frozen hand.
+    Turn,
+    /// A turn to balance of a body whose contact slides.
+    Topple,
+    /// A slide of one contact.
+    Slide,
+    /// A slide of two.
+    Joint,
+    /// A slip of two.
+    JointSlip,
+}
+
+/// An event function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Function {
+    /// N sin(lambda) - s T' cos(lambda): how far the reaction is inside the edge of the cone at which a slide of sign s begins.
+    Margin(Sense),
+    /// How far the force is inside the extreme edges of several contacts of one vertex.
+    Low,
+    High,
+    /// N
+    Normal,
+    /// N* - N
+    Stiction,
+    /// s T' cos(lambda) - N sin(lambda)
+    Excess,
+    /// E in the direction of the motion.
+    Drive,
+    /// s xi'
+    Halt,
+    /// A multiple of N_k of a pair.
+    Share(Which),
+    /// E_p of a pair: the hand drives it on.
+    Advance,
+    /// A multiple of s v_k of a pair.
+    Foot(Which),
+    /// D_c less the slip's length of a pair (E14).
+    Memory,
+    /// Along u: what is left of p, and -E_u.
+    Path,
+    Stable,
+}
+
+impl Watch {
+    /// In the order of [`Values`].
+    fn functions(self) -> &'static [Function] {
+        use Function as F;
+        match self {
+            Self::Way => &[],
+            Self::Stick => &[
+                F::Margin(Sense::Plus),
+                F::Margin(Sense::Minus),
+                F::Normal,
+                F::Stiction,
+            ],
+            Self::Corner => &[F::Low, F::High],
+            Self::Slip(_) => &[F::Excess, F::Normal],
+            Self::Turn => &[F::Drive],
+            Self::Topple => &[F::Drive, F::Normal],
+            Self::Slide => &[F::Normal, F::Halt, F::Stiction],
+            Self::Joint => &[
+                F::Share(Which::First),
+                F::Share(Which::Second),
+                F::Advance,
+                F::Foot(Which::First),
+                F::Foot(Which::Second),
+                F::Memory,
+            ],
+            Self::JointSlip => &[
+                F::Drive,
+                F::Share(Which::First),
+                F::Share(Which::Second),
+                F::Foot(Which::First),
+                F::Foot(Which::Second),
+            ],
+        }
+    }
+}
+
+/// Value and slope of an event function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Value<R> {
+    pub(crate) v: R,
+    pub(crate) d: R,
+}
+impl<R: Real> Value<R> {
+    /// Of a function that does not exist: far from zero.
+    pub(crate) const NONE: Self = Self {
+        v: R::HUGE,
+        d: R::ZERO,
+    };
+    pub(crate) fn times(self, k: R) -> Self {
+        Self {
+            v: self.v * k,
+            d: self.d * k,
+        }
+    }
+}
+impl<R: Real> Add for Value<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self {
+            v: self.v + b.v,
+            d: self.d + b.d,
+        }
+    }
+}
+impl<R: Real> Mul for Value<R> {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        Self {
+            v: self.v * b.v,
+            d: R::sum_of_products(self.d, b.v, self.v, b.d),
+        }
+    }
+}
+impl<R: Real> Neg for Value<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.times(-R::ONE)
+    }
+}
+
+/// A vector with its velocity along x.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moving<R> {
+    pub(crate) at: Vec2<R>,
+    pub(crate) rate: Vec2<R>,
+}
+impl<R: Real> Moving<R> {
+    pub(crate) fn cross(self, b: Self) -> Value<R> {
+        Value {
+            v: self.at.cross(b.at),
+            d: self.rate.cross(b.at) + self.at.cross(b.rate),
+        }
+    }
+    pub(crate) fn dot(self, b: Self) -> Value<R> {
+        Value {
+            v: self.at.dot(b.at),
+            d: self.rate.dot(b.at) + self.at.dot(b.rate),
+        }
+    }
+    pub(crate) fn times(self, k: Value<R>) -> Self {
+        Self {
+            at: self.at * k.v,
+            rate: self.rate * k.v + self.at * k.d,
+        }
+    }
+}
+impl<R: Real> Add for Moving<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self {
+            at: self.at + b.at,
+            rate: self.rate + b.rate,
+        }
+    }
+}
+
+/// What bounds an event function on a window.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Order<R> {
+    /// Its second derivative.
+    Second(R),
+    /// Its slope: its own is not known.
+    First(R),
+}
+
+/// The event functions other than gaps, in the order of [`Watched::functions`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Values<R>([Value<R>; 8]);
+
+impl<R: Real> Values<R> {
+    pub(crate) const NONE: Self = Self([Value::NONE; 8]);
+    /// The places of what is left of p and of -E_u along u.
+    const PATH: usize = 6;
+    const STABLE: usize = 7;
+
+    pub(crate) fn get(&self, place: usize) -> Value<R> {
+        self.0.get(place).copied().unwrap_or(Value::NONE)
+    }
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Value<R>> + '_ {
+        self.0.iter().copied()
+    }
+    pub(crate) fn fill(&mut self, values: &[Value<R>]) {
+        let mut values = values.iter().copied();
+        for slot in &mut self.0 {
+            *slot = values.next().unwrap_or(Value::NONE);
+        }
+    }
+    fn put(&mut self, place: usize, value: Value<R>) {
+        if let Some(slot) = self.0.get_mut(place) {
+            *slot = value;
+        }
+    }
+}
+
+/// A motion that is watched.
+#[derive(Clone, Copy)]
+pub(crate) struct Watched<'a, R, const V: usize, const S: usize, const C: usize> {
+    pub(crate) statics: &'a Statics<'a, R, V, S, C>,
+    pub(crate) body: &'a Body<R>,
+    pub(crate) motion: &'a Motion<R>,
+    pub(crate) watch: Watch,
+    /// The direction of u of a frozen motion: 1 or -1.
+    pub(crate) direction: R,
+}
+
+/// What is known of a window, along x from 0 to 1 on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Judging<R> {
+    pub(crate) bound: Bound<R>,
+    pub(crate) pace: Pace<R>,
+    /// |p''|: 0 where x = p.
+    pub(crate) p_bend: R,
+    /// |E''| of a frozen motion, |E_u''| along u.
+    pub(crate) drive: R,
+    pub(crate) stable: R,
+    /// The width of the window.
+    pub(crate) width: R,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {
+    /// All functions, with their places in [`Values`].
+    pub(crate) fn functions(
+        &self,
+        along_u: bool,
+    ) -> impl Iterator<Item = (usize, Function)> + use<R, V, S, C> {
+        let more: &[(usize, Function)] = if along_u {
+            const {
+                &[
+                    (Values::<f64>::PATH, Function::Path),
+                    (Values::<f64>::STABLE, Function::Stable),
+                ]
+            }
+        } else {
+            &[]
+        };
+        let own = (0_usize..).zip(self.watch.functions().iter().copied());
+        own.chain(more.iter().copied())
+    }
+
+    /// What has happened where a function is zero.
+    pub(crate) fn ending(&self, function: Function) -> Ending {
+        match function {
+            Function::Margin(sense) => Ending::Yields(sense),
+            Function::Low | Function::High => Ending::GivesWay,
+            Function::Normal => Ending::Clear,
+            Function::Stiction | Function::Memory => Ending::Pressed,
+            Function::Excess | Function::Drive => Ending::Stopped,
+            Function::Halt | Function::Advance | Function::Foot(_) => Ending::Halt,
+            Function::Share(which) => Ending::Opens(which),
+            Function::Path => Ending::End,
+            Function::Stable => Ending::Fold,
+        }
+    }
+
+    /// The values at an instant; those along u in addition if p ends at `stop`.
+    #[inline(never)]
+    pub(crate) fn values(
+        &self,
+        i: &Instant<R>,
+        rates: &Rates<R>,
+        stop: Option<R>,
+        out: &mut Values<R>,
+    ) {
+        match self.watch {
+            Watch::Way => out.fill(&[]),
+            Watch::Turn => out.fill(&[self.drive(i, rates)]),
+            Watch::Corner => out.fill(&self.corner_values(i, rates)),
+            Watch::Stick | Watch::Slip(_) | Watch::Slide | Watch::Topple => {
+                self.single_values(i, rates, out);
+            }
+            Watch::Joint | Watch::JointSlip => self.pair_values(i, rates, out),
+        }
+        if let Some(stop) = stop {
+            let path = Value {
+                v: stop - i.p,
+                d: -rates.p,
+            };
+            let stable = Value {
+                v: -i.e_u,
+                d: -R::EPSILON,
+            };
+            out.put(Values::<R>::PATH, path);
+            out.put(Values::<R>::STABLE, stable);
+        }
+    }
+
+    pub(crate) fn drive(&self, i: &Instant<R>, rates: &Rates<R>) -> Value<R> {
+        Value {
+            v: i.e * self.direction,
+            d: i.e_u * rates.u * self.direction,
+        }
+    }
+
+    /// lo×(-F), (-F)×hi
+    fn corner_values(&self, i: &Instant<R>, rates: &Rates<R>) -> [Value<R>; 2] {
+        let force = Moving {
+            at: i.force,
+            rate: rates.force,
+        };
+        let fixed = |at| Moving {
+            at,
+            rate: Vec2::ZERO,
+        };
+        match self.statics.extreme_edges(self.body) {
+            Some([low, high]) => [-fixed(low).cross(force), fixed(high).cross(force)],
+            None => [Value::NONE; 2],
+        }
+    }
+
+    fn single_values(&self, i: &Instant<R>, rates: &Rates<R>, out: &mut Values<R>) {
+        let m = self.motion;
+        let frame = self.statics.frame(m.first(), i.rotation, i.g);
+        let friction = self.statics.friction(m.first());
+        let direction = |at: Vec2<R>| Moving {
+            at,
+            rate: if frame.turns {
+                at.turned() * rates.theta
+            } else {
+                Vec2::ZERO
+            },
+        };
+        let force = Moving {
+            at: i.force,
+            rate: rates.force,
+        };
+        let normal = -direction(frame.n).dot(force);
+        let pull = direction(frame.t).dot(force);
+        match self.watch {
+            Watch::Stick => {
+                let cone = friction.cone(self.body.stiction);
+                let (n, t) = (normal.times(cone.sin), pull.times(cone.cos));
+                out.fill(&[n + -t, n + t, normal, self.stiction(&friction, normal)]);
+            }
+            Watch::Slip(sense) => {
+                let t = pull.times(sense.along(friction.sliding.cos));
+                out.fill(&[t + -normal.times(friction.sliding.sin), normal]);
+            }
+            Watch::Slide => {
+                let slack = R::of_displacement(m.hand_p.size()) * rates.p;
+                let halt = Value {
+                    v: m.first().sense.along(rates.xi) + slack,
+                    d: R::ZERO,
+                };
+                out.fill(&[normal, halt, self.stiction(&friction, normal)]);
+            }
+            Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
+            Watch::Way | Watch::Corner | Watch::Turn | Watch::Joint | Watch::JointSlip => {}
+        }
+    }
+    /// N* - N, while there is no stiction.
+    fn stiction(&self, friction: &Friction<R>, normal: Value<R>) -> Value<R> {
+        if self.body.stiction || friction.threshold >= R::HUGE {
+            return Value::NONE;
+        }
+        Value {
+            v: friction.threshold - normal.v,
+            d: -normal.d,
+        }
+    }
+
+    /// What bounds a function on a window.
+    pub(crate) fn order(&self, function: Function, i: &Instant<R>, on: &Judging<R>) -> Order<R> {
+        let turns = self.motion.first().is_corner();
+        let h_p = self.motion.hand_p.at.length_bound();
+        // Of the force in a direction that turns with the body, or not.
+        let force = if turns {
+            let way = h_p * on.pace.extent.way;
+            let [xi1, _] = on.bound.foot;
+            let g1 = xi1 + i.r.length_bound() * on.pace.rate;
+            (i.force.length_bound() + way + g1) * on.bound.turn
+                + (on.pace.rate * (way + g1)).doubled()
+                + on.bound.holding
+        } else {
+            on.bound.holding
+        };
+        let force = force + h_p * on.p_bend;
+        match function {
+            Function::Normal | Function::Stiction
+                if matches!(self.watch, Watch::Slide | Watch::Topple) && !turns =>
+            {
+                Order::Second(i.r.length_bound() * on.bound.turn + h_p * on.p_bend)
+            }
+            Function::Margin(_)
+            | Function::Low
+            | Function::High
+            | Function::Normal
+            | Function::Stiction
+            | Function::Excess => Order::Second(force),
+            Function::Drive => Order::Second(on.drive),
+            Function::Halt => {
+                let [_, xi2] = on.bound.foot;
+                Order::First((xi2 + self.motion.drive() * on.p_bend) / on.width)
+            }
+            Function::Advance => Order::First(on.pace.mixed * on.pace.rate),
+            Function::Share(_) | Function::Foot(_) => self.pair_order(function, i, on),
+            // Monotonous.
+            Function::Memory => Order::First(R::ZERO),
+            Function::Path => Order::Second(on.p_bend),
+            Function::Stable => Order::Second(on.stable),
+        }
+    }
+}

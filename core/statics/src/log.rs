@@ -1,0 +1,79 @@
+//! What happens during a step, collected for its output.
+
+use crate::contact::Contacts;
+use crate::real::Real;
+use heapless::Vec;
+use stiction_core::{Event, MAX_EVENTS, StateKind, Status};
+
+/// Events, slips, status and cost of a step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Log<R> {
+    pub(crate) events: Vec<Event, MAX_EVENTS>,
+    pub(crate) slips: u32,
+    pub(crate) longest_slip: R,
+    pub(crate) status: Status,
+    /// Evaluations of windows.
+    pub(crate) evaluations: u32,
+}
+
+impl<R: Real> Log<R> {
+    /// Adds an event; a run of equal ones counts once.
+    pub(crate) fn event(&mut self, event: Event) {
+        if self.events.last() != Some(&event) {
+            // A full list keeps the first events of the frame.
+            let _ = self.events.push(event);
+        }
+    }
+    /// Counts a slip of the given length that ended at mu_d N.
+    pub(crate) fn slip(&mut self, length: R) {
+        self.slips = self.slips.saturating_add(1);
+        self.longest_slip = self.longest_slip.max(length.abs());
+        self.event(Event::Slip);
+    }
+    /// Keeps the most severe status.
+    pub(crate) fn limit(&mut self, status: Status) {
+        self.status = self.status.max(status);
+    }
+    /// One more contact.
+    pub(crate) fn touch(&mut self, before: StateKind, after: StateKind) {
+        self.event(match (before, after) {
+            (StateKind::NonContact | StateKind::SingleVertex, StateKind::Edge) => Event::Land,
+            (StateKind::NonContact | StateKind::SingleVertex, StateKind::Locked)
+            | (
+                StateKind::Edge | StateKind::TwoVertex | StateKind::Corner | StateKind::Locked,
+                _,
+            ) => Event::Jam,
+            (
+                StateKind::NonContact | StateKind::SingleVertex,
+                StateKind::NonContact
+                | StateKind::SingleVertex
+                | StateKind::TwoVertex
+                | StateKind::Corner,
+            ) => Event::Touch,
+        });
+    }
+    /// Contacts open, others last.
+    pub(crate) fn open(&mut self, before: StateKind, after: StateKind) {
+        self.event(match before {
+            StateKind::Edge => Event::Tip,
+            StateKind::TwoVertex | StateKind::Corner => Event::Lift,
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Locked => match after {
+                StateKind::Edge | StateKind::TwoVertex | StateKind::Corner => Event::Lift,
+                StateKind::NonContact | StateKind::SingleVertex | StateKind::Locked => Event::Tip,
+            },
+        });
+    }
+}
+
+/// The name of what the contacts are.
+pub(crate) fn kind(contacts: &Contacts) -> StateKind {
+    let [first, second] = contacts.pair();
+    match contacts.len() {
+        0 => StateKind::NonContact,
+        1 => StateKind::SingleVertex,
+        2 if first.is_in_line(second) => StateKind::Edge,
+        2 if first.shares_vertex(second) => StateKind::Corner,
+        2 => StateKind::TwoVertex,
+        _ => StateKind::Locked,
+    }
+}

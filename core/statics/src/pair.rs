@@ -1,0 +1,350 @@
+//! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (ONE 3). Moments about the first
+//! contact.
+
+use crate::contact::{Contact, Feature, Frame, Sense};
+use crate::events::Moving;
+use crate::geometry::{Rotation, Vec2, Wrench};
+use crate::motion::{Instant, Kind, Motion, Pair, Spot};
+use crate::real::Real;
+use crate::state::{Body, HandPose, gap_slope};
+use crate::thresholds::Thresholds;
+use crate::world::Statics;
+
+/// Two contacts at an instant, with what changes along u.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Couple<R> {
+    pub(crate) frames: [Frame<R>; 2],
+    /// The directions of the two reactions, of length 1.
+    pub(crate) f: [Vec2<R>; 2],
+    /// The same per u.
+    f_u: [Vec2<R>; 2],
+    r_u: [Vec2<R>; 2],
+    /// From the first contact to the second.
+    pub(crate) r12: Vec2<R>,
+}
+
+impl<R: Real> Couple<R> {
+    /// r12 along x, if u' is the velocity of u.
+    pub(crate) fn arm(&self, u: R) -> Moving<R> {
+        let [r1_u, r2_u] = self.r_u;
+        Moving {
+            at: self.r12,
+            rate: (r2_u - r1_u) * u,
+        }
+    }
+    /// f_1, f_2 along x.
+    pub(crate) fn directions(&self, u: R) -> [Moving<R>; 2] {
+        let [f1, f2] = self.f;
+        let [f1_u, f2_u] = self.f_u;
+        [(f1, f1_u), (f2, f2_u)].map(|(at, f_u)| Moving { at, rate: f_u * u })
+    }
+    /// r_1, r_2 along x.
+    pub(crate) fn levers(&self, u: R) -> [Moving<R>; 2] {
+        let [first, second] = &self.frames;
+        let [r1_u, r2_u] = self.r_u;
+        [(first.r, r1_u), (second.r, r2_u)].map(|(at, r_u)| Moving { at, rate: r_u * u })
+    }
+    /// t_1, t_2 along x, if theta' is the velocity of the angle.
+    pub(crate) fn tangents(&self, theta: R) -> [Moving<R>; 2] {
+        let [first, second] = &self.frames;
+        [first, second].map(|frame| Moving {
+            at: frame.t,
+            rate: if frame.turns {
+                frame.t.turned() * theta
+            } else {
+                Vec2::ZERO
+            },
+        })
+    }
+}
+
+/// The normal reactions of a pair, and the drag along the motion that takes up what is not balanced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shares<R> {
+    pub(crate) normal: [R; 2],
+    pub(crate) drag: R,
+}
+
+impl<R: Real> Shares<R> {
+    /// No contact is pulled by more than `little`.
+    pub(crate) fn press(&self, little: R) -> bool {
+        self.normal.iter().all(|&n| n >= -little)
+    }
+}
+
+/// det(a, b, c) of wrenches about the first contact, the first of which is a force through it: (f, 0).
+fn through_first<R: Real>(f: Vec2<R>, b: Wrench<R>, c: Wrench<R>) -> R {
+    R::difference_of_products(f.cross(b.force), c.moment, f.cross(c.force), b.moment)
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// The slide of the body's first two contacts, with given contacts' friction, in the direction of `sense` (1 or -1) times (g_y, -g_x).
+    pub(crate) fn pair(&self, body: &Body<R>, hand_p: HandPose<R>, sense: R) -> Motion<R> {
+        let mut m = Motion::new(Kind::Pair, body, hand_p);
+        let frames = m
+            .contacts
+            .map(|c| self.frame(c, body.rotation, body.holding));
+        let [first, second] = frames;
+        let [_, second_contact] = m.contacts;
+        let g = gap_slope(&frames);
+        let slope = g.length();
+        let twist = Vec2::new(g.y, -g.x) * (sense / slope);
+        let apart = (second.r - first.r).length_bound();
+        let bend = if first.turns == second.turns {
+            apart
+        } else {
+            apart + R::ONE + R::HALF.halved()
+        };
+        m.pair = Pair {
+            twist,
+            flip: R::ONE,
+            slope,
+            // In one line the angle stays: the motion is straight.
+            reach: if m.first().is_in_line(second_contact) {
+                R::HUGE
+            } else {
+                slope / (bend * R::from_int(5))
+            },
+            spread: false,
+            pressed: true,
+        };
+        // Frictions against the motion just ahead: where a slide turns back it is the new one.
+        let g_u = first.t * twist.x - first.r.turned() * twist.y;
+        let mut v = frames.map(|frame| frame.advance(g_u, twist.y));
+        let [v1, v2] = v;
+        if v1.abs().min(v2.abs()) < R::ahead() {
+            let ahead = Spot {
+                u: R::ahead(),
+                p: R::ZERO,
+            };
+            v = self.feet(&m, &self.placed(&m, ahead));
+        }
+        for (contact, v) in m.contacts.iter_mut().zip(v) {
+            contact.sense = if v.abs() > R::standstill() {
+                Sense::of(v)
+            } else {
+                Sense::Rests
+            };
+        }
+        m.pair.flip = self.flip(&m.contacts, &frames, v);
+        let [c1, c2] = m.contacts;
+        let sine = self.edge(c1, &first).f.cross(self.edge(c2, &second).f);
+        m.pair.spread = sine.abs() >= R::HALF.halved().halved();
+        m
+    }
+    /// The sign of E such that E > 0 drives: that of the product of X = w_1×w_2 and the drag's opposite.
+    fn flip(&self, contacts: &[Contact; 2], [first, second]: &[Frame<R>; 2], v: [R; 2]) -> R {
+        let [c1, c2] = *contacts;
+        let [v1, v2] = v;
+        let r12 = second.r - first.r;
+        let f1 = self.edge(c1, first).f;
+        let w2 = Wrench::at(r12, self.edge(c2, second).f);
+        let along = Wrench {
+            force: first.t * v1 + second.t * v2,
+            moment: r12.cross(second.t) * v2,
+        };
+        if through_first(f1, w2, along) < R::ZERO {
+            -R::ONE
+        } else {
+            R::ONE
+        }
+    }
+    /// The pair in the direction in which its first contact slides in a sense.
+    pub(crate) fn pair_along(
+        &self,
+        body: &Body<R>,
+        hand_p: HandPose<R>,
+        sense: Sense,
+    ) -> Motion<R> {
+        let m = self.pair(body, hand_p, R::ONE);
+        if m.first().sense == sense {
+            m
+        } else {
+            self.pair(body, hand_p, -R::ONE)
+        }
+    }
+
+    /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap.
+    pub(crate) fn place_pair(&self, m: &Motion<R>, i: &mut Instant<R>) {
+        let tau = m.pair.twist;
+        let [c1, c2] = m.contacts;
+        i.foot = m.foot + tau.x * i.u;
+        i.angle = m.angle + tau.y * i.u;
+        i.rotation = Rotation::by(i.angle);
+        let mut tangent = tau;
+        for _ in 0..4 {
+            let frames = self.seat_first(m, i);
+            let [_, second] = &frames;
+            let g = gap_slope(&frames);
+            // d gap/dy = g·(i tau); z_u = (g_y, -g_x)/D
+            let across = R::ONE / g.dot(tau.turned());
+            let y = -(self.gap_of(c2, second, i.rotation, i.g) * across);
+            tangent = Vec2::new(g.y, -g.x) * across;
+            let turn = tau.x * y;
+            i.foot = i.foot - tau.y * y;
+            i.angle = i.angle + turn;
+            if R::is_last(y) {
+                i.rotation = i.rotation.nudged(turn);
+                break;
+            }
+            i.rotation = Rotation::by(i.angle);
+        }
+        let [first, second] = self.seat_first(m, i);
+        i.r2 = second.r;
+        (i.xi_u, i.theta_u) = (tangent.x, tangent.y);
+        i.g_u = self.frame(c1, i.rotation, i.g).t * tangent.x - first.r.turned() * tangent.y;
+    }
+    /// The holding point from foot and rotation of the first contact; the frames there.
+    fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> [Frame<R>; 2] {
+        let foot = self.foot(m.first(), i.rotation, i.foot);
+        (i.g, i.r) = (foot.c - foot.r, foot.r);
+        m.contacts.map(|c| self.frame(c, i.rotation, i.g))
+    }
+
+    /// The two contacts at an instant.
+    pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
+        let mut frames = m.contacts.map(|c| self.frame_at(c, i));
+        if let [first, second] = &mut frames {
+            (first.r, second.r) = (i.r, i.r2);
+        }
+        let [c1, c2] = m.contacts;
+        let [first, second] = &frames;
+        let f = [self.edge(c1, first).f, self.edge(c2, second).f];
+        let per_u = |frame: &Frame<R>, f: Vec2<R>| {
+            if frame.turns {
+                [f.turned() * i.theta_u, -i.g_u]
+            } else {
+                [Vec2::ZERO, frame.r.turned() * i.theta_u]
+            }
+        };
+        let [f1, f2] = f;
+        let [[f1_u, r1_u], [f2_u, r2_u]] = [per_u(first, f1), per_u(second, f2)];
+        Couple {
+            frames,
+            f,
+            f_u: [f1_u, f2_u],
+            r_u: [r1_u, r2_u],
+            r12: i.r2 - i.r,
+        }
+    }
+    /// The frame of a contact at an instant but for its lever.
+    fn frame_at(&self, contact: Contact, i: &Instant<R>) -> Frame<R> {
+        match contact.feature {
+            Feature::Vertex { side, .. } => {
+                let side = self.side(side);
+                Frame {
+                    n: side.normal,
+                    t: side.tangent,
+                    r: Vec2::ZERO,
+                    turns: false,
+                }
+            }
+            Feature::Corner { .. } => self.frame(contact, i.rotation, i.g),
+        }
+    }
+
+    /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
+    pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
+        let k = self.couple(m, i);
+        let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
+        let (spread, arm, side) = (f1.cross(f2), k.r12.cross(f2), f1.cross(i.force));
+        let m1 = i.moment - i.r.cross(i.force);
+        let spread_u = f1_u.cross(f2) + f1.cross(f2_u);
+        let arm_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
+        let side_u = f1_u.cross(i.force) - f1.cross(i.g_u);
+        let m1_u = i.theta_u * m_theta - r1_u.cross(i.force) + i.r.cross(i.g_u);
+        let h_p = m.hand_p.at;
+        let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
+        let flip = m.pair.flip;
+        i.e = (spread * m1 - arm * side) * flip;
+        i.e_u = (spread * m1_u + spread_u * m1 - arm_u * side - arm * side_u) * flip;
+        i.e_p = (spread * m1_p - arm * f1.cross(h_p)) * flip;
+    }
+    /// E_up of a pair.
+    pub(crate) fn e_up_pair(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        let k = self.couple(m, i);
+        let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
+        let h_p = m.hand_p.at;
+        let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
+        let spread_u = f1_u.cross(f2) + f1.cross(f2_u);
+        let arm_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
+        let e_up = spread_u * m1_p
+            - f1.cross(f2) * r1_u.cross(h_p)
+            - arm_u * f1.cross(h_p)
+            - k.r12.cross(f2) * f1_u.cross(h_p);
+        e_up * m.pair.flip
+    }
+
+    /// v_k: the velocities of both feet along t, per u.
+    pub(crate) fn feet(&self, m: &Motion<R>, i: &Instant<R>) -> [R; 2] {
+        let k = self.couple(m, i);
+        k.frames.map(|frame| frame.advance(i.g_u, i.theta_u))
+    }
+    /// The normal reactions that bear the load; out of balance a drag at both contacts against their velocities takes up the excess.
+    pub(crate) fn shares(&self, m: &Motion<R>, i: &Instant<R>) -> Shares<R> {
+        let k = self.couple(m, i);
+        let [f1, f2] = k.f;
+        let [first, second] = &k.frames;
+        let [v1, v2] = k.frames.map(|frame| frame.advance(i.g_u, i.theta_u));
+        let w2 = Wrench::at(k.r12, f2);
+        let drag = Wrench {
+            force: -(first.t * v1 + second.t * v2),
+            moment: -(k.r12.cross(second.t) * v2),
+        };
+        // What they have to bear.
+        let borne = Wrench {
+            force: -i.force,
+            moment: i.r.cross(i.force) - i.moment,
+        };
+        let full = through_first(f1, w2, drag);
+        let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
+        Shares {
+            normal: [
+                w2.cross(drag).dot(borne) / full * cos1,
+                through_first(f1, borne, drag) / full * cos2,
+            ],
+            drag: through_first(f1, w2, borne) / full,
+        }
+    }
+    /// D_c less the length of the slip that would begin here (E14), the less one of the feet that can have stiction.
+    pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        let k = self.couple(m, i);
+        let [f1, f2] = k.f;
+        let w2 = Wrench::at(k.r12, f2);
+        let mut sum = R::ZERO;
+        let normal = self.shares(m, i).normal;
+        let levers = [Vec2::ZERO, k.r12];
+        for (((contact, frame), n), lever) in
+            m.contacts.iter().zip(&k.frames).zip(normal).zip(levers)
+        {
+            let product = through_first(f1, w2, Wrench::at(lever, frame.t)) * m.pair.flip;
+            sum = sum
+                + contact
+                    .sense
+                    .along(self.friction(*contact).drop * n * product);
+        }
+        let scale = sum / -i.e_u;
+        let rooms = m.contacts.iter().zip(&k.frames).map(|(contact, frame)| {
+            let friction = self.friction(*contact);
+            if friction.threshold < R::HUGE {
+                friction.memory - frame.advance(i.g_u, i.theta_u).abs() * scale
+            } else {
+                R::HUGE
+            }
+        });
+        rooms.fold(R::HUGE, R::min)
+    }
+    /// N of two contacts in one line together.
+    pub(crate) fn normal_of_edge(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        -self.frame(m.first(), i.rotation, i.g).n.dot(i.force)
+    }
+    /// The pair has enough to its stiction: N rises to N* in one line, a slip would be as long as D_c otherwise.
+    pub(crate) fn has_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
+        let [c1, c2] = m.contacts;
+        if c1.is_in_line(c2) {
+            self.friction(c1).is_pressed(self.normal_of_edge(m, i))
+        } else {
+            self.room_to_stiction(m, i) <= R::ZERO
+        }
+    }
+}

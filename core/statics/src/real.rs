@@ -1,0 +1,3 @@
+//! The number type of the solver.
+
+pub(crate) use stiction_core::Real;

@@ -1,0 +1,346 @@
+//! At the frozen hand, to rest: each round does one word and finds the next (ONE 9).
+
+use crate::contact::Sense;
+use crate::errand::{Leg, Next, Stage};
+use crate::events::{Ending, Watch};
+use crate::log::kind;
+use crate::modes::{Mode, Picked, Pressing};
+use crate::motion::{Kind, Motion, Spot};
+use crate::real::Real;
+use crate::search::Ended;
+use crate::state::Freedom;
+use crate::step::Step;
+use crate::thresholds::Thresholds;
+use stiction_core::{Event, Status};
+
+/// After so many words no consistent motion is left.
+const ROUNDS: u8 = 64;
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
+    /// The next word.
+    #[inline(never)]
+    pub(crate) fn settle(&mut self) {
+        let settling = &mut self.errand.settling;
+        settling.rounds = settling.rounds.saturating_add(1);
+        if settling.rounds > ROUNDS {
+            self.log.limit(Status::Ambiguous);
+            self.errand.stage = Stage::Still;
+            return;
+        }
+        (settling.holding, settling.angle) = (self.body.holding, self.body.angle);
+        match settling.next {
+            Next::Rest => {
+                self.renew();
+                if self.statics.is_jammed(self.body) {
+                    self.log.limit(Status::Jammed);
+                }
+                self.errand.stage = Stage::Still;
+            }
+            Next::Slip(sense) => self.slip(sense),
+            Next::Give => self.give(),
+            Next::Relax(sense) => self.relax(sense),
+        }
+    }
+    /// The body comes to the balance of another stiffness: by a Newton step if that moves it by less than can be told apart, otherwise as
+    /// after any change at the frozen hand.
+    pub(crate) fn rebalance(&mut self) {
+        let kind = match self.body.freedom() {
+            Freedom::Free => return,
+            Freedom::Turns => Kind::Pin,
+            Freedom::Slides => Kind::Slide,
+            Freedom::Together => Kind::Pair,
+            Freedom::Fixed => return self.errand.settle(Next::Relax(Sense::Rests)),
+        };
+        let m = if kind == Kind::Pair {
+            let pair = self
+                .statics
+                .sliding_pair(self.body, crate::state::HandPose::REST);
+            Motion {
+                frozen: true,
+                ..pair
+            }
+        } else {
+            Motion::frozen(kind, self.body)
+        };
+        let mut i = self.statics.placed_at_start(&m);
+        if i.e.abs() <= self.statics.rounding(self.body) {
+            return;
+        }
+        let step = -i.e / i.e_u;
+        let is_small = i.e_u < R::ZERO && step.abs() <= R::MICRO;
+        if is_small || kind == Kind::Pair {
+            let spot = Spot { u: i.u, p: R::ZERO };
+            self.statics.balance(&m, spot, step, &mut i);
+            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
+            return self.body.go_to(&i, room);
+        }
+        self.errand.runs = 0;
+        match kind {
+            Kind::Slide => self.turn(Stage::Snap(kind)),
+            Kind::Line | Kind::Free | Kind::Pin | Kind::Pair => {
+                self.errand.settle(Next::Relax(Sense::Rests));
+            }
+        }
+    }
+    /// A word has been done.
+    pub(crate) fn settled(&mut self, next: Next) {
+        let settling = &mut self.errand.settling;
+        let way = (self.body.holding - settling.holding).length_bound();
+        if way + (self.body.angle - settling.angle).abs() > R::MICRO {
+            settling.ranking = Default::default();
+        }
+        settling.next = next;
+        self.errand.stage = Stage::Settle;
+    }
+    /// A single contact or an edge that sticks has stiction if it is pressed hard enough (M3).
+    fn renew(&mut self) {
+        let contacts = &self.body.contacts;
+        let first = contacts.first();
+        let is_one = contacts.len() == 1 || contacts.are_edge();
+        if self.body.stiction || first.sense.slides() || !is_one {
+            return;
+        }
+        let [normal, _] = self.statics.reaction(self.body);
+        self.body.stiction = self.statics.friction(first).is_pressed(normal);
+    }
+
+    fn relax(&mut self, sense: Sense) {
+        self.body.contacts.rest();
+        self.body.slack = R::ZERO;
+        let little = self.statics.rounding(self.body);
+        match self.body.freedom() {
+            Freedom::Free => self.fly(),
+            Freedom::Turns => {
+                let m = Motion::frozen(Kind::Pin, self.body);
+                if self.statics.placed_at_start(&m).e.abs() > little {
+                    self.errand.start = *self.body;
+                    self.errand.runs = 0;
+                    return self.turn(Stage::Relax(sense));
+                }
+                let next = self.stood(sense);
+                self.settled(next);
+            }
+            Freedom::Slides | Freedom::Together | Freedom::Fixed => {
+                let next = if sense.slides() && self.is_driven_on(sense, little) {
+                    Next::Slip(sense)
+                } else if self.statics.bears(self.body, little) {
+                    Next::Rest
+                } else {
+                    Next::Give
+                };
+                self.settled(next);
+            }
+        }
+    }
+    /// Two contacts are driven on along a sense of the first (M8).
+    fn is_driven_on(&self, sense: Sense, little: R) -> bool {
+        let (body, statics) = (&*self.body, self.statics);
+        if body.contacts.len() != 2 {
+            return false;
+        }
+        if !body.contacts.are_edge() {
+            let driven = statics.driven(body, &body.hand, [0, 1], Pressing::Always);
+            return driven.is_some();
+        }
+        let [n, t] = statics.reaction(body);
+        let cone = statics.friction(body.contacts.first()).sliding;
+        let excess = -sense.along(t) * cone.cos - n * cone.sin;
+        n > little && excess > little && self.bears_edge(sense)
+    }
+    /// Both ends of an edge that slides are pressed.
+    fn bears_edge(&self, sense: Sense) -> bool {
+        let m = self
+            .statics
+            .pair_along(self.body, crate::state::HandPose::REST, sense);
+        let i = self.statics.placed_at_start(&m);
+        // A moment is known to its rounding; over a short edge that is more.
+        let little = R::TOUCH + R::in_plane() / (i.r2 - i.r).length_bound();
+        self.statics.shares(&m, &i).press(little)
+    }
+    /// A turn about the contact to balance or touch has ended.
+    pub(crate) fn turned(&mut self, sense: Sense, ending: Ending) -> Next {
+        if let Ending::Touch(feature) = ending {
+            let start = self.errand.start;
+            let contact = crate::contact::Contact::at(feature);
+            let gap = self.statics.gap(contact, start.rotation, start.holding);
+            if sense.slides() && gap <= R::met_before() {
+                // It blocks the turn: the slip goes on.
+                *self.body = start;
+            } else {
+                self.touch(feature);
+                return Next::Relax(sense);
+            }
+        }
+        self.stood(sense)
+    }
+    /// In balance about contacts that stick.
+    fn stood(&mut self, sense: Sense) -> Next {
+        let little = self.statics.rounding(self.body);
+        self.renew();
+        if self.body.contacts.len() > 1 {
+            let force = self.statics.present_load(self.body).force;
+            return match self.statics.extreme_edges(self.body) {
+                Some([low, high])
+                    if low.cross(-force) < -little || (-force).cross(high) < -little =>
+                {
+                    Next::Give
+                }
+                Some(_) | None => Next::Rest,
+            };
+        }
+        let [n, t] = self.statics.reaction(self.body);
+        let friction = self.statics.friction(self.body.contacts.first());
+        let sliding = friction.sliding;
+        let excess = -sense.along(t) * sliding.cos - sliding.sin * n;
+        if sense.slides() && n > little && excess > little {
+            return Next::Slip(sense);
+        }
+        if n < -little {
+            self.log.event(Event::Lift);
+            self.body.lift();
+            return Next::Relax(Sense::Rests);
+        }
+        let cone = friction.cone(self.body.stiction);
+        if t.abs() * cone.cos - cone.sin * n > little {
+            return Next::Slip(Sense::of(-t));
+        }
+        Next::Rest
+    }
+
+    /// The next motion that the load can begin.
+    fn give(&mut self) {
+        let ranking = &mut self.errand.settling.ranking;
+        let mode = match self.statics.pick(self.body, &self.body.hand, ranking) {
+            Picked::More => {
+                let settling = &mut self.errand.settling;
+                settling.rounds = settling.rounds.saturating_sub(1);
+                return;
+            }
+            Picked::Mode(mode) => mode,
+            Picked::None => return self.take_back(),
+        };
+        ranking.strike(self.statics.begun(self.body, &mode));
+        ranking.restart();
+        let next = match mode {
+            Mode::Lift => {
+                self.log.event(Event::Lift);
+                self.body.lift();
+                Next::Relax(Sense::Rests)
+            }
+            Mode::Turn { .. } => Next::Relax(Sense::Rests),
+            Mode::Slide { sense, .. } => Next::Relax(sense),
+            Mode::Joint { senses, .. } => {
+                let [sense, _] = senses;
+                Next::Slip(sense)
+            }
+        };
+        if mode != Mode::Lift {
+            self.keep(&mode);
+        }
+        self.settled(next);
+    }
+    /// No motion is left: contacts that were let go are taken back, to try others.
+    fn take_back(&mut self) {
+        let body = *self.body;
+        let next = match self.statics.closed(&body, R::TOUCH).next() {
+            Some(feature) => {
+                self.touch(feature);
+                self.errand.settling.ranking.restart();
+                Next::Relax(Sense::Rests)
+            }
+            None => {
+                self.log.limit(Status::Ambiguous);
+                Next::Rest
+            }
+        };
+        self.settled(next);
+    }
+    /// Only the contacts of a motion remain.
+    pub(crate) fn keep(&mut self, mode: &Mode) {
+        let before = kind(&self.body.contacts);
+        let contacts = self.body.contacts;
+        let (lead, other) = match *mode {
+            Mode::Lift => return,
+            Mode::Turn { about, with } => (about, with),
+            Mode::Slide { contact, .. } => (contact, None),
+            Mode::Joint {
+                contacts: [i, j], ..
+            } => (i, Some(j)),
+        };
+        self.statics.lead(self.body, lead);
+        let first = contacts.get(lead);
+        match other {
+            Some(other) => self.body.contacts.keep(&[first, contacts.get(other)]),
+            None => self.body.contacts.keep(&[first]),
+        }
+        self.body.forget();
+        if self.body.contacts.len() < contacts.len() {
+            self.log.open(before, kind(&self.body.contacts));
+        }
+    }
+
+    /// Without contact: straight to balance, or to the first touch.
+    fn fly(&mut self) {
+        let free = Motion::frozen(Kind::Free, self.body);
+        let statics = self.statics;
+        let mut theta = if statics.weight == R::ZERO {
+            self.body.hand.angle
+        } else {
+            self.body.angle
+        };
+        let at = |u: R| Spot { u, p: R::ZERO };
+        let mut i = statics.placed(&free, at(theta));
+        if statics.weight > R::ZERO {
+            for _ in 0..40 {
+                let step = if i.e_u < R::ZERO {
+                    (-i.e / i.e_u).max(-R::HALF).min(R::HALF)
+                } else {
+                    i.e.sign() * R::HALF.halved()
+                };
+                theta = theta + step;
+                i = statics.placed(&free, at(theta));
+                if step.abs() <= R::EPSILON.doubled() {
+                    break;
+                }
+            }
+        }
+        let mut m = Motion::frozen(Kind::Line, self.body);
+        m.line.g_u = i.g - self.body.holding;
+        m.line.theta_u = theta - self.body.angle;
+        let way = m.line.g_u.length_bound() + m.line.theta_u.abs();
+        if way <= R::EPSILON.doubled() {
+            return self.settled(Next::Rest);
+        }
+        self.run(Stage::Fly(Leg::FIRST), m, Watch::Way, R::ONE, false);
+    }
+    pub(crate) fn flown(&mut self, leg: Leg, ended: &Ended<R>) {
+        let mut m = self.errand.search.motion;
+        let is_touch = matches!(ended.ending, Ending::Touch(_));
+        let next = match leg {
+            Leg::Straight if is_touch && ended.x <= R::TOUCH => {
+                // Blocked by the contact that it leaves.
+                self.errand.turn = m.line.theta_u;
+                m.line.theta_u = R::ZERO;
+                Some((m, Leg::Holding))
+            }
+            Leg::Holding if ended.ending == Ending::End => {
+                m.line.g_u = crate::geometry::Vec2::ZERO;
+                m.line.theta_u = self.errand.turn;
+                Some((m, Leg::Turning))
+            }
+            Leg::Straight | Leg::Holding | Leg::Turning => None,
+        };
+        if let Some((mut m, leg)) = next {
+            (m.line.from, m.angle) = (self.body.holding, self.body.angle);
+            return self.run(Stage::Fly(leg), m, Watch::Way, R::ONE, false);
+        }
+        let next = if let Ending::Touch(feature) = ended.ending {
+            self.touch(feature);
+            self.body.stiction = false;
+            Next::Relax(Sense::Rests)
+        } else {
+            Next::Rest
+        };
+        self.settled(next);
+    }
+}

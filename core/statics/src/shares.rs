@@ -1,0 +1,307 @@
+//! The distribution of a load among contacts that fix the pose: three edges of their cone bear any load in it, two or one come close to
+//! others. And the reactions of all states.
+
+use crate::cone::{ConeEdge, WrenchCone};
+use crate::contact::MAX_CONTACTS;
+use crate::geometry::Wrench;
+use crate::motion::Motion;
+use crate::real::Real;
+use crate::state::{Body, Freedom, HandPose};
+use crate::thresholds::Thresholds;
+use crate::world::Statics;
+use heapless::Vec;
+
+/// Edges, and so components along them.
+const MOST: usize = 2 * MAX_CONTACTS;
+/// The components along edges that are almost coplanar are computed at most this many times, and refined in between.
+const REFINEMENTS: usize = 4;
+
+/// N and T of each contact, in their order.
+pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
+
+/// The component along an edge, by its place.
+#[derive(Clone, Copy, Debug)]
+struct Part<R> {
+    edge: usize,
+    size: R,
+}
+
+/// A load shared out.
+struct Shared<R> {
+    /// Along each edge.
+    parts: Vec<R, MOST>,
+    /// It is borne, but not without reactions beyond the limit.
+    is_jammed: bool,
+}
+
+impl<R: Real> WrenchCone<R> {
+    /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
+    #[inline(never)]
+    fn shared(&self, load: Wrench<R>, little: R) -> Shared<R> {
+        let mut parts = self.none();
+        let (mut count, mut large) = (0_i32, None);
+        for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
+            if self.is_within_limit(&solution) {
+                count = count.saturating_add(1);
+                add(&mut parts, &solution);
+            } else {
+                large = Some(solution);
+            }
+        }
+        let is_jammed = count == 0 && large.is_some();
+        if let (0, Some(solution)) = (count, large) {
+            add(&mut parts, &solution);
+        }
+        let share = R::ONE / R::from_int(count.max(1));
+        for part in &mut parts {
+            *part = *part * share;
+        }
+        self.approach(load, &mut parts);
+        Shared { parts, is_jammed }
+    }
+    /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
+    fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
+        let mut rest = self.remainder(load, parts);
+        for _ in 0..2 {
+            if rest.size() <= R::of_balance(load.size()).halved() {
+                return;
+            }
+            let mut better = None;
+            let mut left = rest.size();
+            let mut consider = |solution: &[Part<R>]| {
+                let mut trial = parts.clone();
+                add(&mut trial, solution);
+                let remainder = self.remainder(load, &trial);
+                if remainder.size() < left {
+                    left = remainder.size();
+                    better = Some((trial, remainder));
+                }
+            };
+            for triple in self.triples() {
+                if let Some((solution, _)) = self.on_three(triple, rest) {
+                    consider(&solution);
+                }
+            }
+            for pair in self.pairs() {
+                if let Some(solution) = self.on_two(pair, rest) {
+                    consider(&solution);
+                }
+            }
+            for (edge, along) in self.edges().iter().enumerate() {
+                let w = along.wrench;
+                let size = -(w.dot(rest) / w.dot(w));
+                consider(&[Part { edge, size }]);
+            }
+            match better {
+                Some((trial, remainder)) => (*parts, rest) = (trial, remainder),
+                None => return,
+            }
+        }
+    }
+    fn none(&self) -> Vec<R, MOST> {
+        self.edges().iter().map(|_| R::ZERO).collect()
+    }
+    /// What components along the edges leave of a load.
+    fn remainder(&self, load: Wrench<R>, parts: &[R]) -> Wrench<R> {
+        let edges = self.edges().iter().zip(parts);
+        edges.fold(load, |rest, (edge, &part)| rest + edge.wrench * part)
+    }
+    fn pairs(&self) -> impl Iterator<Item = [usize; 2]> + use<R> {
+        let n = self.edges().len();
+        (0..n).flat_map(move |i| (i.saturating_add(1)..n).map(move |k| [i, k]))
+    }
+    fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
+        let n = self.edges().len();
+        let thirds = move |[i, j]: [usize; 2]| (j.saturating_add(1)..n).map(move |k| [i, j, k]);
+        self.pairs().flat_map(thirds)
+    }
+    fn wrench(&self, edge: usize) -> Option<Wrench<R>> {
+        self.edges().get(edge).map(|edge| edge.wrench)
+    }
+    /// The components along three edges that bear a load; those along edges that are almost coplanar are refined.
+    fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<[Part<R>; 3]> {
+        let (mut solution, volume) = self.on_three(edges, load)?;
+        let presses = |solution: &[Part<R>; 3]| {
+            let is_usable = |part: &Part<R>| part.size >= R::ZERO && part.size < R::HUGE;
+            solution.iter().all(is_usable)
+        };
+        if !presses(&solution) {
+            return None;
+        }
+        if volume > R::sharp() {
+            return Some(solution);
+        }
+        for _ in 0..REFINEMENTS {
+            let mut parts = self.none();
+            add(&mut parts, &solution);
+            let rest = self.remainder(load, &parts);
+            let sum = solution.iter().fold(R::ZERO, |sum, part| sum + part.size);
+            let rounding = (R::EPSILON * sum * R::from_int(4)).min(load.size() * R::divisor());
+            if presses(&solution) && rest.size() <= little + rounding {
+                return Some(solution);
+            }
+            let (more, _) = self.on_three(edges, rest)?;
+            for (part, more) in solution.iter_mut().zip(more) {
+                part.size = part.size + more.size;
+            }
+        }
+        None
+    }
+    /// The components along three edges that balance a load, and the volume of the edges.
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<([Part<R>; 3], R)> {
+        let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
+        let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
+        let volume = a.dot(bc);
+        let part = |edge, face: Wrench<R>| Part {
+            edge,
+            size: -(face.dot(load) / volume),
+        };
+        // A component that is hardly known shows in its residual.
+        let is_usable = volume.abs() > R::EPSILON;
+        is_usable.then(|| ([part(i, bc), part(j, ca), part(k, ab)], volume.abs()))
+    }
+    /// The components along two edges that come closest to bearing a load.
+    fn on_two(&self, [i, k]: [usize; 2], load: Wrench<R>) -> Option<[Part<R>; 2]> {
+        let (a, b) = (self.wrench(i)?, self.wrench(k)?);
+        let normal = a.cross(b);
+        let square = normal.dot(normal);
+        let part = |edge, face: Wrench<R>| Part {
+            edge,
+            size: -(face.dot(normal) / square),
+        };
+        let is_usable = normal.size() > R::EPSILON * R::from_int(4);
+        is_usable.then(|| [part(i, load.cross(b)), part(k, a.cross(load))])
+    }
+    /// No contact has to press harder than the limit up to which reactions are reported as they are.
+    fn is_within_limit(&self, solution: &[Part<R>]) -> bool {
+        let edges = self.edges();
+        let pressing = |contact: usize| {
+            let own = solution.iter().filter_map(|part| {
+                let edge = edges
+                    .get(part.edge)
+                    .filter(|edge| edge.contact == contact)?;
+                Some(edge.cone.cos * part.size)
+            });
+            own.fold(R::ZERO, |sum, part| sum + part)
+        };
+        (0..MAX_CONTACTS).all(|contact| pressing(contact) <= R::limit())
+    }
+}
+
+/// Adds to the components along some edges; no component falls below zero.
+fn add<R: Real>(parts: &mut Vec<R, MOST>, more: &[Part<R>]) {
+    for part in more {
+        if let Some(sum) = parts.get_mut(part.edge) {
+            *sum = (*sum + part.size).max(R::ZERO);
+        }
+    }
+}
+
+impl<R: Real> ConeEdge<R> {
+    /// N and T of a component along it.
+    fn reaction(&self, part: R) -> [R; 2] {
+        [
+            part * self.cone.cos,
+            -self.slide.along(part * self.cone.sin),
+        ]
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// The reactions of all contacts at rest.
+    pub(crate) fn reactions(&self, body: &Body<R>) -> Reactions<R> {
+        let mut out = Reactions::new();
+        let mut add = |reaction| {
+            // There is room for one of each contact.
+            let _ = out.push(reaction);
+        };
+        match body.freedom() {
+            Freedom::Free => {}
+            Freedom::Slides => add(self.reaction(body)),
+            Freedom::Turns if body.contacts.len() == 1 => add(self.reaction(body)),
+            Freedom::Together => self.sliding_shares(body).into_iter().for_each(add),
+            Freedom::Fixed if body.contacts.are_edge() => {
+                self.edge_shares(body).into_iter().for_each(add);
+            }
+            Freedom::Turns | Freedom::Fixed => {
+                let shares = self.fixed_shares(body);
+                shares.into_iter().for_each(add);
+            }
+        }
+        out
+    }
+    /// Two contacts that slide: on their edges.
+    fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
+        let [first, second] = body.contacts.pair();
+        if first.is_in_line(second) {
+            return self.edge_shares(body);
+        }
+        let m = self.sliding_pair(body, HandPose::REST);
+        let normal = self.shares(&m, &self.placed_at_start(&m)).normal;
+        let mut out = [[R::ZERO; 2]; 2];
+        for ((slot, n), c) in out.iter_mut().zip(normal).zip([first, second]) {
+            let cone = self.friction(c).sliding;
+            *slot = [n, -c.sense.along(n * cone.sin / cone.cos)];
+        }
+        out
+    }
+    /// Two contacts in one line: N_2 by the moment about the first (E4), T in proportion to N.
+    fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
+        let frames = body
+            .contacts
+            .pair()
+            .map(|c| self.frame(c, body.rotation, body.holding));
+        let [first, second] = &frames;
+        let load = self.present_load(body);
+        let [n, t] = self.reaction(body);
+        let moment = load.moment - first.r.cross(load.force);
+        let span = (second.r - first.r).cross(first.n);
+        let of_second = (-(moment / span)).max(R::ZERO);
+        let of_first = (n - of_second).max(R::ZERO);
+        let sum = of_first + of_second;
+        [of_first, of_second].map(|n| {
+            let t = if sum > R::ZERO {
+                t * (n / sum)
+            } else {
+                R::ZERO
+            };
+            [n, t]
+        })
+    }
+    fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
+        let cone = self.cone(body);
+        let load = self.present_load(body);
+        let shared = cone.shared(load, little(load));
+        let mut out: Reactions<R> = body.contacts.iter().map(|_| [R::ZERO; 2]).collect();
+        for (edge, &part) in cone.edges().iter().zip(&shared.parts) {
+            let [n, t] = edge.reaction(part);
+            if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {
+                (*sum_n, *sum_t) = (*sum_n + n, *sum_t + t);
+            }
+        }
+        out
+    }
+    /// The contacts bear the load, but only with reactions beyond the limit.
+    pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
+        let load = self.present_load(body);
+        body.freedom() == Freedom::Fixed && self.cone(body).shared(load, little(load)).is_jammed
+    }
+    /// The motion of two contacts that slide, in the direction of their senses.
+    pub(crate) fn sliding_pair(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
+        let [first, second] = body.contacts.pair();
+        let m = self.pair(body, hand_p, R::ONE);
+        let [along1, along2] = m.contacts;
+        let is_back = first.sense.opposes(along1.sense)
+            || !along1.sense.slides() && second.sense.opposes(along2.sense);
+        if is_back {
+            self.pair(body, hand_p, -R::ONE)
+        } else {
+            m
+        }
+    }
+}
+
+/// The residual that reactions may leave of a load: rounding, and what is as small as a gap that counts as closed.
+fn little<R: Real>(load: Wrench<R>) -> R {
+    R::of_balance(load.size()).doubled() + load.size() * R::TOUCH
+}

@@ -1,0 +1,411 @@
+//! The door: hands in SI units in, poses, events and forces out.
+
+use crate::contact::{Feature, MAX_CONTACTS};
+use crate::description::{Described, Units};
+use crate::errand::{Errand, Next, Stage};
+use crate::geometry::{Rotation, Vec2};
+use crate::list::gather;
+use crate::log::{Log, kind};
+use crate::real::Real;
+use crate::state::{Body, HandPose};
+use crate::step::Step;
+use crate::thresholds::Thresholds;
+use crate::world::{Statics, Stiffness};
+use heapless::Vec;
+use stiction_core::{
+    Angle, Contact, Description, Event, Hand, MAX_EVENTS, SceneError, StateKind, Status, Wrench,
+};
+
+/// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run.
+#[derive(Clone, Debug)]
+pub struct Solver<R: Real, const V: usize, const S: usize, const C: usize> {
+    scene: Described<R, V, S, C>,
+}
+
+/// The state of a run: plain data. A copy of it is a snapshot.
+#[derive(Clone, Debug)]
+pub struct State<R: Real> {
+    body: Body<R>,
+    /// Whole turns by which the angles of body and hand are more than their numbers.
+    turns: i32,
+    errand: Errand<R>,
+    /// Why the pose is not a balance: reported until the hand moves.
+    unrest: Status,
+    depth: R::Si,
+}
+
+/// The answer of one step. SI units, world frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output<F> {
+    /// Position p of the origin of the body frame (m).
+    pub position: [F; 2],
+    /// Orientation theta of the body, unwrapped, counter-clockwise positive.
+    pub angle: Angle<F>,
+    /// Depth coordinate (m), passed through from the hand.
+    pub depth: F,
+    /// The contact state.
+    pub state: StateKind,
+    /// Slips that ended at mu_d N in this frame.
+    pub slips: u32,
+    /// The longest of them (m) >= 0; 0 without a slip.
+    pub longest_slip: F,
+    /// What limited the answer.
+    pub status: Status,
+    /// Windows that were evaluated.
+    pub work: u32,
+    events: Vec<Event, MAX_EVENTS>,
+}
+
+/// The tangent of a state, SI units, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tangent<F> {
+    /// Rows: x, y (m) of the holding point and the angle (rad) of the body; columns: x, y (m) and angle (rad) of the hand.
+    pub compliance: [[F; 3]; 3],
+    /// Rows: force along x and y (N) and moment (N·m) that the hand feels about the holding point; columns: as above. Negative where it is
+    /// pushed back.
+    pub stiffness: [[F; 3]; 3],
+}
+
+impl<F> Output<F> {
+    /// What happened in this frame, in order; a run of equal ones once.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
+    /// A solver for a scene.
+    ///
+    /// # Errors
+    /// [`SceneError`] names the first parameter that is not usable, its value and what is allowed.
+    pub fn new(description: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
+        Ok(Self {
+            scene: Described::new(description)?,
+        })
+    }
+    /// The statics as the scene has it.
+    fn statics(&self) -> Statics<'_, R, V, S, C> {
+        self.scene.world.held_at(self.scene.holding_point)
+    }
+    /// The statics with a spring that holds the angle where nothing else does, unless it is off (ONE 10).
+    fn held(&self, loose: bool) -> Statics<'_, R, V, S, C> {
+        let mut statics = self.statics();
+        if self.swings() && !loose {
+            statics.stiffness = Stiffness::new(R::swing(), R::swing() * R::from_int(64));
+        }
+        statics
+    }
+    /// Nothing holds the angle: no spring, and no weight that turns.
+    fn swings(&self) -> bool {
+        let world = &self.scene.world;
+        let arm = world.centroid - self.scene.holding_point;
+        let is_loose = world.weight == R::ZERO || arm == Vec2::ZERO;
+        world.stiffness.value == R::ZERO && is_loose
+    }
+
+    /// Starts a run: the equilibrium that is reached from the scene's start pose with the hand at its first pose. A hand that cannot be
+    /// used counts as absent.
+    pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
+        let (statics, mut log) = (self.held(false), Log::default());
+        let HandPose { at, angle } = self.scene.start;
+        let holding = at + Rotation::by(angle).apply(self.scene.holding_point);
+        let first = HandPose { at: holding, angle };
+        let mut state = State {
+            body: Body::new(holding, angle, first),
+            turns: self.scene.turns,
+            errand: Errand::none(),
+            unrest: Status::Ok,
+            depth: R::Si::ZERO,
+        };
+        // In floats: not every number type represents this.
+        let near = R::from_si(R::Si::ONE / R::Si::from_int(100_000), R::Si::ONE);
+        let body = state.body;
+        for feature in statics.closed(&body, near) {
+            state.body.contacts.add(feature);
+        }
+        if !state.body.contacts.is_empty() {
+            let contact = state.body.contacts.first();
+            state.body.foot = statics.foot_of(contact, state.body.rotation, holding);
+            statics.seat(&mut state.body);
+        }
+        if let Some(target) = self.usable(&state, &hand, &mut log) {
+            state.depth = hand.depth;
+            state.body.hand = target;
+            state.errand.target = target;
+            if self.swings() {
+                state.body.hand.angle = state.body.angle;
+            }
+            state.errand.settle(Next::Relax(Default::default()));
+            let mut step = Step {
+                statics: &statics,
+                body: &mut state.body,
+                errand: &mut state.errand,
+                log: &mut log,
+            };
+            while step.errand.stage != Stage::Still {
+                step.piece(target);
+            }
+        }
+        let output = self.output(&state, log);
+        (state, output)
+    }
+
+    /// One frame: the hand moves to its new pose and the body follows. It never fails. A sample that cannot be used leaves the body as it
+    /// is, and the status reports it.
+    pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
+        self.step_until(state, hand, || true)
+    }
+    /// One frame, as far as `more` permits: it is asked between two pieces of work, each about one evaluation of a motion. What is left is
+    /// done by the next step: the status is [`Status::Behind`].
+    pub fn step_until(
+        &self,
+        state: &mut State<R>,
+        hand: Hand<R::Si>,
+        more: impl FnMut() -> bool,
+    ) -> Output<R::Si> {
+        let (statics, mut log) = (self.held(false), Log::default());
+        if let Some(mut target) = self.usable(state, &hand, &mut log) {
+            let is_still = state.errand.stage == Stage::Still;
+            if is_still && self.unwind(state, &target) {
+                target = self.relative(state, &hand);
+            }
+            if self.swings() {
+                target.angle = if is_still {
+                    state.body.angle
+                } else {
+                    state.errand.target.angle
+                };
+                if is_still {
+                    state.body.hand.angle = target.angle;
+                }
+            }
+            if self.is_representable(&statics, &state.body, &target) {
+                state.depth = hand.depth;
+                if is_still && state.body.hand == target {
+                    log.limit(state.unrest);
+                } else {
+                    self.follow(state, target, &mut log, more);
+                    state.unrest = match log.status {
+                        Status::Ok | Status::EventLimit | Status::Twist | Status::Behind => {
+                            Status::Ok
+                        }
+                        Status::IterationLimit
+                        | Status::Jammed
+                        | Status::Ambiguous
+                        | Status::Saturated
+                        | Status::HeldLast => log.status,
+                    };
+                }
+            } else {
+                log.limit(Status::Saturated);
+            }
+        }
+        self.output(state, log)
+    }
+
+    /// Follows the hand; where nothing holds the angle the body comes to its own balance at the end.
+    fn follow(
+        &self,
+        state: &mut State<R>,
+        target: HandPose<R>,
+        log: &mut Log<R>,
+        mut more: impl FnMut() -> bool,
+    ) {
+        let [held, loose] = [false, true].map(|loose| self.held(loose));
+        let mut step = Step {
+            statics: &held,
+            body: &mut state.body,
+            errand: &mut state.errand,
+            log,
+        };
+        if step.errand.loose {
+            let before = step.errand.target;
+            let mut step = Step {
+                statics: &loose,
+                body: &mut *step.body,
+                errand: &mut *step.errand,
+                log: &mut *step.log,
+            };
+            step.errand.loose = !step.follow_to(before, &mut more);
+            if step.errand.loose || before == target {
+                return;
+            }
+        }
+        if step.follow_to(target, &mut more) && self.swings() {
+            let mut step = Step {
+                statics: &loose,
+                ..step
+            };
+            step.errand.target = target;
+            step.rebalance();
+            step.errand.loose = !step.follow_to(target, &mut more);
+        }
+    }
+
+    /// A sample relative to the whole turns of the state.
+    fn relative(&self, state: &State<R>, hand: &Hand<R::Si>) -> HandPose<R> {
+        let (turns, rest) = hand.angle.rest.turns();
+        let hand_angle = Angle {
+            turns: hand.angle.turns.saturating_add(turns),
+            rest: R::from_si(rest, R::Si::ONE),
+        };
+        let base = Angle {
+            turns: state.turns,
+            rest: R::ZERO,
+        };
+        HandPose {
+            at: self.scene.units.point(hand.position),
+            angle: hand_angle.minus(base),
+        }
+    }
+    /// A sample that can be used; the log records why it cannot.
+    fn usable(
+        &self,
+        state: &State<R>,
+        hand: &Hand<R::Si>,
+        log: &mut Log<R>,
+    ) -> Option<HandPose<R>> {
+        if !hand.is_finite() {
+            log.limit(Status::HeldLast);
+            return None;
+        }
+        let pose = self.relative(state, hand);
+        let (_, rest) = hand.angle.rest.turns();
+        let is_inside = pose.at.x.abs() <= R::RANGE && pose.at.y.abs() <= R::RANGE;
+        // A remainder of more than a turn means more turns than can be counted.
+        if !is_inside || rest.abs() > R::Si::TAU {
+            log.limit(Status::Saturated);
+            return None;
+        }
+        if hand.tilted {
+            log.limit(Status::Twist);
+        }
+        hand.held.then_some(pose)
+    }
+    /// The number type can represent the pull, the turn, and the moments of both.
+    fn is_representable(
+        &self,
+        statics: &Statics<'_, R, V, S, C>,
+        body: &Body<R>,
+        target: &HandPose<R>,
+    ) -> bool {
+        let turn = (target.angle - body.angle).abs();
+        let pull = (target.at - body.holding).length_bound();
+        let arm = statics.size();
+        let moment = arm * (pull + arm) + statics.stiffness.of(turn);
+        turn <= R::TURN && pull <= R::RANGE && moment <= R::LOAD
+    }
+    /// Whole turns of the body are counted apart, so that its angle keeps its digits. Returns whether the numbers have changed.
+    fn unwind(&self, state: &mut State<R>, target: &HandPose<R>) -> bool {
+        if state.body.angle.abs() <= R::TAU {
+            return false;
+        }
+        let (turns, rest) = state.body.angle.turns();
+        let is_at_rest = state.body.hand == *target;
+        let whole = R::from_int(turns) * R::TAU;
+        state.turns = state.turns.saturating_add(turns);
+        state.body.angle = rest;
+        state.body.rotation = Rotation::by(rest);
+        state.body.hand.angle = if is_at_rest {
+            target.angle - whole
+        } else {
+            state.body.hand.angle - whole
+        };
+        true
+    }
+
+    fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
+        let body = &state.body;
+        let units = &self.scene.units;
+        let origin = body.holding - body.rotation.apply(self.scene.holding_point);
+        let (turns, rest) = body.angle.turns();
+        Output {
+            position: [origin.x, origin.y].map(|x| x.to_si(units.length)),
+            angle: Angle {
+                turns: state.turns.saturating_add(turns),
+                rest: rest.to_si(R::Si::ONE),
+            },
+            depth: state.depth,
+            state: kind(&body.contacts),
+            slips: log.slips,
+            longest_slip: log.longest_slip.to_si(units.length),
+            status: log.status,
+            work: log.evaluations,
+            events: log.events,
+        }
+    }
+
+    /// Force and moment of the hand's springs on the body, world frame.
+    pub fn wrench(&self, state: &State<R>) -> Wrench<R::Si> {
+        let body = &state.body;
+        let units = &self.scene.units;
+        let force = body.hand.at - body.holding;
+        let turn = body.hand.angle - body.angle;
+        let moment = self.scene.world.stiffness.of(turn);
+        Wrench {
+            force: [force.x, force.y].map(|f| f.to_si(units.force)),
+            moment: moment.to_si(units.moment),
+        }
+    }
+    /// How the pose follows the hand while nothing happens, and the stiffness that the hand feels; none at a fold, where the body would
+    /// snap. Of contacts that slide it holds in the direction of their slide.
+    pub fn tangent(&self, state: &State<R>) -> Option<Tangent<R::Si>> {
+        let columns = self.held(false).compliance(&state.body)?;
+        let Units { length, force, .. } = self.scene.units;
+        let moment = self.scene.units.moment;
+        let one = R::Si::ONE;
+        // Non-dimensional, x and y count in L.
+        let pose = [length, length, one];
+        let hand = [one / length, one / length, one];
+        let wrench = [force, force, moment];
+        let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
+        let mut tangent = Tangent {
+            compliance: [[R::Si::ZERO; 3]; 3],
+            stiffness: [[R::Si::ZERO; 3]; 3],
+        };
+        for (k, (column, per)) in columns.iter().zip(hand).enumerate() {
+            let rows = tangent.compliance.iter_mut().zip(&mut tangent.stiffness);
+            let units = pose.iter().zip(wrench).zip(springs);
+            for (row, (((c_row, k_row), ((pose, wrench), spring)), &moves)) in
+                rows.zip(units).zip(column).enumerate()
+            {
+                let rest = if row == k { R::ONE } else { R::ZERO };
+                let (Some(c), Some(felt)) = (c_row.get_mut(k), k_row.get_mut(k)) else {
+                    continue;
+                };
+                *c = moves.to_si(*pose) * per;
+                *felt = (spring * (moves - rest)).to_si(wrench) * per;
+            }
+        }
+        Some(tangent)
+    }
+
+    /// The contacts with their reactions, in an order that is fixed as long as the state lasts; for a body that is not held without them.
+    pub fn contacts(&self, state: &State<R>) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
+        let (body, units) = (&state.body, &self.scene.units);
+        let statics = self.statics();
+        let reactions = statics.reactions(body);
+        let all = body.contacts.iter().zip(&reactions);
+        gather(all.map(|(contact, &[n, t])| {
+            let frame = statics.frame(contact, body.rotation, body.holding);
+            let point = body.holding + frame.r;
+            let [vertex, surface] = match contact.feature {
+                Feature::Vertex { vertex, side } => [vertex, side],
+                Feature::Corner { corner, body_side } => [body_side, corner],
+            };
+            Contact {
+                vertex: usize::from(vertex),
+                surface: usize::from(surface),
+                point: [point.x, point.y].map(|x| x.to_si(units.length)),
+                normal: n.max(R::ZERO).to_si(units.force),
+                friction: t.to_si(units.force),
+                sliding: contact.sense.integer(),
+            }
+        }))
+    }
+    /// Whether the contacts have stiction.
+    #[doc(hidden)]
+    pub fn has_stiction(&self, state: &State<R>) -> bool {
+        state.body.stiction
+    }
+}

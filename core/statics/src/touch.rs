@@ -1,0 +1,152 @@
+//! A gap closes: what touches, and what the contacts do then (ONE 9).
+
+use crate::contact::{Contact, Feature, Sense};
+use crate::log::kind;
+use crate::motion::{Kind, Motion, Rates, Spot};
+use crate::real::Real;
+use crate::state::{Body, HandPose};
+use crate::step::Step;
+use crate::thresholds::Thresholds;
+use crate::world::Statics;
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// Velocities along the hand's displacement of a first contact that sticks, or slides in a sense; none if that is not stable.
+    pub(crate) fn rates_as(
+        &self,
+        body: &Body<R>,
+        sense: Sense,
+        hand_p: HandPose<R>,
+    ) -> Option<Rates<R>> {
+        let kind = if sense.slides() {
+            Kind::Slide
+        } else {
+            Kind::Pin
+        };
+        let mut m = Motion::new(kind, body, hand_p);
+        if let [first, _] = &mut m.contacts {
+            first.sense = sense;
+        }
+        let i = self.placed_at_start(&m);
+        (i.e_u < R::ZERO).then(|| self.rates(&m, &i))
+    }
+    /// At zero reaction rates decide (M6): in which sense the first contact slides along the hand's displacement, if it does not stick.
+    fn sense_by_rates(&self, body: &Body<R>, hand_p: HandPose<R>) -> Sense {
+        let frame = self.frame(body.contacts.first(), body.rotation, body.holding);
+        let is_edge = body.contacts.len() > 1;
+        let force = if is_edge {
+            hand_p.at
+        } else {
+            match self.rates_as(body, Sense::Rests, hand_p) {
+                Some(rates) => rates.force,
+                None => return Sense::Rests,
+            }
+        };
+        let (n, pull) = (-frame.n.dot(force), frame.t.dot(force));
+        let cone = self.friction(body.contacts.first()).sliding;
+        if n > R::ZERO && pull.abs() * cone.cos <= n * cone.sin {
+            return Sense::Rests;
+        }
+        let sense = Sense::of(pull);
+        let rates = self.rates_as(body, sense, hand_p);
+        let goes = rates.is_some_and(|rates| sense.along(rates.xi) > R::ZERO);
+        if is_edge || goes { sense } else { Sense::Rests }
+    }
+    /// Features whose gaps are closed, but for those of the body's contacts.
+    pub(crate) fn closed(&self, body: &Body<R>, tolerance: R) -> impl Iterator<Item = Feature> {
+        let (rotation, holding, contacts) = (body.rotation, body.holding, body.contacts);
+        let sides = u8::try_from(self.world.sides.len()).unwrap_or(u8::MAX);
+        let vertices = u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
+        let features = (0..vertices)
+            .flat_map(move |vertex| (0..sides).map(move |side| Feature::Vertex { vertex, side }));
+        features.filter(move |&feature| {
+            let gap = self.gap(Contact::at(feature), rotation, holding);
+            !contacts.contains(feature) && gap <= tolerance
+        })
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
+    /// A contact and all that close together with it; the pose exactly on them.
+    pub(crate) fn touch(&mut self, feature: Feature) {
+        let before = kind(&self.body.contacts);
+        let was_free = self.body.contacts.is_empty();
+        self.body.contacts.add(feature);
+        self.body.forget();
+        if was_free {
+            let contact = self.body.contacts.first();
+            let foot = self
+                .statics
+                .foot_of(contact, self.body.rotation, self.body.holding);
+            self.body.foot = foot;
+        }
+        let others = *self.body;
+        for feature in self.statics.closed(&others, R::TOUCH) {
+            self.body.contacts.add(feature);
+        }
+        self.statics.seat(self.body);
+        self.log.touch(before, kind(&self.body.contacts));
+    }
+    /// On the hand's path.
+    pub(crate) fn touches(&mut self, feature: Feature) {
+        let hand_p = self.ahead();
+        let before = *self.body;
+        self.touch(feature);
+        let sense = before.contacts.first().sense;
+        let is_edge = self.body.contacts.are_edge();
+        let (count, now) = (before.contacts.len(), self.body.contacts.len());
+        if count == 0 {
+            self.body.loosen();
+            if now == 1 || is_edge {
+                let sense = self.statics.sense_by_rates(self.body, hand_p);
+                self.body.contacts.slide(sense);
+            }
+        } else if before.contacts.iter().all(|c| !c.sense.slides()) {
+            self.body.contacts.rest();
+        } else if count == 1 && is_edge {
+            self.body.contacts.slide(sense);
+        } else {
+            self.body.loosen();
+            let [first, second] = self.body.contacts.pair();
+            if count == 1 && now == 2 && !first.shares_vertex(second) {
+                let senses = self.joined(sense, hand_p);
+                self.body.contacts.slide_pair(senses);
+            }
+        }
+    }
+    /// A contact that slides has met a second one elsewhere: both slide on if a pair keeps its sense, is stable, moves, and presses the new
+    /// one.
+    fn joined(&self, sense: Sense, hand_p: HandPose<R>) -> [Sense; 2] {
+        let mut senses = [Sense::Rests; 2];
+        for direction in [R::ONE, -R::ONE] {
+            let m = self.statics.pair(self.body, hand_p, direction);
+            let [first, second] = m.contacts;
+            if first.sense != sense {
+                continue;
+            }
+            let i = self.statics.placed_at_start(&m);
+            let rates = self.statics.rates(&m, &i);
+            if i.e_u >= R::ZERO || rates.u <= R::ZERO {
+                continue;
+            }
+            let ahead = Spot {
+                u: rates.u * R::ahead(),
+                p: R::ahead(),
+            };
+            let near = self.statics.placed(&m, ahead);
+            let [_, now] = self.statics.shares(&m, &i).normal;
+            let [_, then] = self.statics.shares(&m, &near).normal;
+            if then > now {
+                senses = [first.sense, second.sense];
+            }
+        }
+        senses
+    }
+    /// At zero reaction of a stick rates decide.
+    pub(crate) fn begin_by_rates(&mut self) {
+        let hand_p = self.ahead();
+        self.body.forget();
+        self.body.loosen();
+        let sense = self.statics.sense_by_rates(self.body, hand_p);
+        self.body.contacts.slide(sense);
+    }
+}

@@ -1,0 +1,183 @@
+//! The world as the statics sees it: the body's vertices and centroid, the sides and corners that it can touch, the springs, the weight.
+//! Lengths / L, forces / (k_h L). L is the largest distance of two vertices, k_h the translational stiffness.
+
+use crate::geometry::Vec2;
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use heapless::Vec;
+
+/// An angle of friction lambda, tan(lambda) = mu: as sine and cosine, so that mu from 0 to infinity is regular.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cone<R> {
+    pub(crate) sin: R,
+    pub(crate) cos: R,
+}
+
+/// Coulomb's law of a side: a reaction N n + T t sticks while |T| <= mu_s N and slides with |T| = mu_d N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Friction<R> {
+    /// atan mu_s
+    pub(crate) fixed: Cone<R>,
+    /// atan mu_d
+    pub(crate) sliding: Cone<R>,
+    /// mu_s - mu_d
+    pub(crate) drop: R,
+    /// N* = D_c / (mu_s - mu_d) (k_h L), or [`Real::HUGE`] without stiction.
+    pub(crate) threshold: R,
+    /// D_c (L), at least 2^-19
+    pub(crate) memory: R,
+}
+
+impl<R: Real> Friction<R> {
+    pub(crate) const NONE: Self = {
+        let cone = Cone {
+            sin: R::ZERO,
+            cos: R::ONE,
+        };
+        Self {
+            fixed: cone,
+            sliding: cone,
+            drop: R::ZERO,
+            threshold: R::HUGE,
+            memory: R::ZERO,
+        }
+    };
+
+    /// The cone of a contact that sticks, with stiction or without.
+    pub(crate) fn cone(&self, stiction: bool) -> Cone<R> {
+        if stiction { self.fixed } else { self.sliding }
+    }
+    /// A contact with this normal reaction has stiction (rule 3).
+    pub(crate) fn is_pressed(&self, normal: R) -> bool {
+        self.threshold < R::HUGE && normal >= self.threshold
+    }
+}
+
+/// A side: the free half-plane is n·p >= b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Side<R> {
+    /// n, of length 1
+    pub(crate) normal: Vec2<R>,
+    /// t = (n_y, -n_x)
+    pub(crate) tangent: Vec2<R>,
+    /// b
+    pub(crate) offset: R,
+    pub(crate) friction: Friction<R>,
+}
+
+impl<R: Real> Side<R> {
+    /// A side that nothing reaches.
+    pub(crate) const NOWHERE: Self = Self {
+        normal: Vec2::new(R::ZERO, R::ONE),
+        tangent: Vec2::new(R::ONE, R::ZERO),
+        offset: R::LEAST,
+        friction: Friction::NONE,
+    };
+}
+
+/// A corner of the world that the body's sides can touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Corner<R> {
+    pub(crate) place: Vec2<R>,
+    pub(crate) friction: Friction<R>,
+}
+
+/// The rotational stiffness k = k_theta / (k_h L²).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stiffness<R> {
+    /// k
+    pub(crate) value: R,
+    /// k times a power of two, and that: a small k has few places in fixed point.
+    times: R,
+    unit: R,
+}
+
+impl<R: Real> Stiffness<R> {
+    /// From k and 64 k.
+    pub(crate) fn new(value: R, value_64: R) -> Self {
+        let (times, unit) = if R::is_fixed() && value < R::ONE {
+            (value_64, R::from_int(64))
+        } else {
+            (value, R::ONE)
+        };
+        Self { value, times, unit }
+    }
+    /// k x
+    pub(crate) fn of(&self, x: R) -> R {
+        if R::is_fixed() {
+            (self.times * x).in_units(self.unit)
+        } else {
+            self.value * x
+        }
+    }
+}
+
+/// Body and surroundings: at most V vertices, S sides, C corners. It never changes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct World<R, const V: usize, const S: usize, const C: usize> {
+    /// Body frame, counter-clockwise.
+    pub(crate) vertices: Vec<Vec2<R>, V>,
+    /// cg, body frame
+    pub(crate) centroid: Vec2<R>,
+    pub(crate) sides: Vec<Side<R>, S>,
+    pub(crate) corners: Vec<Corner<R>, C>,
+    pub(crate) stiffness: Stiffness<R>,
+    /// w >= 0: the size of the weight, which acts along -y.
+    pub(crate) weight: R,
+}
+
+/// A world whose body is held at a point of its own: levers count from there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Statics<'a, R, const V: usize, const S: usize, const C: usize> {
+    pub(crate) world: &'a World<R, V, S, C>,
+    /// g, body frame
+    grip: Vec2<R>,
+    /// cg - g, body frame
+    pub(crate) centroid: Vec2<R>,
+    /// k, w
+    pub(crate) stiffness: Stiffness<R>,
+    pub(crate) weight: R,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> {
+    /// The body held at g, body frame.
+    pub(crate) fn held_at(&self, grip: Vec2<R>) -> Statics<'_, R, V, S, C> {
+        Statics {
+            world: self,
+            grip,
+            centroid: self.centroid - grip,
+            stiffness: self.stiffness,
+            weight: self.weight,
+        }
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// a: the lever of a vertex from the holding point, body frame; zero if there is no such vertex.
+    pub(crate) fn vertex(&self, index: u8) -> Vec2<R> {
+        let vertex = self.world.vertices.get(usize::from(index));
+        vertex.map_or(Vec2::ZERO, |&v| v - self.grip)
+    }
+    /// The levers of all vertices, with their indices.
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = (u8, Vec2<R>)> {
+        (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
+    }
+    /// A side; one that nothing reaches if there is none of that index.
+    pub(crate) fn side(&self, index: u8) -> Side<R> {
+        let side = self.world.sides.get(usize::from(index));
+        side.copied().unwrap_or(Side::NOWHERE)
+    }
+    /// All sides, with their indices.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = (u8, &Side<R>)> {
+        (0_u8..).zip(&self.world.sides)
+    }
+    /// W: the weight as a force.
+    pub(crate) fn weight_force(&self) -> Vec2<R> {
+        Vec2::new(R::ZERO, -self.weight)
+    }
+    /// An upper bound of the distance of the vertices from the holding point.
+    pub(crate) fn size(&self) -> R {
+        self.vertices()
+            .fold(R::ZERO, |size, (_, a)| size.max(a.length_bound()))
+    }
+}
