@@ -1,13 +1,14 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
 //! one window (ONE 7).
 
-use crate::bounds::{Begin, Bound, Extent, Pace};
+use crate::bounds::{Bound, Extent, Pace};
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::thresholds::Thresholds;
+use crate::window::Begin;
 use crate::world::Statics;
 
 /// What is known of a frame by its end.
@@ -21,8 +22,8 @@ pub(crate) enum Calm {
     Unsure,
 }
 
-/// An event function q·F and where it is known to be zero.
-struct Place<R> {
+/// Where an event function q·F is known to be zero.
+struct Zero<R> {
     p: R,
     /// How fast it falls there, per p.
     fall: R,
@@ -207,7 +208,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         q: Vec2<R>,
         whole: R,
         i: &mut Instant<R>,
-    ) -> Option<Place<R>> {
+    ) -> Option<Zero<R>> {
         for round in 0..7 {
             let f = q.dot(i.force);
             let (f_u, f_p) = (-q.dot(i.g_u), q.dot(m.hand_p.at - i.g_p));
@@ -222,7 +223,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 i.force = i.force + (m.hand_p.at - i.g_p) * p;
                 let fall = -(f_p - f_u * i.e_p / i.e_u);
                 let is_place = i.e_u < R::ZERO && i.p > R::ZERO && i.p <= whole && fall > R::ZERO;
-                return is_place.then_some(Place { p: i.p, fall });
+                return is_place.then_some(Zero { p: i.p, fall });
             }
             if round < 6 {
                 let spot = Spot {

@@ -4,7 +4,6 @@ use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::real::Real;
 use crate::state::HandPose;
-use crate::thresholds::Thresholds;
 use crate::world::{Cone, Friction, Side, Stiffness, World};
 use stiction_core::{Angle, Description, Scene, SceneError, SurfaceDescription};
 

@@ -106,13 +106,6 @@ impl<R: Real> Rotation<R> {
             R::sum_of_products(self.sin, a.x, self.cos, a.y),
         )
     }
-    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
-    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
-        Vec2::new(
-            R::sum_of_products(self.cos, a.x, self.sin, a.y),
-            R::difference_of_products(self.cos, a.y, self.sin, a.x),
-        )
-    }
     /// Turned on by so little that the square of the turn is rounding.
     pub(crate) fn nudged(self, turn: R) -> Self {
         Self {

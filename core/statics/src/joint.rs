@@ -1,13 +1,15 @@
 //! The event functions of two contacts that slide together, with their bounds (ONE 4, pairs). A reaction is watched by a numerator whose
 //! divisor keeps its sign.
 
-use crate::bounds::{PairSup, Sup};
-use crate::events::{Function, Judging, Moving, Order, Value, Values, Watch, Watched, Which};
+use crate::bounds::Sup;
+use crate::events::{Function, Judging, Order, Watch, Watched, Which};
 use crate::motion::{Instant, Rates};
 use crate::pair::Couple;
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::gap_slope;
 use crate::thresholds::Thresholds;
+use crate::values::{Moving, Value, Values};
 
 /// A wrench about the first contact, with its velocity along x.
 #[derive(Clone, Copy)]
