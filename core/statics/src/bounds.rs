@@ -179,13 +179,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let theta = sup.turn.slope * rate;
                 let turning = theta * theta + sup.turn.along(pace, R::ZERO);
                 let xi1 = sup.foot.slope * rate;
-                let more = if m.first().is_corner() {
-                    (theta * xi1).doubled()
-                } else {
-                    R::ZERO
-                };
+                let turns = m.first().is_corner();
+                let more = if turns { theta * xi1 } else { R::ZERO };
                 Bound {
-                    pivot: pivot + more,
+                    pivot: pivot + more.doubled(),
                     turn: turning,
                     holding: sup.holding.along(pace, R::ZERO),
                     foot: [xi1, pivot],

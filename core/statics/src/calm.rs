@@ -72,8 +72,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         match yields {
             Some(sense) => {
                 // What is near at the end says nothing about the place.
-                let room = (body.room - bound.way).max(R::ZERO);
-                self.yields_calmly(body, &m, (sense, &i), (way.whole, room))
+                body.room = (body.room - bound.way).max(R::ZERO);
+                self.yields_calmly(body, &m, sense, &i)
             }
             None => {
                 body.go_to(&i, room);
@@ -149,23 +149,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         &self,
         body: &mut Body<R>,
         m: &Motion<R>,
-        (sense, end): (Sense, &Instant<R>),
-        (whole, room): (R, R),
+        sense: Sense,
+        end: &Instant<R>,
     ) -> Calm {
         let frame = self.frame(m.first(), end.rotation, end.g);
         let cone = self.friction(m.first()).cone(body.stiction);
         let q = -(frame.n * cone.sin + frame.t * sense.along(cone.cos));
         let mut i = *end;
-        let Some(place) = self.calm_place(m, q, whole, &mut i) else {
+        let Some(place) = self.calm_place(m, q, end.p, &mut i) else {
             return Calm::Unsure;
         };
         let Some((_, bound)) = self.certified_back(m, &i, body.angle) else {
             return Calm::Unsure;
         };
-        if place.p >= whole || place.fall.doubled() * place.p < bound.holding {
+        if place.p >= end.p || place.fall.doubled() * place.p < bound.holding {
             return Calm::Unsure;
         }
-        body.go_to(&i, room);
+        body.go_to(&i, body.room);
         body.hand = body.hand.moved(&m.hand_p, place.p);
         Calm::Yields(sense)
     }

@@ -1,68 +1,16 @@
 //! Whatever can end a motion, as a function with a value, a slope along x and a bound: the search looks for the first zero of all.
 
 use crate::bounds::{Bound, Pace};
-use crate::contact::{Feature, Sense};
+use crate::contact::Sense;
+pub(crate) use crate::ending::{Ending, Which};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Motion, Rates};
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::Body;
 use crate::thresholds::Thresholds;
 use crate::values::{Moving, Value, Values};
 use crate::world::{Friction, Statics};
-
-/// What ended a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ending {
-    /// The end of the displacement.
-    End,
-    /// The evaluations are used up, or the bounds end; nothing has happened so far.
-    GoesOn,
-    /// Balance of a frozen motion, or the excess of a slip is used up.
-    Stopped,
-    /// The branch of balance ends.
-    Fold,
-    /// A gap closes.
-    Touch(Feature),
-    /// The cone of a stick ends on the side of a slide.
-    Yields(Sense),
-    /// The reaction of a single contact vanishes.
-    Clear,
-    /// The contacts press hard enough for stiction.
-    Pressed,
-    /// A slide comes to a halt.
-    Halt,
-    /// The reaction of one of two contacts that slide vanishes.
-    Opens(Which),
-    /// The contacts do not bear the load any more.
-    GivesWay,
-}
-
-/// One of two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Which {
-    First,
-    Second,
-}
-impl Which {
-    pub(crate) fn other(self) -> Self {
-        match self {
-            Self::First => Self::Second,
-            Self::Second => Self::First,
-        }
-    }
-    pub(crate) fn index(self) -> usize {
-        match self {
-            Self::First => 0,
-            Self::Second => 1,
-        }
-    }
-    pub(crate) fn of<T: Copy>(self, [first, second]: [T; 2]) -> T {
-        match self {
-            Self::First => first,
-            Self::Second => second,
-        }
-    }
-}
 
 /// What a motion is watched for, besides gaps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,6 +127,8 @@ pub(crate) struct Watched<'a, R, const V: usize, const S: usize, const C: usize>
 pub(crate) struct Judging<R> {
     pub(crate) bound: Bound<R>,
     pub(crate) pace: Pace<R>,
+    /// Of a pair.
+    pub(crate) pair: Option<PairSup<R>>,
     /// |p''|: 0 where x = p.
     pub(crate) p_bend: R,
     /// |E''| of a frozen motion, |E_u''| along u.
@@ -363,7 +313,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 Order::First((xi2 + self.motion.drive() * on.p_bend) / on.width)
             }
             Function::Advance => Order::First(on.pace.mixed * on.pace.rate),
-            Function::Share(_) | Function::Foot(_) => self.pair_order(function, i, on),
+            Function::Share(_) | Function::Foot(_) => self.pair_order(function, on),
             // Monotonous.
             Function::Memory => Order::First(R::ZERO),
             Function::Path => Order::Second(on.p_bend),

@@ -79,6 +79,17 @@ impl<R: Real> Mul<R> for Vec2<R> {
     }
 }
 
+/// The vector (x, y), not zero, scaled to length 1.
+pub(crate) fn normalized<F: Real>(x: F, y: F) -> (F, F) {
+    let length = x.hypot(y);
+    (x / length, y / length)
+}
+
+/// 1/n
+pub(crate) fn one_in<F: Real>(n: i32) -> F {
+    F::ONE / F::from_int(n)
+}
+
 /// A rotation R(theta), stored as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rotation<R> {

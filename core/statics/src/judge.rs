@@ -138,6 +138,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         };
         self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
     }
+    /// One more step of Newton's iteration from the end of the window leads to the zero.
+    fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
+        let tol = R::zero();
+        let (a, b) = (track.begin, track.end);
+        let Order::Second(k) = track.order else {
+            return false;
+        };
+        let part = newton / self.bracket.width();
+        let is_near = part.abs() <= R::ONE / R::from_int(16);
+        let is_inside = self.bracket.hi + newton <= self.bracket.end || b.v.abs() <= tol;
+        let is_first = found.hit.is_none() && (a.v > tol || b.v.abs() <= tol);
+        if !is_first || !is_near || !is_inside || k * part * part > tol.doubled() {
+            return false;
+        }
+        found.hit = Some((track.ending, newton));
+        let begin = a.v.max(R::ZERO);
+        found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
+        true
+    }
     /// One event function on the window.
     fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
         let tol = R::zero();
@@ -149,20 +168,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(_) => (b.v - a.v) / w,
         };
         let newton = -b.v / slope;
-        if let Order::Second(k) = track.order
-            && slope < R::ZERO
-            && found.hit.is_none()
-            && (a.v > tol || b.v.abs() <= tol)
-        {
-            // One more step of Newton's iteration leads to the zero.
-            let part = newton / w;
-            let is_near = part.abs() <= R::ONE / R::from_int(16);
-            let is_inside = x0 + w + newton <= self.bracket.end || b.v.abs() <= tol;
-            if is_near && k * part * part <= tol.doubled() && is_inside {
-                found.hit = Some((track.ending, newton));
-                found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
-                return;
-            }
+        if slope < R::ZERO && self.is_hit(found, track, newton) {
+            return;
         }
         if b.v < -tol {
             let chord = x0 + w * (begin / (begin - b.v));

@@ -18,6 +18,7 @@ mod cone;
 mod contact;
 mod description;
 mod driven;
+mod ending;
 mod errand;
 mod events;
 mod frame;

@@ -1,11 +1,17 @@
 //! The ends of a search's windows: where the body is there, and the bounds in between.
 
 use crate::bounds::{Extent, Pace};
-use crate::events::{Judging, Watched};
-use crate::motion::{Kind, Spot};
+use crate::events::{Ending, Judging, Watched};
+use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
-use crate::search::{Bracket, Branch, Run, WindowEnd};
+use crate::search::{Bracket, Branch, Ended, Run, WindowEnd};
+use crate::thresholds::Thresholds;
 use crate::window::Begin;
+use crate::world::Statics;
+
+/// After this many windows without a branch in p the search goes along u.
+const REFUSALS: u8 = 3;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
     /// The beginning of the window, evaluated once.
@@ -83,6 +89,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let instant = &self.hi.instant;
         Ok(Judging {
             bound: statics.bound(motion, instant, &pace),
+            pair: of_pair(statics, motion, instant, pace.extent),
             pace,
             p_bend: R::ZERO,
             drive,
@@ -141,6 +148,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         bound.pivot = bound.pivot + go.doubled();
         bound.holding = bound.holding + go.doubled();
         Ok(Judging {
+            pair: of_pair(statics, motion, i, extent),
             bound,
             pace,
             p_bend,
@@ -148,6 +156,48 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             stable: (k.doubled() + (j * rate).doubled() + j * bend) * square,
             width,
         })
+    }
+
+    /// There may be no single branch on the window.
+    pub(crate) fn refused(&mut self, part: R) -> Option<Ended<R>> {
+        let motion = self.watched.motion;
+        let width = self.bracket.width();
+        self.bracket.refusals = self.bracket.refusals.saturating_add(1);
+        if self.bracket.refusals >= REFUSALS && !motion.frozen && self.bracket.branch.is_none() {
+            self.know_low();
+            let l = &self.lo.instant;
+            if l.e_p != R::ZERO && l.e_u < R::ZERO {
+                let begin = (width * part * l.e_p / l.e_u).abs().min(R::HALF.halved());
+                let reach = if motion.kind == Kind::Pair {
+                    motion.pair.reach
+                } else {
+                    R::from_int(64)
+                };
+                let branch = Branch {
+                    u: l.u,
+                    p: l.p,
+                    direction: l.e_p.sign(),
+                };
+                *self.bracket = Bracket {
+                    hi: begin.min(reach),
+                    end: reach,
+                    stop: self.bracket.end,
+                    certain: R::ZERO,
+                    bad: R::HUGE,
+                    branch: Some(branch),
+                    is_known: false,
+                    ..*self.bracket
+                };
+                self.know_low();
+                return None;
+            }
+        }
+        if width <= R::shortest_window().min(self.bracket.end.halved()) {
+            return Some(self.ended_low(Ending::Fold, R::ZERO));
+        }
+        self.bracket.hi = self.bracket.certain + width * part;
+        self.bracket.shrunk = true;
+        None
     }
 }
 
@@ -169,4 +219,25 @@ pub(crate) fn finish<R: Real, const V: usize, const S: usize, const C: usize>(
         None => statics.rates(motion, i),
     };
     watched.values(i, &end.rates, stop, &mut end.values);
+}
+
+/// The bounds of a pair on a window.
+fn of_pair<R: Real, const V: usize, const S: usize, const C: usize>(
+    statics: &Statics<'_, R, V, S, C>,
+    m: &Motion<R>,
+    i: &Instant<R>,
+    at: Extent<R>,
+) -> Option<PairSup<R>> {
+    (m.kind == Kind::Pair).then(|| statics.pair_sup(m, i, at))
+}
+
+/// Where the first event is by tangents.
+pub(crate) fn estimate<R: Real>(from: &WindowEnd<R>, x0: R, end: R) -> R {
+    let mut best = end;
+    for value in from.values.iter() {
+        if value.d < R::ZERO && value.v > R::ZERO && value.v < (best - x0) * -value.d {
+            best = best.min(x0 - value.v / value.d);
+        }
+    }
+    best.max(x0 + (end - x0) * R::TOUCH)
 }

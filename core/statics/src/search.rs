@@ -6,7 +6,7 @@ use crate::geometry::Vec2;
 use crate::judge::Found;
 use crate::motion::{Instant, Kind, Motion, Rates};
 use crate::real::Real;
-use crate::sample::finish;
+use crate::sample::{estimate, finish};
 use crate::state::Body;
 use crate::thresholds::Thresholds;
 use crate::values::Values;
@@ -14,8 +14,6 @@ use crate::world::Statics;
 
 /// After this many rounds a search returns what is certain.
 const ROUNDS: u8 = 40;
-/// After this many windows without a branch in p the search goes along u.
-const REFUSALS: u8 = 3;
 
 /// How a search ended: at which end of its last window, at which x (or p, if it went along u), how far nothing else is.
 #[derive(Clone, Copy, Debug)]
@@ -269,47 +267,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         }
         self.go_on(&found, &on, room)
     }
-    /// There may be no single branch on the window.
-    fn refused(&mut self, part: R) -> Option<Ended<R>> {
-        let motion = self.watched.motion;
-        let width = self.bracket.width();
-        self.bracket.refusals = self.bracket.refusals.saturating_add(1);
-        if self.bracket.refusals >= REFUSALS && !motion.frozen && self.bracket.branch.is_none() {
-            self.know_low();
-            let l = &self.lo.instant;
-            if l.e_p != R::ZERO && l.e_u < R::ZERO {
-                let begin = (width * part * l.e_p / l.e_u).abs().min(R::HALF.halved());
-                let reach = if motion.kind == Kind::Pair {
-                    motion.pair.reach
-                } else {
-                    R::from_int(64)
-                };
-                let branch = Branch {
-                    u: l.u,
-                    p: l.p,
-                    direction: l.e_p.sign(),
-                };
-                *self.bracket = Bracket {
-                    hi: begin.min(reach),
-                    end: reach,
-                    stop: self.bracket.end,
-                    certain: R::ZERO,
-                    bad: R::HUGE,
-                    branch: Some(branch),
-                    is_known: false,
-                    ..*self.bracket
-                };
-                self.know_low();
-                return None;
-            }
-        }
-        if width <= R::shortest_window().min(self.bracket.end.halved()) {
-            return Some(self.ended_low(Ending::Fold, R::ZERO));
-        }
-        self.bracket.hi = self.bracket.certain + width * part;
-        self.bracket.shrunk = true;
-        None
-    }
     /// The window is too wide, or something crosses zero on it.
     fn shrink(&mut self, found: &Found<R>) -> Option<Ended<R>> {
         let b = &mut *self.bracket;
@@ -399,15 +356,4 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             && !motion.frozen
             && self.hi.instant.u.abs() > motion.pair.reach.halved()
     }
-}
-
-/// Where the first event is by tangents.
-fn estimate<R: Real>(from: &WindowEnd<R>, x0: R, end: R) -> R {
-    let mut best = end;
-    for value in from.values.iter() {
-        if value.d < R::ZERO && value.v > R::ZERO && value.v < (best - x0) * -value.d {
-            best = best.min(x0 - value.v / value.d);
-        }
-    }
-    best.max(x0 + (end - x0) * R::TOUCH)
 }

@@ -15,7 +15,7 @@ use stiction_core::{Description, SurfaceDescription};
 
 type Scene = World<f64, 4, 2, 0>;
 
-/// The same numbers on every machine.
+/// Numbers that are alike on every machine.
 struct Random(u64);
 impl Random {
     fn number(&mut self, least: f64, most: f64) -> f64 {

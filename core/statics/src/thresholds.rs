@@ -1,6 +1,7 @@
 //! Every bound at which a number counts as zero, a position as the same, a quotient as known: its unit, and its derivation. ε is
 //! [`Real::EPSILON`]; the touch and the shortest slip are [`Real::TOUCH`] and [`Real::MICRO`].
 
+use crate::geometry::one_in;
 use crate::real::Real;
 
 /// What the number type can tell apart.
@@ -86,7 +87,7 @@ pub(crate) trait Thresholds: Real {
     /// does. Over a turn of 1/10 rad its moment is a touch in single precision; with less a frame turns the body by so much that paths
     /// reach their limit.
     fn swing() -> Self {
-        Self::from_si(Self::Si::ONE / Self::Si::from_int(100_000), Self::Si::ONE)
+        Self::from_si(one_in(100_000), Self::Si::ONE)
     }
 }
 

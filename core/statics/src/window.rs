@@ -63,20 +63,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let part = R::HALF.halved() / rho;
             return Err(part.max(R::ONE / R::from_int(16)).min(R::HALF));
         }
-        if m.kind == Kind::Pair && first.u.abs() + strip > m.pair.reach {
-            let left = m.pair.reach - first.u.abs();
-            return Err((left / strip).max(R::ONE / R::from_int(16)).min(R::HALF));
-        }
+        within_reach(m, first.u, strip)?;
         // (U2)
         let inverse = inverse / (R::ONE - rho.doubled());
         let rate = (e1 + chord.halved() + (j * way * step).doubled()) * inverse;
         let bent = (k * rate * rate + (j * way * rate).doubled() + chord) * inverse;
-        let pace = Pace {
-            rate,
-            bent,
-            mixed: curvature.j,
-            extent: Extent { way, strip },
-        };
+        let (mixed, extent) = (curvature.j, Extent { way, strip });
         let (spot, step) = match begin {
             Begin::At(i) => {
                 let e_u1 = i.e_u + self.e_up(m, i) * way;
@@ -85,7 +77,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
         };
         self.balance(m, spot, step, out);
-        Ok(pace)
+        Ok(Pace {
+            rate,
+            bent,
+            mixed,
+            extent,
+        })
     }
     /// Q
     fn chord(&self, m: &Motion<R>, i: &Instant<R>) -> R {
@@ -103,4 +100,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             R::ZERO
         }
     }
+}
+
+/// The strip of a pair is where its position is bounded; otherwise the part of the window that may be.
+fn within_reach<R: Real>(m: &Motion<R>, u: R, strip: R) -> Result<(), R> {
+    if m.kind != Kind::Pair || u.abs() + strip <= m.pair.reach {
+        return Ok(());
+    }
+    let left = m.pair.reach - u.abs();
+    Err((left / strip).max(R::ONE / R::from_int(16)).min(R::HALF))
 }

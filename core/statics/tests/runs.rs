@@ -328,7 +328,7 @@ fn corner() -> [SurfaceDescription<f64>; 2] {
     [floor([0.5, 0.3]), side([-1.0, 0.0], -1.0, [0.4, 0.2])]
 }
 
-/// The same run in whole frames and in single pieces of work, and with hands that rest.
+/// A run in whole frames and in single pieces of work, and with hands that rest.
 fn pieces_and_rest<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) -> f64) {
     let vertices = block(0.8, 0.5).map(|v| v.map(&si));
     let surfaces = corner().map(|s| SurfaceDescription {
