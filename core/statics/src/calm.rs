@@ -1,14 +1,13 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
 //! one window (ONE 7).
 
-use crate::bounds::{Bound, Extent, Pace};
+use crate::bounds::{Bound, Pace};
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
-use crate::thresholds::Thresholds;
-use crate::window::Begin;
+use crate::window::{Begin, Residual};
 use crate::world::Statics;
 
 /// What is known of a frame by its end.
@@ -242,33 +241,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i: &Instant<R>,
         angle: R,
     ) -> Option<(Pace<R>, Bound<R>)> {
-        let way = i.p;
-        let slope = (-i.e_u).min(self.e_up(m, i) * way - i.e_u);
-        if slope <= R::ZERO {
-            return None;
-        }
-        let unit = slope.min(R::ONE).unit();
-        let (e, inverse) = (
-            (i.e_p * way).abs().scaled(unit),
-            R::ONE / slope.scaled(unit),
-        );
-        let step = e * inverse;
-        let strip = step.doubled();
-        let curvature = self.curvature(m, i, Extent { way, strip });
-        let (k, j) = (curvature.k.scaled(unit), curvature.j.scaled(unit));
-        let rho = k * step * inverse;
-        let is_same = (i.u - angle).abs() <= strip;
-        if rho > R::HALF.halved() || !is_same {
-            return None;
-        }
-        let inverse = inverse / (R::ONE - rho.doubled());
-        let rate = (e + (j * way * step).doubled()) * inverse;
-        let pace = Pace {
-            rate,
-            bent: (k * rate * rate + (j * way * rate).doubled()) * inverse,
-            mixed: curvature.j,
-            extent: Extent { way, strip },
+        let residual = Residual {
+            way: i.p,
+            e1: i.e_p * i.p,
+            s0: -i.e_u,
+            s1: self.e_up(m, i) * i.p - i.e_u,
         };
+        let pace = self.certified(m, i, residual).ok()?;
+        // The known balance is the one of this branch.
+        if (i.u - angle).abs() > pace.extent.strip {
+            return None;
+        }
         Some((pace, self.bound(m, i, &pace)))
     }
 }

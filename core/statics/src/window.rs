@@ -7,6 +7,15 @@ use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
+/// The residual E at one end of a window with the u of the other, which is in balance; -E_u there at both ends of p.
+#[derive(Clone, Copy)]
+pub(crate) struct Residual<R> {
+    pub(crate) way: R,
+    pub(crate) e1: R,
+    pub(crate) s0: R,
+    pub(crate) s1: R,
+}
+
 /// Where a window begins.
 #[derive(Clone, Copy)]
 pub(crate) enum Begin<'a, R> {
@@ -44,7 +53,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 (&*out, way, out.e, s0, -out.e_u)
             }
         };
-        let chord = self.chord(m, first) * way * way;
+        let pace = self.certified(m, first, Residual { way, e1, s0, s1 })?;
+        let (spot, step) = match begin {
+            Begin::At(i) => {
+                let e_u1 = i.e_u + self.e_up(m, i) * way;
+                (Spot { u: i.u, p: p1 }, -(i.e + i.e_p * way) / e_u1)
+            }
+            Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
+        };
+        self.balance(m, spot, step, out);
+        Ok(pace)
+    }
+    /// One stable branch of balance on a window, with the bounds of its rates: (U1), (U2). Otherwise the part of the window that may be.
+    pub(crate) fn certified(
+        &self,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        Residual { way, e1, s0, s1 }: Residual<R>,
+    ) -> Result<Pace<R>, R> {
+        let chord = self.chord(m, i) * way * way;
         let slope = s0.min(s1) - chord / R::from_int(8);
         if slope <= R::ZERO {
             return Err(R::ONE / R::from_int(8));
@@ -56,32 +83,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         // (U1)
         let step = (e1 + chord / R::from_int(8)) * inverse;
         let strip = step.doubled();
-        let curvature = self.curvature(m, first, Extent { way, strip });
+        let curvature = self.curvature(m, i, Extent { way, strip });
         let (k, j) = (curvature.k.scaled(unit), curvature.j.scaled(unit));
         let rho = k * step * inverse;
         if rho > R::HALF.halved() {
             let part = R::HALF.halved() / rho;
             return Err(part.max(R::ONE / R::from_int(16)).min(R::HALF));
         }
-        within_reach(m, first.u, strip)?;
+        within_reach(m, i.u, strip)?;
         // (U2)
         let inverse = inverse / (R::ONE - rho.doubled());
         let rate = (e1 + chord.halved() + (j * way * step).doubled()) * inverse;
         let bent = (k * rate * rate + (j * way * rate).doubled() + chord) * inverse;
-        let (mixed, extent) = (curvature.j, Extent { way, strip });
-        let (spot, step) = match begin {
-            Begin::At(i) => {
-                let e_u1 = i.e_u + self.e_up(m, i) * way;
-                (Spot { u: i.u, p: p1 }, -(i.e + i.e_p * way) / e_u1)
-            }
-            Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
-        };
-        self.balance(m, spot, step, out);
         Ok(Pace {
             rate,
             bent,
-            mixed,
-            extent,
+            mixed: curvature.j,
+            extent: Extent { way, strip },
         })
     }
     /// Q
