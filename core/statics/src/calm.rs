@@ -1,13 +1,13 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
 //! one window (ONE 7).
 
-use crate::bounds::{Begin, Bound, Extent, Pace};
+use crate::bounds::{Bound, Pace};
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
-use crate::thresholds::Thresholds;
+use crate::window::{Begin, Residual};
 use crate::world::Statics;
 
 /// What is known of a frame by its end.
@@ -21,8 +21,8 @@ pub(crate) enum Calm {
     Unsure,
 }
 
-/// An event function q·F and where it is known to be zero.
-struct Place<R> {
+/// Where an event function q·F is known to be zero.
+struct Zero<R> {
     p: R,
     /// How fast it falls there, per p.
     fall: R,
@@ -71,8 +71,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         match yields {
             Some(sense) => {
                 // What is near at the end says nothing about the place.
-                let room = (body.room - bound.way).max(R::ZERO);
-                self.yields_calmly(body, &m, (sense, &i), (way.whole, room))
+                body.room = (body.room - bound.way).max(R::ZERO);
+                self.yields_calmly(body, &m, sense, &i)
             }
             None => {
                 body.go_to(&i, room);
@@ -148,23 +148,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         &self,
         body: &mut Body<R>,
         m: &Motion<R>,
-        (sense, end): (Sense, &Instant<R>),
-        (whole, room): (R, R),
+        sense: Sense,
+        end: &Instant<R>,
     ) -> Calm {
         let frame = self.frame(m.first(), end.rotation, end.g);
         let cone = self.friction(m.first()).cone(body.stiction);
         let q = -(frame.n * cone.sin + frame.t * sense.along(cone.cos));
         let mut i = *end;
-        let Some(place) = self.calm_place(m, q, whole, &mut i) else {
+        let Some(place) = self.calm_place(m, q, end.p, &mut i) else {
             return Calm::Unsure;
         };
         let Some((_, bound)) = self.certified_back(m, &i, body.angle) else {
             return Calm::Unsure;
         };
-        if place.p >= whole || place.fall.doubled() * place.p < bound.holding {
+        if place.p >= end.p || place.fall.doubled() * place.p < bound.holding {
             return Calm::Unsure;
         }
-        body.go_to(&i, room);
+        body.go_to(&i, body.room);
         body.hand = body.hand.moved(&m.hand_p, place.p);
         Calm::Yields(sense)
     }
@@ -207,7 +207,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         q: Vec2<R>,
         whole: R,
         i: &mut Instant<R>,
-    ) -> Option<Place<R>> {
+    ) -> Option<Zero<R>> {
         for round in 0..7 {
             let f = q.dot(i.force);
             let (f_u, f_p) = (-q.dot(i.g_u), q.dot(m.hand_p.at - i.g_p));
@@ -222,7 +222,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 i.force = i.force + (m.hand_p.at - i.g_p) * p;
                 let fall = -(f_p - f_u * i.e_p / i.e_u);
                 let is_place = i.e_u < R::ZERO && i.p > R::ZERO && i.p <= whole && fall > R::ZERO;
-                return is_place.then_some(Place { p: i.p, fall });
+                return is_place.then_some(Zero { p: i.p, fall });
             }
             if round < 6 {
                 let spot = Spot {
@@ -241,33 +241,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i: &Instant<R>,
         angle: R,
     ) -> Option<(Pace<R>, Bound<R>)> {
-        let way = i.p;
-        let slope = (-i.e_u).min(self.e_up(m, i) * way - i.e_u);
-        if slope <= R::ZERO {
-            return None;
-        }
-        let unit = slope.min(R::ONE).unit();
-        let (e, inverse) = (
-            (i.e_p * way).abs().scaled(unit),
-            R::ONE / slope.scaled(unit),
-        );
-        let step = e * inverse;
-        let strip = step.doubled();
-        let curvature = self.curvature(m, i, Extent { way, strip });
-        let (k, j) = (curvature.k.scaled(unit), curvature.j.scaled(unit));
-        let rho = k * step * inverse;
-        let is_same = (i.u - angle).abs() <= strip;
-        if rho > R::HALF.halved() || !is_same {
-            return None;
-        }
-        let inverse = inverse / (R::ONE - rho.doubled());
-        let rate = (e + (j * way * step).doubled()) * inverse;
-        let pace = Pace {
-            rate,
-            bent: (k * rate * rate + (j * way * rate).doubled()) * inverse,
-            mixed: curvature.j,
-            extent: Extent { way, strip },
+        let residual = Residual {
+            way: i.p,
+            e1: i.e_p * i.p,
+            s0: -i.e_u,
+            s1: self.e_up(m, i) * i.p - i.e_u,
         };
+        let pace = self.certified(m, i, residual).ok()?;
+        // The known balance is the one of this branch.
+        if (i.u - angle).abs() > pace.extent.strip {
+            return None;
+        }
         Some((pace, self.bound(m, i, &pace)))
     }
 }

@@ -1,10 +1,9 @@
 //! From a description in SI units to the world of the solver, in units of L and k_h L.
 
-use crate::geometry::Vec2;
+use crate::geometry::{Vec2, normalized, one_in};
 use crate::list::gather;
 use crate::real::Real;
 use crate::state::HandPose;
-use crate::thresholds::Thresholds;
 use crate::world::{Cone, Friction, Side, Stiffness, World};
 use stiction_core::{Angle, Description, Scene, SceneError, SurfaceDescription};
 
@@ -52,6 +51,23 @@ impl<F: Real> Units<F> {
             per_length: F::ONE / length,
         }
     }
+    /// So many per k_h L² (1/(N·m)).
+    fn per_moment(&self, count: i32) -> F {
+        F::from_int(count) / self.moment
+    }
+    /// 1/(k_h L) (1/N)
+    fn per_force(&self) -> F {
+        F::ONE / self.force
+    }
+    /// The units of a tangent: of the pose by the hand, of the wrench by the hand.
+    pub(crate) fn of_tangent(&self) -> [[[F; 3]; 3]; 2] {
+        let per_hand = [self.per_length, self.per_length, F::ONE];
+        let table = |rows: [F; 3]| rows.map(|row| per_hand.map(|per| row * per));
+        [
+            table([self.length, self.length, F::ONE]),
+            table([self.force, self.force, self.moment]),
+        ]
+    }
     /// A length (m), non-dimensional.
     pub(crate) fn length<R: Real<Si = F>>(&self, x: F) -> R {
         R::from_si(x, self.per_length)
@@ -93,7 +109,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
         let vertices = gather(d.vertices.iter().map(|&v| units.point::<R>(v)));
         let centroid = centroid(&vertices);
         let k = d.stiffness_rotation;
-        let per_moment = R::Si::ONE / units.moment;
         let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
         let world = World {
@@ -102,10 +117,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
             sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
             corners: gather([]),
             stiffness: Stiffness::new(
-                R::from_si(k, per_moment),
-                R::from_si(k * R::Si::from_int(64), per_moment),
+                R::from_si(k, units.per_moment(1)),
+                R::from_si(k, units.per_moment(64)),
             ),
-            weight: R::from_si(d.weight, R::Si::ONE / units.force),
+            weight: R::from_si(d.weight, units.per_force()),
         };
         Ok(Self {
             world,
@@ -122,14 +137,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
 
 fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
     let [x, y] = s.normal;
-    let length = x.hypot(y);
-    let normal = Vec2::new(
-        R::from_si(x / length, R::Si::ONE),
-        R::from_si(y / length, R::Si::ONE),
-    );
+    let (x, y) = normalized(x, y);
+    let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
     // L/4096 unless it is given.
-    let default = R::Si::ONE / R::Si::from_int(4096);
-    let memory = s.memory.map_or(default, |memory| units.length(memory));
+    let memory = s.memory.map_or(one_in(4096), |memory| units.length(memory));
     Side {
         normal,
         tangent: Vec2::new(normal.y, -normal.x),
@@ -143,15 +154,15 @@ impl<R: Real> Friction<R> {
     /// distinguish.
     fn new(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {
         let cone = |mu: R::Si| {
-            let length = R::Si::ONE.hypot(mu);
+            let (cos, sin) = normalized(R::Si::ONE, mu);
             Cone {
-                sin: R::from_si(mu / length, R::Si::ONE),
-                cos: R::from_si(R::Si::ONE / length, R::Si::ONE),
+                sin: R::from_si(sin, R::Si::ONE),
+                cos: R::from_si(cos, R::Si::ONE),
             }
         };
         let number = |x: R::Si| R::from_si(x, R::Si::ONE).min(R::HUGE);
         let memory = memory.max(R::MICRO.to_si(R::Si::ONE));
-        let drop = fixed - sliding;
+        let (drop, threshold) = drop_and_threshold(fixed, sliding, memory);
         let cones = [fixed, sliding].map(cone);
         let [held, slides] = cones;
         Self {
@@ -162,11 +173,17 @@ impl<R: Real> Friction<R> {
             threshold: if held == slides {
                 R::HUGE
             } else {
-                number(memory / drop)
+                number(threshold)
             },
             memory: number(memory),
         }
     }
+}
+
+/// mu_s - mu_d, and N* = D_c / (mu_s - mu_d).
+fn drop_and_threshold<F: Real>(fixed: F, sliding: F, memory: F) -> (F, F) {
+    let drop = fixed - sliding;
+    (drop, memory / drop)
 }
 
 /// The centroid of the area; for a point and a rod the mean of the vertices.

@@ -23,7 +23,7 @@ pub(crate) enum Next {
     Give,
 }
 
-/// The parts of a flight to balance without contact.
+/// The parts of the way to balance without contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Leg {
     Straight,
@@ -69,6 +69,8 @@ pub(crate) struct Settling<R> {
 #[derive(Clone, Debug)]
 pub(crate) struct Errand<R> {
     pub(crate) stage: Stage,
+    /// Contacts slid when the body was last still.
+    pub(crate) slid: bool,
     /// The spring that holds an angle which nothing else holds is off: the body comes to its own balance at the end of a frame.
     pub(crate) loose: bool,
     /// The displacement under way.
@@ -80,7 +82,7 @@ pub(crate) struct Errand<R> {
     /// Of a chain of searches: their number, and the feet where the first began.
     pub(crate) runs: u8,
     pub(crate) feet: [R; 2],
-    /// The turn that a flight has left to do.
+    /// The turn that is left to do without contact.
     pub(crate) turn: R,
     /// The body before a turn, or with the hand where contacts give way beyond doubt.
     pub(crate) start: Body<R>,
@@ -95,6 +97,7 @@ impl<R: Real> Errand<R> {
         let start = Body::new(Vec2::ZERO, R::ZERO, HandPose::REST);
         Self {
             stage: Stage::Still,
+            slid: false,
             loose: false,
             before: HandPose::REST,
             target: HandPose::REST,

@@ -1,68 +1,16 @@
 //! Whatever can end a motion, as a function with a value, a slope along x and a bound: the search looks for the first zero of all.
 
 use crate::bounds::{Bound, Pace};
-use crate::contact::{Feature, Sense};
+use crate::contact::Sense;
+pub(crate) use crate::ending::{Ending, Which};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Motion, Rates};
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::Body;
 use crate::thresholds::Thresholds;
+use crate::values::{Moving, Value, Values};
 use crate::world::{Friction, Statics};
-use core::ops::{Add, Mul, Neg};
-
-/// What ended a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ending {
-    /// The end of the displacement.
-    End,
-    /// The evaluations are used up, or the bounds end; nothing has happened so far.
-    GoesOn,
-    /// Balance of a frozen motion, or the excess of a slip is used up.
-    Stopped,
-    /// The branch of balance ends.
-    Fold,
-    /// A gap closes.
-    Touch(Feature),
-    /// The cone of a stick ends on the side of a slide.
-    Yields(Sense),
-    /// The reaction of a single contact vanishes.
-    Clear,
-    /// The contacts press hard enough for stiction.
-    Pressed,
-    /// A slide comes to a halt.
-    Halt,
-    /// The reaction of one of two contacts that slide vanishes.
-    Opens(Which),
-    /// The contacts do not bear the load any more.
-    GivesWay,
-}
-
-/// One of two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Which {
-    First,
-    Second,
-}
-impl Which {
-    pub(crate) fn other(self) -> Self {
-        match self {
-            Self::First => Self::Second,
-            Self::Second => Self::First,
-        }
-    }
-    pub(crate) fn index(self) -> usize {
-        match self {
-            Self::First => 0,
-            Self::Second => 1,
-        }
-    }
-    pub(crate) fn of<T: Copy>(self, [first, second]: [T; 2]) -> T {
-        match self {
-            Self::First => first,
-            Self::Second => second,
-        }
-    }
-}
 
 /// What a motion is watched for, besides gaps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -154,86 +102,6 @@ impl Watch {
     }
 }
 
-/// Value and slope of an event function.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Value<R> {
-    pub(crate) v: R,
-    pub(crate) d: R,
-}
-impl<R: Real> Value<R> {
-    /// Of a function that does not exist: far from zero.
-    pub(crate) const NONE: Self = Self {
-        v: R::HUGE,
-        d: R::ZERO,
-    };
-    pub(crate) fn times(self, k: R) -> Self {
-        Self {
-            v: self.v * k,
-            d: self.d * k,
-        }
-    }
-}
-impl<R: Real> Add for Value<R> {
-    type Output = Self;
-    fn add(self, b: Self) -> Self {
-        Self {
-            v: self.v + b.v,
-            d: self.d + b.d,
-        }
-    }
-}
-impl<R: Real> Mul for Value<R> {
-    type Output = Self;
-    fn mul(self, b: Self) -> Self {
-        Self {
-            v: self.v * b.v,
-            d: R::sum_of_products(self.d, b.v, self.v, b.d),
-        }
-    }
-}
-impl<R: Real> Neg for Value<R> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self.times(-R::ONE)
-    }
-}
-
-/// A vector with its velocity along x.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Moving<R> {
-    pub(crate) at: Vec2<R>,
-    pub(crate) rate: Vec2<R>,
-}
-impl<R: Real> Moving<R> {
-    pub(crate) fn cross(self, b: Self) -> Value<R> {
-        Value {
-            v: self.at.cross(b.at),
-            d: self.rate.cross(b.at) + self.at.cross(b.rate),
-        }
-    }
-    pub(crate) fn dot(self, b: Self) -> Value<R> {
-        Value {
-            v: self.at.dot(b.at),
-            d: self.rate.dot(b.at) + self.at.dot(b.rate),
-        }
-    }
-    pub(crate) fn times(self, k: Value<R>) -> Self {
-        Self {
-            at: self.at * k.v,
-            rate: self.rate * k.v + self.at * k.d,
-        }
-    }
-}
-impl<R: Real> Add for Moving<R> {
-    type Output = Self;
-    fn add(self, b: Self) -> Self {
-        Self {
-            at: self.at + b.at,
-            rate: self.rate + b.rate,
-        }
-    }
-}
-
 /// What bounds an event function on a window.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Order<R> {
@@ -241,35 +109,6 @@ pub(crate) enum Order<R> {
     Second(R),
     /// Its slope: its own is not known.
     First(R),
-}
-
-/// The event functions other than gaps, in the order of [`Watched::functions`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Values<R>([Value<R>; 8]);
-
-impl<R: Real> Values<R> {
-    pub(crate) const NONE: Self = Self([Value::NONE; 8]);
-    /// The places of what is left of p and of -E_u along u.
-    const PATH: usize = 6;
-    const STABLE: usize = 7;
-
-    pub(crate) fn get(&self, place: usize) -> Value<R> {
-        self.0.get(place).copied().unwrap_or(Value::NONE)
-    }
-    pub(crate) fn iter(&self) -> impl Iterator<Item = Value<R>> + '_ {
-        self.0.iter().copied()
-    }
-    pub(crate) fn fill(&mut self, values: &[Value<R>]) {
-        let mut values = values.iter().copied();
-        for slot in &mut self.0 {
-            *slot = values.next().unwrap_or(Value::NONE);
-        }
-    }
-    fn put(&mut self, place: usize, value: Value<R>) {
-        if let Some(slot) = self.0.get_mut(place) {
-            *slot = value;
-        }
-    }
 }
 
 /// A motion that is watched.
@@ -288,6 +127,8 @@ pub(crate) struct Watched<'a, R, const V: usize, const S: usize, const C: usize>
 pub(crate) struct Judging<R> {
     pub(crate) bound: Bound<R>,
     pub(crate) pace: Pace<R>,
+    /// Of a pair.
+    pub(crate) pair: Option<PairSup<R>>,
     /// |p''|: 0 where x = p.
     pub(crate) p_bend: R,
     /// |E''| of a frozen motion, |E_u''| along u.
@@ -472,7 +313,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 Order::First((xi2 + self.motion.drive() * on.p_bend) / on.width)
             }
             Function::Advance => Order::First(on.pace.mixed * on.pace.rate),
-            Function::Share(_) | Function::Foot(_) => self.pair_order(function, i, on),
+            Function::Share(_) | Function::Foot(_) => self.pair_order(function, on),
             // Monotonous.
             Function::Memory => Order::First(R::ZERO),
             Function::Path => Order::Second(on.p_bend),

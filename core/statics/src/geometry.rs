@@ -79,6 +79,17 @@ impl<R: Real> Mul<R> for Vec2<R> {
     }
 }
 
+/// The vector (x, y), not zero, scaled to length 1.
+pub(crate) fn normalized<F: Real>(x: F, y: F) -> (F, F) {
+    let length = x.hypot(y);
+    (x / length, y / length)
+}
+
+/// 1/n
+pub(crate) fn one_in<F: Real>(n: i32) -> F {
+    F::ONE / F::from_int(n)
+}
+
 /// A rotation R(theta), stored as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rotation<R> {
@@ -104,13 +115,6 @@ impl<R: Real> Rotation<R> {
         Vec2::new(
             R::difference_of_products(self.cos, a.x, self.sin, a.y),
             R::sum_of_products(self.sin, a.x, self.cos, a.y),
-        )
-    }
-    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
-    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
-        Vec2::new(
-            R::sum_of_products(self.cos, a.x, self.sin, a.y),
-            R::difference_of_products(self.cos, a.y, self.sin, a.x),
         )
     }
     /// Turned on by so little that the square of the turn is rounding.

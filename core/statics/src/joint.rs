@@ -1,13 +1,15 @@
 //! The event functions of two contacts that slide together, with their bounds (ONE 4, pairs). A reaction is watched by a numerator whose
 //! divisor keeps its sign.
 
-use crate::bounds::{PairSup, Sup};
-use crate::events::{Function, Judging, Moving, Order, Value, Values, Watch, Watched, Which};
+use crate::bounds::Sup;
+use crate::events::{Function, Judging, Order, Watch, Watched, Which};
 use crate::motion::{Instant, Rates};
 use crate::pair::Couple;
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::gap_slope;
 use crate::thresholds::Thresholds;
+use crate::values::{Moving, Value, Values};
 
 /// A wrench about the first contact, with its velocity along x.
 #[derive(Clone, Copy)]
@@ -153,14 +155,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     }
 
     /// What bounds the functions of a pair.
-    pub(crate) fn pair_order(
-        &self,
-        function: Function,
-        i: &Instant<R>,
-        on: &Judging<R>,
-    ) -> Order<R> {
+    pub(crate) fn pair_order(&self, function: Function, on: &Judging<R>) -> Order<R> {
         let m = self.motion;
-        let sup = self.statics.pair_sup(m, i, on.pace.extent);
+        let Some(sup) = &on.pair else {
+            return Order::First(R::ZERO);
+        };
         let h_p = m.hand_p.at.length_bound();
         let [r1, r2] = sup.r;
         let [f1, f2] = sup.f;
@@ -170,7 +169,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 Order::Second((tangent * sup.r12).along(&on.pace, R::ZERO))
             }
             Function::Share(which) if m.frozen => {
-                Order::Second(drag_sup(&sup, which).along(&on.pace, R::ZERO))
+                Order::Second(drag_sup(sup, which).along(&on.pace, R::ZERO))
             }
             Function::Share(which) if m.pair.spread => {
                 let f = which.of([f2, f1]);

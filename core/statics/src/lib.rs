@@ -11,24 +11,31 @@
     )
 )]
 //! The statics of a body held in the hand.
-#![allow(dead_code)]
 
 mod bounds;
 mod calm;
 mod cone;
 mod contact;
 mod description;
+mod driven;
+mod ending;
 mod errand;
 mod events;
+mod frame;
 mod geometry;
 mod joint;
+mod judge;
 mod law;
 mod list;
 mod log;
 mod modes;
 mod motion;
+mod output;
 mod pair;
+mod pair_bounds;
+mod place;
 mod real;
+mod sample;
 mod search;
 mod settle;
 mod shares;
@@ -37,7 +44,13 @@ mod solver;
 mod state;
 mod step;
 mod tangent;
+#[cfg(test)]
+mod tests;
 mod thresholds;
 mod touch;
+mod values;
+mod window;
 mod world;
-pub use solver::{Output, Solver, State, Tangent};
+
+pub use output::{Output, Tangent};
+pub use solver::{Solver, State};

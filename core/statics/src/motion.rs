@@ -1,12 +1,10 @@
 //! The motions: each a curve of the pose with one internal unknown u and one parameter p. On a path x = p, and u follows from balance, E(u,
 //! p) = 0; at a frozen hand x = u, and E drives it.
 
-use crate::contact::{Contact, Foot};
+use crate::contact::Contact;
 use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
-use crate::thresholds::Thresholds;
-use crate::world::Statics;
 
 /// How a motion places the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,8 +33,8 @@ pub(crate) struct Motion<R> {
     pub(crate) foot: R,
     pub(crate) foot_p: R,
     pub(crate) angle: R,
-    /// The part of the moment that remains on a slip that begins out of balance: e0.
-    pub(crate) kept: R,
+    /// e0: the moment that lasts on a slip that begins out of balance.
+    pub(crate) lasting: R,
     pub(crate) line: Line<R>,
     pub(crate) pair: Pair<R>,
 }
@@ -79,7 +77,7 @@ impl<R: Real> Motion<R> {
             foot: body.foot,
             foot_p: R::ZERO,
             angle: body.angle,
-            kept: R::ZERO,
+            lasting: R::ZERO,
             line: Line {
                 from: body.holding,
                 g_u: Vec2::ZERO,
@@ -188,210 +186,4 @@ impl<R: Real> Instant<R> {
         xi_u: R::ZERO,
         xi_p: R::ZERO,
     };
-}
-
-impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// The body at a point of a motion.
-    pub(crate) fn placed(&self, m: &Motion<R>, at: Spot<R>) -> Instant<R> {
-        let mut instant = Instant::ZERO;
-        self.place(m, at, None, &mut instant);
-        instant
-    }
-    /// The body at the beginning of a motion in its angle, at p = 0.
-    pub(crate) fn placed_at_start(&self, m: &Motion<R>) -> Instant<R> {
-        let u = match m.kind {
-            Kind::Line | Kind::Pair => R::ZERO,
-            Kind::Free | Kind::Pin | Kind::Slide => m.angle,
-        };
-        self.placed(m, Spot { u, p: R::ZERO })
-    }
-
-    /// The body at a point of a motion, in place: with R(u) if u is an angle and the rotation is known.
-    #[inline(never)]
-    pub(crate) fn place(
-        &self,
-        m: &Motion<R>,
-        at: Spot<R>,
-        known: Option<Rotation<R>>,
-        i: &mut Instant<R>,
-    ) {
-        (i.u, i.p) = (at.u, at.p);
-        (i.g_u, i.g_p, i.r) = (Vec2::ZERO, Vec2::ZERO, Vec2::ZERO);
-        (i.xi_u, i.xi_p, i.theta_u) = (R::ZERO, R::ZERO, R::ONE);
-        (i.angle, i.foot) = (at.u, m.foot);
-        let pull = m.hand.at + m.hand_p.at * at.p + self.weight_force();
-        match m.kind {
-            Kind::Line => {
-                i.angle = m.angle + m.line.theta_u * at.u;
-                i.rotation = Rotation::by(i.angle);
-                i.g = m.line.from + m.line.g_u * at.u;
-                (i.g_u, i.theta_u) = (m.line.g_u, m.line.theta_u);
-            }
-            Kind::Free => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
-                i.g = pull;
-                i.g_p = m.hand_p.at;
-            }
-            Kind::Pin => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
-                self.place_pin(m, i);
-            }
-            Kind::Slide => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
-                self.place_slide(m, pull, i);
-            }
-            Kind::Pair => self.place_pair(m, i),
-        }
-        self.weigh(m, pull, i);
-    }
-
-    /// G = c - r, the foot moved by p.
-    fn place_pin(&self, m: &Motion<R>, i: &mut Instant<R>) {
-        i.foot = m.foot + m.foot_p * i.p;
-        i.xi_p = m.foot_p;
-        let foot = self.foot(m.first(), i.rotation, i.foot);
-        i.r = foot.r;
-        i.g = foot.c - foot.r;
-        i.g_u = -foot.r.turned();
-        if i.xi_p != R::ZERO {
-            let frame = self.frame(m.first(), i.rotation, i.g);
-            i.g_p = frame.t * i.xi_p;
-        }
-    }
-
-    /// The foot where e·F = 0 (ONE 3).
-    fn place_slide(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
-        let Foot { c, r } = self.foot(m.first(), i.rotation, m.foot);
-        let frame = self.frame(m.first(), i.rotation, c - r);
-        let edge = self.edge(m.first(), &frame);
-        let delta = edge.e.dot(pull - c + r) / edge.cos;
-        i.foot = m.foot + delta;
-        i.xi_p = edge.e.dot(m.hand_p.at) / edge.cos;
-        if frame.turns {
-            i.xi_u = edge.e.turned().dot(pull - c) / edge.cos;
-            i.r = r - frame.t * delta;
-            i.g = c - i.r;
-        } else {
-            i.xi_u = edge.e.dot(r.turned()) / edge.cos;
-            i.r = r;
-            i.g = c + frame.t * delta - r;
-        }
-        i.g_u = frame.t * i.xi_u - i.r.turned();
-        i.g_p = frame.t * i.xi_p;
-    }
-
-    /// F, M, and the residual of balance with its partial derivatives (ONE 3).
-    fn weigh(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
-        i.force = pull - i.g;
-        // B, times w
-        let b = i.rotation.apply(self.centroid) * self.weight;
-        let phi = m.hand.angle + m.hand_p.angle * i.p;
-        i.moment = self.stiffness.of(phi - i.angle) - b.x;
-        let m_theta = b.y - self.stiffness.value;
-        let m_p = self.stiffness.of(m.hand_p.angle);
-        let force_p = m.hand_p.at - i.g_p;
-        match m.kind {
-            Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
-            Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment, m_theta, m_p),
-            Kind::Pin | Kind::Slide => {
-                let turns = m.first().is_corner();
-                let r_u = if turns { -i.g_u } else { i.r.turned() };
-                i.e = i.moment - i.r.cross(i.force) - m.kept;
-                i.e_u = m_theta - r_u.cross(i.force) + i.r.cross(i.g_u);
-                i.e_p = m_p - i.r.cross(force_p);
-                if turns {
-                    // r_p = -G_p
-                    i.e_p = i.e_p + i.g_p.cross(i.force);
-                }
-            }
-            Kind::Pair => self.weigh_pair(m, m_theta, i),
-        }
-    }
-
-    /// Velocities along x.
-    pub(crate) fn rates(&self, m: &Motion<R>, i: &Instant<R>) -> Rates<R> {
-        if m.frozen {
-            self.rates_of(m, i, R::ONE, R::ZERO)
-        } else {
-            // u' = -E_p/E_u
-            self.rates_of(m, i, -i.e_p / i.e_u, R::ONE)
-        }
-    }
-    /// Velocities with u and p.
-    pub(crate) fn rates_of(&self, m: &Motion<R>, i: &Instant<R>, u: R, p: R) -> Rates<R> {
-        let g = i.g_u * u + i.g_p * p;
-        let theta = i.theta_u * u;
-        let b = i.rotation.apply(self.centroid) * self.weight;
-        let m_theta = b.y - self.stiffness.value;
-        Rates {
-            u,
-            p,
-            g,
-            theta,
-            xi: i.xi_u * u + i.xi_p * p,
-            force: m.hand_p.at * p - g,
-            moment: self.stiffness.of(m.hand_p.angle) * p + m_theta * theta,
-        }
-    }
-
-    /// E_up: E is linear in p, so its slope E_u is too (but for the slide of a C).
-    pub(crate) fn e_up(&self, m: &Motion<R>, i: &Instant<R>) -> R {
-        match m.kind {
-            Kind::Line | Kind::Free => R::ZERO,
-            Kind::Pin | Kind::Slide if m.first().is_corner() => {
-                i.r.dot(m.hand_p.at) - i.g_p.dot(i.force - i.r)
-            }
-            Kind::Pin | Kind::Slide => i.r.dot(m.hand_p.at - i.g_p),
-            Kind::Pair => self.e_up_pair(m, i),
-        }
-    }
-
-    /// A Newton step of which only the first order matters.
-    pub(crate) fn nudge(&self, m: &Motion<R>, i: &mut Instant<R>, u: R) {
-        let turn = i.theta_u * u;
-        let b = i.rotation.apply(self.centroid) * self.weight;
-        i.u = i.u + u;
-        i.foot = i.foot + i.xi_u * u;
-        i.angle = i.angle + turn;
-        i.g = i.g + i.g_u * u;
-        i.force = i.force - i.g_u * u;
-        i.moment = i.moment + turn * (b.y - self.stiffness.value);
-        if m.first().is_corner() {
-            i.r = i.r - i.g_u * u;
-        } else {
-            i.r = i.r + i.r.turned() * turn;
-        }
-        if m.kind == Kind::Pair {
-            let [_, second] = m.contacts;
-            i.r2 = if second.is_corner() {
-                i.r2 - i.g_u * u
-            } else {
-                i.r2 + i.r2.turned() * turn
-            };
-        }
-        i.rotation = i.rotation.nudged(turn);
-        i.e = R::ZERO;
-    }
-    /// The first Newton step u of a frozen parameter towards balance, of second order for a turn about a fixed point.
-    pub(crate) fn first_step(&self, m: &Motion<R>, i: &Instant<R>) -> R {
-        let step = -i.e / i.e_u;
-        if m.kind != Kind::Pin || m.first().is_corner() {
-            return step;
-        }
-        // E_uu
-        let bend = self.weight * i.rotation.apply(self.centroid).x + i.r.cross(i.force);
-        step - step * step * bend / i.e_u.doubled()
-    }
-    /// Newton's iteration to balance at a fixed p, from a spot with the first step of u known.
-    pub(crate) fn balance(&self, m: &Motion<R>, from: Spot<R>, first: R, i: &mut Instant<R>) {
-        let (mut u, mut step) = (from.u, first);
-        for _ in 0..6 {
-            u = u + step;
-            self.place(m, Spot { u, ..from }, None, i);
-            step = -i.e / i.e_u;
-            if R::is_last(step) {
-                return self.nudge(m, i, step);
-            }
-        }
-    }
 }

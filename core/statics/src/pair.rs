@@ -1,13 +1,14 @@
 //! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (ONE 3). Moments about the first
 //! contact.
 
-use crate::contact::{Contact, Feature, Frame, Sense};
-use crate::events::Moving;
+use crate::contact::{Contact, Feature, Sense};
+use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2, Wrench};
 use crate::motion::{Instant, Kind, Motion, Pair, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose, gap_slope};
 use crate::thresholds::Thresholds;
+use crate::values::Moving;
 use crate::world::Statics;
 
 /// Two contacts at an instant, with what changes along u.
@@ -16,7 +17,7 @@ pub(crate) struct Couple<R> {
     pub(crate) frames: [Frame<R>; 2],
     /// The directions of the two reactions, of length 1.
     pub(crate) f: [Vec2<R>; 2],
-    /// The same per u.
+    /// Their derivatives by u, and those of the levers.
     f_u: [Vec2<R>; 2],
     r_u: [Vec2<R>; 2],
     /// From the first contact to the second.
@@ -204,9 +205,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The two contacts at an instant.
     pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
         let mut frames = m.contacts.map(|c| self.frame_at(c, i));
-        if let [first, second] = &mut frames {
-            (first.r, second.r) = (i.r, i.r2);
-        }
+        let [first, second] = &mut frames;
+        (first.r, second.r) = (i.r, i.r2);
         let [c1, c2] = m.contacts;
         let [first, second] = &frames;
         let f = [self.edge(c1, first).f, self.edge(c2, second).f];

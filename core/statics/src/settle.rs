@@ -41,7 +41,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Next::Relax(sense) => self.relax(sense),
         }
     }
-    /// The body comes to the balance of another stiffness: by a Newton step if that moves it by less than can be told apart, otherwise as
+    /// The body comes to the balance of another stiffness: by a Newton step if that moves it by less than can be distinguished, otherwise as
     /// after any change at the frozen hand.
     pub(crate) fn rebalance(&mut self) {
         let kind = match self.body.freedom() {

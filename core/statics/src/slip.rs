@@ -55,11 +55,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let mut m = Motion::slip(self.body, sense.number());
         let e0 = self.statics.placed_at_start(&m).e;
         let load = self.statics.present_load(self.body);
-        if e0.abs() > R::of_kept_moment(load.size()) {
-            m.kept = e0;
+        if e0.abs() > R::of_lasting_moment(load.size()) {
+            m.lasting = e0;
         } else if self.statics.slips_shortly(self.body, sense) {
             self.log.evaluations = self.log.evaluations.saturating_add(1);
-            self.errand.search.motion.kept = R::ZERO;
+            self.errand.search.motion.lasting = R::ZERO;
             return self.slipped(sense, Ending::Stopped);
         }
         let end = load.force.length_bound() + R::TWO;
@@ -81,7 +81,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 if !is_pressed {
                     self.body.contacts.slide(sense);
                 }
-                if self.errand.search.motion.kept == R::ZERO {
+                if self.errand.search.motion.lasting == R::ZERO {
                     Next::Rest
                 } else {
                     Next::Relax(sense)
@@ -225,7 +225,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.log.open(before, kind(&self.body.contacts));
         Some(Next::Relax(lasting.sense))
     }
-    /// The same slip of two from here on, in the same direction, if it is driven.
+    /// The slip of two from here on, in the same direction, if it is driven.
     fn again(&self, m: &Motion<R>) -> Option<Motion<R>> {
         let make = |direction| self.statics.pair(self.body, m.hand_p, direction);
         let mut next = make(R::ONE);

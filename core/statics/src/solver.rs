@@ -1,76 +1,36 @@
 //! The door: hands in SI units in, poses, events and forces out.
 
 use crate::contact::{Feature, MAX_CONTACTS};
-use crate::description::{Described, Units};
+use crate::description::Described;
 use crate::errand::{Errand, Next, Stage};
-use crate::geometry::{Rotation, Vec2};
+use crate::geometry::{Rotation, Vec2, one_in};
 use crate::list::gather;
 use crate::log::{Log, kind};
+use crate::output::Output;
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::{Statics, Stiffness};
 use heapless::Vec;
-use stiction_core::{
-    Angle, Contact, Description, Event, Hand, MAX_EVENTS, SceneError, StateKind, Status, Wrench,
-};
+use stiction_core::{Angle, Contact, Description, Hand, SceneError, Status, Wrench};
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run.
 #[derive(Clone, Debug)]
 pub struct Solver<R: Real, const V: usize, const S: usize, const C: usize> {
-    scene: Described<R, V, S, C>,
+    pub(crate) scene: Described<R, V, S, C>,
 }
 
 /// The state of a run: plain data. A copy of it is a snapshot.
 #[derive(Clone, Debug)]
 pub struct State<R: Real> {
-    body: Body<R>,
+    pub(crate) body: Body<R>,
     /// Whole turns by which the angles of body and hand are more than their numbers.
     turns: i32,
     errand: Errand<R>,
     /// Why the pose is not a balance: reported until the hand moves.
     unrest: Status,
     depth: R::Si,
-}
-
-/// The answer of one step. SI units, world frame.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Output<F> {
-    /// Position p of the origin of the body frame (m).
-    pub position: [F; 2],
-    /// Orientation theta of the body, unwrapped, counter-clockwise positive.
-    pub angle: Angle<F>,
-    /// Depth coordinate (m), passed through from the hand.
-    pub depth: F,
-    /// The contact state.
-    pub state: StateKind,
-    /// Slips that ended at mu_d N in this frame.
-    pub slips: u32,
-    /// The longest of them (m) >= 0; 0 without a slip.
-    pub longest_slip: F,
-    /// What limited the answer.
-    pub status: Status,
-    /// Windows that were evaluated.
-    pub work: u32,
-    events: Vec<Event, MAX_EVENTS>,
-}
-
-/// The tangent of a state, SI units, world frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tangent<F> {
-    /// Rows: x, y (m) of the holding point and the angle (rad) of the body; columns: x, y (m) and angle (rad) of the hand.
-    pub compliance: [[F; 3]; 3],
-    /// Rows: force along x and y (N) and moment (N·m) that the hand feels about the holding point; columns: as above. Negative where it is
-    /// pushed back.
-    pub stiffness: [[F; 3]; 3],
-}
-
-impl<F> Output<F> {
-    /// What happened in this frame, in order; a run of equal ones once.
-    pub fn events(&self) -> &[Event] {
-        &self.events
-    }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
@@ -88,7 +48,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         self.scene.world.held_at(self.scene.holding_point)
     }
     /// The statics with a spring that holds the angle where nothing else does, unless it is off (ONE 10).
-    fn held(&self, loose: bool) -> Statics<'_, R, V, S, C> {
+    pub(crate) fn held(&self, loose: bool) -> Statics<'_, R, V, S, C> {
         let mut statics = self.statics();
         if self.swings() && !loose {
             statics.stiffness = Stiffness::new(R::swing(), R::swing() * R::from_int(64));
@@ -118,7 +78,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             depth: R::Si::ZERO,
         };
         // In floats: not every number type represents this.
-        let near = R::from_si(R::Si::ONE / R::Si::from_int(100_000), R::Si::ONE);
+        let near = R::from_si(one_in(100_000), R::Si::ONE);
         let body = state.body;
         for feature in statics.closed(&body, near) {
             state.body.contacts.add(feature);
@@ -347,39 +307,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             moment: moment.to_si(units.moment),
         }
     }
-    /// How the pose follows the hand while nothing happens, and the stiffness that the hand feels; none at a fold, where the body would
-    /// snap. Of contacts that slide it holds in the direction of their slide.
-    pub fn tangent(&self, state: &State<R>) -> Option<Tangent<R::Si>> {
-        let columns = self.held(false).compliance(&state.body)?;
-        let Units { length, force, .. } = self.scene.units;
-        let moment = self.scene.units.moment;
-        let one = R::Si::ONE;
-        // Non-dimensional, x and y count in L.
-        let pose = [length, length, one];
-        let hand = [one / length, one / length, one];
-        let wrench = [force, force, moment];
-        let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
-        let mut tangent = Tangent {
-            compliance: [[R::Si::ZERO; 3]; 3],
-            stiffness: [[R::Si::ZERO; 3]; 3],
-        };
-        for (k, (column, per)) in columns.iter().zip(hand).enumerate() {
-            let rows = tangent.compliance.iter_mut().zip(&mut tangent.stiffness);
-            let units = pose.iter().zip(wrench).zip(springs);
-            for (row, (((c_row, k_row), ((pose, wrench), spring)), &moves)) in
-                rows.zip(units).zip(column).enumerate()
-            {
-                let rest = if row == k { R::ONE } else { R::ZERO };
-                let (Some(c), Some(felt)) = (c_row.get_mut(k), k_row.get_mut(k)) else {
-                    continue;
-                };
-                *c = moves.to_si(*pose) * per;
-                *felt = (spring * (moves - rest)).to_si(wrench) * per;
-            }
-        }
-        Some(tangent)
-    }
-
     /// The contacts with their reactions, in an order that is fixed as long as the state lasts; for a body that is not held without them.
     pub fn contacts(&self, state: &State<R>) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
         let (body, units) = (&state.body, &self.scene.units);

@@ -1,6 +1,7 @@
 //! The memory of a body in contact: its contacts with their signs, where it is, where the hand is, how far nothing else is.
 
-use crate::contact::{Contacts, Frame};
+use crate::contact::Contacts;
+use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2, Wrench};
 use crate::motion::Instant;
 use crate::real::Real;

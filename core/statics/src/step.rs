@@ -4,15 +4,14 @@ use crate::calm::Calm;
 use crate::cone::Borne;
 use crate::errand::{Errand, Leg, Next, Stage};
 use crate::events::{Ending, Watch};
-use crate::log::{Log, kind};
+use crate::log::Log;
 use crate::modes::Picked;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
 use crate::search::Ended;
 use crate::state::{Body, Displacement, Freedom, HandPose};
-use crate::thresholds::Thresholds;
 use crate::world::Statics;
-use stiction_core::{Event, StateKind, Status};
+use stiction_core::{Event, Status};
 
 /// After so many paths since it caught up the hand jumps.
 const PATHS: u8 = 128;
@@ -62,6 +61,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
 
     /// The smallest part of a step that leaves plain data behind.
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
+        self.do_piece(to);
+        if self.errand.stage == Stage::Still {
+            self.log_slide();
+        }
+    }
+    fn do_piece(&mut self, to: HandPose<R>) {
         match self.errand.stage {
             Stage::Still => {
                 self.errand.paths = self.errand.paths.saturating_add(1);
@@ -76,15 +81,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             Stage::At(ending) => {
                 self.errand.stage = Stage::Still;
-                let before = (kind(&self.body.contacts), self.slides());
                 self.happens(ending);
-                self.log_slide(before);
             }
-            Stage::Settle => {
-                let before = (kind(&self.body.contacts), self.slides());
-                self.settle();
-                self.log_slide(before);
-            }
+            Stage::Settle => self.settle(),
             Stage::Yields => {
                 let errand = &mut *self.errand;
                 let ranking = &mut errand.settling.ranking;
@@ -105,11 +104,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// One window, or what follows from the last one.
     fn search(&mut self) {
         match self.errand.ended.take() {
-            Some(ended) => {
-                let before = (kind(&self.body.contacts), self.slides());
-                self.found(ended);
-                self.log_slide(before);
-            }
+            Some(ended) => self.found(ended),
             None => {
                 let search = &mut self.errand.search;
                 let ended = search.piece(self.statics, self.body, &mut self.log.evaluations);
@@ -117,18 +112,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    fn slides(&self) -> bool {
-        self.body.contacts.iter().any(|c| c.sense.slides())
-    }
     /// Logs where a slide begins and ends.
-    fn log_slide(&mut self, (before, slid): (StateKind, bool)) {
-        let slides = self.slides();
-        if slides && !slid {
+    fn log_slide(&mut self) {
+        let slides = self.body.contacts.iter().any(|c| c.sense.slides());
+        if slides && !self.errand.slid {
             self.log.event(Event::Slide);
-        } else if slid && !slides && !self.body.contacts.is_empty() {
+        } else if self.errand.slid && !slides && !self.body.contacts.is_empty() {
             self.log.event(Event::Stop);
         }
-        let _ = before;
+        self.errand.slid = slides;
     }
     /// A search has ended.
     #[inline(never)]

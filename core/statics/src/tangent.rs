@@ -2,7 +2,9 @@
 
 use crate::geometry::Vec2;
 use crate::motion::{Kind, Motion};
+use crate::output::Tangent;
 use crate::real::Real;
+use crate::solver::{Solver, State};
 use crate::state::{Body, Freedom, HandPose};
 use crate::world::Statics;
 
@@ -41,5 +43,38 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             *column = [rates.g.x, rates.g.y, rates.theta];
         }
         Some(out)
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
+    /// How the pose follows the hand while nothing happens, and the stiffness that the hand feels; none at a fold, where the body would
+    /// snap. Of contacts that slide it holds in the direction of their slide.
+    pub fn tangent(&self, state: &State<R>) -> Option<Tangent<R::Si>> {
+        let columns = self.held(false).compliance(&state.body)?;
+        let [of_pose, of_wrench] = self.scene.units.of_tangent();
+        let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
+        let at = |row: usize, column: usize| {
+            let columns = columns.get(column);
+            let moves = columns.and_then(|column| column.get(row));
+            moves.copied().unwrap_or(R::ZERO)
+        };
+        let table = |units: [[R::Si; 3]; 3], entry: &dyn Fn(usize, usize) -> R| {
+            let mut table = units;
+            for (row, values) in table.iter_mut().enumerate() {
+                for (column, value) in values.iter_mut().enumerate() {
+                    *value = entry(row, column).to_si(*value);
+                }
+            }
+            table
+        };
+        let felt = |row: usize, column: usize| {
+            let rest = if row == column { R::ONE } else { R::ZERO };
+            let spring = springs.get(row).copied().unwrap_or(R::ZERO);
+            spring * (at(row, column) - rest)
+        };
+        Some(Tangent {
+            compliance: table(of_pose, &at),
+            stiffness: table(of_wrench, &felt),
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! Every bound at which a number counts as zero, a position as the same, a quotient as known: its unit, and its derivation. ε is
 //! [`Real::EPSILON`]; the touch and the shortest slip are [`Real::TOUCH`] and [`Real::MICRO`].
 
+use crate::geometry::one_in;
 use crate::real::Real;
 
 /// What the number type can tell apart.
@@ -35,8 +36,8 @@ pub(crate) trait Thresholds: Real {
     fn of_balance(load: Self) -> Self {
         Self::EPSILON * Self::from_int(8) * (Self::ONE + load)
     }
-    /// 64 ε (1 + load) (k_h L²): a moment with which a slip begins, kept until it ends; less is the rounding of eight such residuals.
-    fn of_kept_moment(load: Self) -> Self {
+    /// 64 ε (1 + load) (k_h L²): a moment with which a slip begins and that lasts until it ends; less is the rounding of eight such residuals.
+    fn of_lasting_moment(load: Self) -> Self {
         Self::of_balance(load) * Self::from_int(8)
     }
     /// 2 ε (1 + load) (k_h L²): the load drives a motion by more than the rounding of one product.
@@ -82,9 +83,11 @@ pub(crate) trait Thresholds: Real {
     fn limit() -> Self {
         Self::from_int(64)
     }
-    /// 1e-5 (k_h L²): the spring that holds the angle, towards the body's angle at the beginning of a frame, where nothing else does.
+    /// 1e-5 (k_h L²): the spring that holds the angle on the way, towards the body's angle at the beginning of a frame, where nothing else
+    /// does. Over a turn of 1/10 rad its moment is a touch in single precision; with less a frame turns the body by so much that paths
+    /// reach their limit.
     fn swing() -> Self {
-        Self::from_si(Self::Si::ONE / Self::Si::from_int(100_000), Self::Si::ONE)
+        Self::from_si(one_in(100_000), Self::Si::ONE)
     }
 }
 

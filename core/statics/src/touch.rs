@@ -23,9 +23,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Pin
         };
         let mut m = Motion::new(kind, body, hand_p);
-        if let [first, _] = &mut m.contacts {
-            first.sense = sense;
-        }
+        let [first, _] = &mut m.contacts;
+        first.sense = sense;
         let i = self.placed_at_start(&m);
         (i.e_u < R::ZERO).then(|| self.rates(&m, &i))
     }

@@ -1,0 +1,244 @@
+//! Event functions on a window: whether it is certain, where something crosses zero (ONE 5).
+
+use crate::contact::{Contact, Feature};
+use crate::events::{Ending, Function, Judging, Order, Watched};
+use crate::geometry::Vec2;
+use crate::motion::Kind;
+use crate::real::Real;
+use crate::search::{Ended, Run, WindowEnd};
+use crate::thresholds::Thresholds;
+use crate::values::Value;
+use crate::world::Statics;
+
+/// The findings on a window.
+pub(crate) struct Found<R> {
+    /// Where the first crossing is estimated, and what crosses first in the order of the functions.
+    pub(crate) cross: R,
+    pub(crate) crossing: Option<Ending>,
+    /// What is zero at the end, or at a last Newton step from it.
+    pub(crate) hit: Option<(Ending, R)>,
+    pub(crate) unsure: bool,
+    /// What part of the window would be certain by its bounds.
+    pub(crate) part: R,
+}
+
+/// An event function at both ends of a window.
+struct Track<R> {
+    ending: Ending,
+    begin: Value<R>,
+    end: Value<R>,
+    order: Order<R>,
+    /// Its second derivative is at least this.
+    least: R,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
+    /// All functions but gaps; what is over at the very beginning ends the motion there.
+    pub(crate) fn judge_functions(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+    ) -> Option<Ended<R>> {
+        let along_u = self.bracket.branch.is_some();
+        for (place, function) in self.watched.functions(along_u) {
+            let end = self.hi.values.get(place);
+            let order = self.watched.order(function, &self.hi.instant, on);
+            if is_clear(end.v, &order) {
+                continue;
+            }
+            self.know_low();
+            let begin = self.lo.values.get(place);
+            // The slide of a slip that was as long goes on: a crossing, not a level (rule 10f).
+            if function == Function::Memory && begin.v <= R::ZERO {
+                continue;
+            }
+            let least = match order {
+                Order::Second(k) => -k,
+                Order::First(_) => R::LEAST,
+            };
+            let track = Track {
+                ending: self.watched.ending(function),
+                begin,
+                end,
+                order,
+                least,
+            };
+            if self.is_over(&track) {
+                let room = self.watched.body.room;
+                return Some(self.ended_low(track.ending, room));
+            }
+            self.judge(found, &track);
+        }
+        None
+    }
+    /// All gaps of vertices that are no contacts; the least one of those that are open.
+    pub(crate) fn judge_gaps(
+        &mut self,
+        on: &Judging<R>,
+        room: &mut R,
+        found: &mut Found<R>,
+    ) -> Option<Ended<R>> {
+        let Watched {
+            statics,
+            motion,
+            body,
+            ..
+        } = self.watched;
+        for (vertex, a) in statics.vertices() {
+            let i = &self.hi.instant;
+            let arm = i.rotation.apply(a);
+            let (at, bend) = (i.g + arm, statics.gap_bound(motion, &on.bound, arm - i.r));
+            let clear = bend.halved().max(R::zero());
+            for (side, surface) in statics.sides() {
+                let gap = surface.normal.dot(at) - surface.offset;
+                if gap > clear {
+                    *room = room.min(gap);
+                    continue;
+                }
+                let feature = Feature::Vertex { vertex, side };
+                if body.contacts.contains(feature) {
+                    continue;
+                }
+                *room = room.min(gap);
+                self.know_low();
+                let track = Track {
+                    ending: Ending::Touch(feature),
+                    begin: gap_at(statics, feature, self.lo),
+                    end: gap_at(statics, feature, self.hi),
+                    order: Order::Second(bend),
+                    least: self.least_bend(on, surface.normal, arm).max(-bend),
+                };
+                if self.is_over(&track) {
+                    return Some(self.ended_low(track.ending, R::ZERO));
+                }
+                self.judge(found, &track);
+            }
+        }
+        None
+    }
+    /// A lower bound of the second derivative of a gap: if the body turns about a fixed or straight moving point it is -n·R a theta'².
+    fn least_bend(&self, on: &Judging<R>, normal: Vec2<R>, arm: Vec2<R>) -> R {
+        let motion = self.watched.motion;
+        let turn = match motion.kind {
+            Kind::Line => motion.line.theta_u.abs() * on.width,
+            Kind::Pin if motion.frozen && !motion.first().is_corner() => on.width,
+            Kind::Free | Kind::Pin | Kind::Slide | Kind::Pair => return R::LEAST,
+        };
+        let arm = arm - self.hi.instant.r;
+        (-normal.dot(arm) - arm.length_bound() * turn) * turn * turn
+    }
+    /// Zero at the beginning of the motion, and falling: the event is there.
+    fn is_over(&self, track: &Track<R>) -> bool {
+        let (a, b) = (track.begin, track.end);
+        let falls = match track.order {
+            Order::Second(_) if self.bracket.round >= 2 => a.d < -R::in_plane(),
+            Order::Second(_) => a.d < R::ZERO,
+            Order::First(_) if self.bracket.round >= 2 => false,
+            Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
+        };
+        self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
+    }
+    /// One more step of Newton's iteration from the end of the window leads to the zero.
+    fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
+        let tol = R::zero();
+        let (a, b) = (track.begin, track.end);
+        let Order::Second(k) = track.order else {
+            return false;
+        };
+        let part = newton / self.bracket.width();
+        let is_near = part.abs() <= R::ONE / R::from_int(16);
+        let is_inside = self.bracket.hi + newton <= self.bracket.end || b.v.abs() <= tol;
+        let is_first = found.hit.is_none() && (a.v > tol || b.v.abs() <= tol);
+        if !is_first || !is_near || !is_inside || k * part * part > tol.doubled() {
+            return false;
+        }
+        found.hit = Some((track.ending, newton));
+        let begin = a.v.max(R::ZERO);
+        found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
+        true
+    }
+    /// One event function on the window.
+    fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
+        let tol = R::zero();
+        let (x0, w) = (self.bracket.certain, self.bracket.width());
+        let (a, b) = (track.begin, track.end);
+        let begin = a.v.max(R::ZERO);
+        let slope = match track.order {
+            Order::Second(_) => b.d,
+            Order::First(_) => (b.v - a.v) / w,
+        };
+        let newton = -b.v / slope;
+        if slope < R::ZERO && self.is_hit(found, track, newton) {
+            return;
+        }
+        if b.v < -tol {
+            let chord = x0 + w * (begin / (begin - b.v));
+            let is_newton = match track.order {
+                Order::Second(_) => slope < R::ZERO && self.bracket.round % 4 != 3,
+                Order::First(_) => false,
+            };
+            let by_newton = x0 + w + newton;
+            let at = if is_newton && by_newton > x0 {
+                by_newton
+            } else {
+                chord
+            };
+            found.cross = found.cross.min(at);
+            found.crossing = found.crossing.or(Some(track.ending));
+            return;
+        }
+        // f >= v0 + v0' x + least x²/2, which is least at an end or at both.
+        let from_begin = a.v + a.d * w + track.least.min(R::ZERO).halved();
+        let is_certain = a.v >= -tol && from_begin >= -tol;
+        match track.order {
+            Order::First(k) => {
+                if b.v <= tol {
+                    found.hit = found.hit.or(Some((track.ending, R::ZERO)));
+                }
+                found.unsure |= begin + b.v.max(R::ZERO) < k;
+            }
+            Order::Second(k) => {
+                if b.v <= tol && slope < -R::standstill() {
+                    found.hit = found.hit.or(Some((track.ending, newton)));
+                }
+                let is_open = a.v > tol || b.v > tol;
+                if is_open && k > tol.doubled() && !is_certain {
+                    let part = certainty(begin, b.v, k);
+                    found.unsure |= part < R::ONE;
+                    found.part = found.part.min(part);
+                }
+            }
+        }
+    }
+}
+
+/// The gap of a contact with its velocity.
+fn gap_at<R: Real, const V: usize, const S: usize, const C: usize>(
+    statics: &Statics<'_, R, V, S, C>,
+    feature: Feature,
+    end: &WindowEnd<R>,
+) -> Value<R> {
+    let i = &end.instant;
+    let contact = Contact::at(feature);
+    let frame = statics.frame(contact, i.rotation, i.g);
+    Value {
+        v: statics.gap_of(contact, &frame, i.rotation, i.g),
+        d: frame.opening(end.rates.g, end.rates.theta),
+    }
+}
+
+/// Positive on the whole window by its end alone, whatever is at the beginning (ONE 5).
+fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
+    let enough = match *order {
+        Order::Second(k) => k.halved(),
+        Order::First(k) => k,
+    };
+    end > R::zero() && end >= enough
+}
+
+/// sqrt v0 + sqrt v1 over sqrt(K/2): a function is nowhere less than zero by more than its accuracy if this is 1 or more (ONE 5). A gap that
+/// opens from zero without a velocity is certified thereby.
+fn certainty<R: Real>(v0: R, v1: R, k: R) -> R {
+    let root = |v: R| (v.max(R::ZERO) + R::zero()).sqrt();
+    (root(v0) + root(v1)) / k.halved().sqrt()
+}

@@ -1,0 +1,43 @@
+//! The answers of the solver. SI units, world frame.
+
+use heapless::Vec;
+use stiction_core::{Angle, Event, MAX_EVENTS, StateKind, Status};
+
+/// The answer of one step. SI units, world frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output<F> {
+    /// Position p of the origin of the body frame (m).
+    pub position: [F; 2],
+    /// Orientation theta of the body, unwrapped, counter-clockwise positive.
+    pub angle: Angle<F>,
+    /// Depth coordinate (m), passed through from the hand.
+    pub depth: F,
+    /// The contact state.
+    pub state: StateKind,
+    /// Slips that ended at mu_d N in this frame.
+    pub slips: u32,
+    /// The longest of them (m) >= 0; 0 without a slip.
+    pub longest_slip: F,
+    /// What limited the answer.
+    pub status: Status,
+    /// Windows that were evaluated.
+    pub work: u32,
+    pub(crate) events: Vec<Event, MAX_EVENTS>,
+}
+
+/// The tangent of a state, SI units, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tangent<F> {
+    /// Rows: x, y (m) of the holding point and the angle (rad) of the body; columns: x, y (m) and angle (rad) of the hand.
+    pub compliance: [[F; 3]; 3],
+    /// Rows: force along x and y (N) and moment (N·m) that the hand feels about the holding point; columns: as above. Negative where it is
+    /// pushed back.
+    pub stiffness: [[F; 3]; 3],
+}
+
+impl<F> Output<F> {
+    /// What happened in this frame, in order; a run of equal ones once.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+}

@@ -1,0 +1,243 @@
+//! The ends of a search's windows: where the body is there, and the bounds in between.
+
+use crate::bounds::{Extent, Pace};
+use crate::events::{Ending, Judging, Watched};
+use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::pair_bounds::PairSup;
+use crate::real::Real;
+use crate::search::{Bracket, Branch, Ended, Run, WindowEnd};
+use crate::thresholds::Thresholds;
+use crate::window::Begin;
+use crate::world::Statics;
+
+/// After this many windows without a branch in p the search goes along u.
+const REFUSALS: u8 = 3;
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
+    /// The beginning of the window, evaluated once.
+    #[inline(never)]
+    pub(crate) fn know_low(&mut self) {
+        if self.bracket.is_known {
+            return;
+        }
+        self.bracket.is_known = true;
+        *self.evaluations = self.evaluations.saturating_add(1);
+        let spot = match &self.bracket.branch {
+            Some(branch) => Spot {
+                u: branch.u,
+                p: branch.p,
+            },
+            None => Spot {
+                u: self.u0,
+                p: R::ZERO,
+            },
+        };
+        let Watched {
+            statics, motion, ..
+        } = self.watched;
+        statics.place(motion, spot, None, &mut self.lo.instant);
+        finish(&self.watched, self.bracket, self.lo);
+    }
+
+    /// Places the body at x, from where the motion is certain; bounds of the window in between, or the part of it that may be certain.
+    pub(crate) fn place(&mut self, x: R) -> Result<Judging<R>, R> {
+        *self.evaluations = self.evaluations.saturating_add(1);
+        let Watched {
+            statics,
+            motion,
+            body,
+            direction,
+            ..
+        } = self.watched;
+        let width = x - self.bracket.certain;
+        if let Some(branch) = self.bracket.branch {
+            return self.place_along_u(branch, x);
+        }
+        let (pace, drive) = if motion.frozen {
+            let u = self.u0 + direction * x;
+            let spot = Spot { u, p: R::ZERO };
+            statics.place(motion, spot, None, &mut self.hi.instant);
+            let extent = Extent {
+                way: R::ZERO,
+                strip: width,
+            };
+            let curvature = statics.curvature(motion, &self.hi.instant, extent);
+            let pace = Pace {
+                rate: width,
+                bent: R::ZERO,
+                mixed: curvature.j,
+                extent,
+            };
+            (pace, curvature.k * width * width)
+        } else {
+            let begin = if self.bracket.is_known {
+                Begin::At(&self.lo.instant)
+            } else {
+                Begin::Spot {
+                    spot: Spot {
+                        u: self.u0,
+                        p: self.bracket.certain,
+                    },
+                    rotation: body.rotation,
+                }
+            };
+            (
+                statics.window(motion, begin, x, &mut self.hi.instant)?,
+                R::ZERO,
+            )
+        };
+        let instant = &self.hi.instant;
+        Ok(Judging {
+            bound: statics.bound(motion, instant, &pace),
+            pair: of_pair(statics, motion, instant, pace.extent),
+            pace,
+            p_bend: R::ZERO,
+            drive,
+            stable: R::ZERO,
+            width,
+        })
+    }
+    /// A point of a curve by its u: E is linear in p. Bounds by (U4).
+    fn place_along_u(&mut self, branch: Branch<R>, x: R) -> Result<Judging<R>, R> {
+        let Watched {
+            statics, motion, ..
+        } = self.watched;
+        let width = x - self.bracket.certain;
+        let u = branch.u + branch.direction * x;
+        let i = &mut self.hi.instant;
+        let mut p = branch.p;
+        statics.place(motion, Spot { u, p }, None, i);
+        // Once, but for the slide of a C, whose E is quadratic in p.
+        for _ in 0..3 {
+            let step = -i.e / i.e_p;
+            p = p + step;
+            let known = (motion.kind != Kind::Pair).then_some(i.rotation);
+            statics.place(motion, Spot { u, p }, known, i);
+            if motion.kind != Kind::Slide || !motion.first().is_corner() {
+                break;
+            }
+        }
+        let extent = Extent {
+            way: (p - branch.p).abs(),
+            strip: width,
+        };
+        let curvature = statics.curvature(motion, i, extent);
+        let (k, j) = (curvature.k, curvature.j);
+        let least = i.e_p.abs() - j * width * (R::TWO + width);
+        if least < i.e_p.abs().halved() {
+            let part = i.e_p.abs().halved() / (j * width * (R::TWO + width));
+            return Err(part.max(R::ONE / R::from_int(8)).min(R::HALF));
+        }
+        // (U4)
+        let inverse = R::ONE / least;
+        let rate = (i.e_u.abs() + k * width) * inverse;
+        let bend = (k + j * rate * (width + R::TWO)) * inverse;
+        let square = width * width;
+        let pace = Pace {
+            rate: width,
+            bent: R::ZERO,
+            mixed: j,
+            extent: Extent {
+                way: rate * width,
+                strip: width,
+            },
+        };
+        let p_bend = bend * square;
+        let go = motion.drive() * p_bend;
+        let mut bound = statics.bound(motion, i, &pace);
+        bound.pivot = bound.pivot + go.doubled();
+        bound.holding = bound.holding + go.doubled();
+        Ok(Judging {
+            pair: of_pair(statics, motion, i, extent),
+            bound,
+            pace,
+            p_bend,
+            drive: R::ZERO,
+            stable: (k.doubled() + (j * rate).doubled() + j * bend) * square,
+            width,
+        })
+    }
+
+    /// There may be no single branch on the window.
+    pub(crate) fn refused(&mut self, part: R) -> Option<Ended<R>> {
+        let motion = self.watched.motion;
+        let width = self.bracket.width();
+        self.bracket.refusals = self.bracket.refusals.saturating_add(1);
+        if self.bracket.refusals >= REFUSALS && !motion.frozen && self.bracket.branch.is_none() {
+            self.know_low();
+            let l = &self.lo.instant;
+            if l.e_p != R::ZERO && l.e_u < R::ZERO {
+                let begin = (width * part * l.e_p / l.e_u).abs().min(R::HALF.halved());
+                let reach = if motion.kind == Kind::Pair {
+                    motion.pair.reach
+                } else {
+                    R::from_int(64)
+                };
+                let branch = Branch {
+                    u: l.u,
+                    p: l.p,
+                    direction: l.e_p.sign(),
+                };
+                *self.bracket = Bracket {
+                    hi: begin.min(reach),
+                    end: reach,
+                    stop: self.bracket.end,
+                    certain: R::ZERO,
+                    bad: R::HUGE,
+                    branch: Some(branch),
+                    is_known: false,
+                    ..*self.bracket
+                };
+                self.know_low();
+                return None;
+            }
+        }
+        if width <= R::shortest_window().min(self.bracket.end.halved()) {
+            return Some(self.ended_low(Ending::Fold, R::ZERO));
+        }
+        self.bracket.hi = self.bracket.certain + width * part;
+        self.bracket.shrunk = true;
+        None
+    }
+}
+
+/// The rest of a window's end from its instant.
+pub(crate) fn finish<R: Real, const V: usize, const S: usize, const C: usize>(
+    watched: &Watched<'_, R, V, S, C>,
+    bracket: &Bracket<R>,
+    end: &mut WindowEnd<R>,
+) {
+    let (statics, motion, i) = (watched.statics, watched.motion, &end.instant);
+    let mut stop = None;
+    end.rates = match &bracket.branch {
+        Some(branch) => {
+            stop = Some(bracket.stop);
+            let p = -i.e_u / i.e_p * branch.direction;
+            statics.rates_of(motion, i, branch.direction, p)
+        }
+        None if motion.frozen => statics.rates_of(motion, i, watched.direction, R::ZERO),
+        None => statics.rates(motion, i),
+    };
+    watched.values(i, &end.rates, stop, &mut end.values);
+}
+
+/// The bounds of a pair on a window.
+fn of_pair<R: Real, const V: usize, const S: usize, const C: usize>(
+    statics: &Statics<'_, R, V, S, C>,
+    m: &Motion<R>,
+    i: &Instant<R>,
+    at: Extent<R>,
+) -> Option<PairSup<R>> {
+    (m.kind == Kind::Pair).then(|| statics.pair_sup(m, i, at))
+}
+
+/// Where the first event is by tangents.
+pub(crate) fn estimate<R: Real>(from: &WindowEnd<R>, x0: R, end: R) -> R {
+    let mut best = end;
+    for value in from.values.iter() {
+        if value.d < R::ZERO && value.v > R::ZERO && value.v < (best - x0) * -value.d {
+            best = best.min(x0 - value.v / value.d);
+        }
+    }
+    best.max(x0 + (end - x0) * R::TOUCH)
+}

@@ -1,0 +1,130 @@
+//! The certificate of a window of a curve: one stable branch of balance (ONE 4).
+
+use crate::bounds::{Extent, Pace};
+use crate::geometry::Rotation;
+use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use crate::world::Statics;
+
+/// The residual E at one end of a window with the u of the other, which is in balance; -E_u there at both ends of p.
+#[derive(Clone, Copy)]
+pub(crate) struct Residual<R> {
+    pub(crate) way: R,
+    pub(crate) e1: R,
+    pub(crate) s0: R,
+    pub(crate) s1: R,
+}
+
+/// Where a window begins.
+#[derive(Clone, Copy)]
+pub(crate) enum Begin<'a, R> {
+    /// An instant in balance.
+    At(&'a Instant<R>),
+    /// u and p in balance, with R(u) if u is an angle: not placed yet.
+    Spot {
+        spot: Spot<R>,
+        rotation: Rotation<R>,
+    },
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// The end of a window of a curve, from a beginning in balance to p1, if the window is certainly on one stable branch: the instant in
+    /// `out`, and bounds. Otherwise the part of the window that may be.
+    pub(crate) fn window(
+        &self,
+        m: &Motion<R>,
+        begin: Begin<'_, R>,
+        p1: R,
+        out: &mut Instant<R>,
+    ) -> Result<Pace<R>, R> {
+        // E and E_u at the same u with the hand at p1: E is linear in p.
+        let (first, way, e1, s0, s1) = match begin {
+            Begin::At(i) => {
+                let way = p1 - i.p;
+                let s1 = -(i.e_u + self.e_up(m, i) * way);
+                (i, way, i.e + i.e_p * way, -i.e_u, s1)
+            }
+            Begin::Spot { spot, rotation } => {
+                let known = (m.kind != Kind::Pair).then_some(rotation);
+                self.place(m, Spot { p: p1, ..spot }, known, out);
+                let way = p1 - spot.p;
+                let s0 = self.e_up(m, out) * way - out.e_u;
+                (&*out, way, out.e, s0, -out.e_u)
+            }
+        };
+        let pace = self.certified(m, first, Residual { way, e1, s0, s1 })?;
+        let (spot, step) = match begin {
+            Begin::At(i) => {
+                let e_u1 = i.e_u + self.e_up(m, i) * way;
+                (Spot { u: i.u, p: p1 }, -(i.e + i.e_p * way) / e_u1)
+            }
+            Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
+        };
+        self.balance(m, spot, step, out);
+        Ok(pace)
+    }
+    /// One stable branch of balance on a window, with the bounds of its rates: (U1), (U2). Otherwise the part of the window that may be.
+    pub(crate) fn certified(
+        &self,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        Residual { way, e1, s0, s1 }: Residual<R>,
+    ) -> Result<Pace<R>, R> {
+        let chord = self.chord(m, i) * way * way;
+        let slope = s0.min(s1) - chord / R::from_int(8);
+        if slope <= R::ZERO {
+            return Err(R::ONE / R::from_int(8));
+        }
+        // Homogeneous in E: in units of a power of two near its slope.
+        let unit = slope.min(R::ONE).unit();
+        let (e1, chord) = (e1.abs().scaled(unit), chord.scaled(unit));
+        let inverse = R::ONE / slope.scaled(unit);
+        // (U1)
+        let step = (e1 + chord / R::from_int(8)) * inverse;
+        let strip = step.doubled();
+        let curvature = self.curvature(m, i, Extent { way, strip });
+        let (k, j) = (curvature.k.scaled(unit), curvature.j.scaled(unit));
+        let rho = k * step * inverse;
+        if rho > R::HALF.halved() {
+            let part = R::HALF.halved() / rho;
+            return Err(part.max(R::ONE / R::from_int(16)).min(R::HALF));
+        }
+        within_reach(m, i.u, strip)?;
+        // (U2)
+        let inverse = inverse / (R::ONE - rho.doubled());
+        let rate = (e1 + chord.halved() + (j * way * step).doubled()) * inverse;
+        let bent = (k * rate * rate + (j * way * rate).doubled() + chord) * inverse;
+        Ok(Pace {
+            rate,
+            bent,
+            mixed: curvature.j,
+            extent: Extent { way, strip },
+        })
+    }
+    /// Q
+    fn chord(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        if m.kind == Kind::Slide && m.first().is_corner() {
+            self.curvature(
+                m,
+                i,
+                Extent {
+                    way: R::ZERO,
+                    strip: R::ZERO,
+                },
+            )
+            .q
+        } else {
+            R::ZERO
+        }
+    }
+}
+
+/// The strip of a pair is where its position is bounded; otherwise the part of the window that may be.
+fn within_reach<R: Real>(m: &Motion<R>, u: R, strip: R) -> Result<(), R> {
+    if m.kind != Kind::Pair || u.abs() + strip <= m.pair.reach {
+        return Ok(());
+    }
+    let left = m.pair.reach - u.abs();
+    Err((left / strip).max(R::ONE / R::from_int(16)).min(R::HALF))
+}
