@@ -1,4 +1,4 @@
-//! The certificate of a window: one stable branch of balance, and bounds of every second derivative on it (ONE 4).
+//! The certificate of a window: one stable branch of balance, and bounds of every second derivative on it (STATICS 4).
 
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion};
@@ -31,7 +31,7 @@ pub(crate) struct Pace<R> {
     pub(crate) extent: Extent<R>,
 }
 
-/// Bounds on a window, along x from 0 to 1 (U3).
+/// Bounds on a window, along x from 0 to 1 (E11).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound<R> {
     /// What the pivot adds to the second derivative of a point that turns about it: c2.

@@ -1,5 +1,5 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
-//! one window (ONE 7).
+//! one window (STATICS 7).
 
 use crate::bounds::{Bound, Pace};
 use crate::contact::{Feature, Sense};
@@ -234,7 +234,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         None
     }
-    /// (U1) from an instant in balance back to p = 0, where the angle is known: the bounds of the window in between.
+    /// (E9) from an instant in balance back to p = 0, where the angle is known: the bounds of the window in between.
     fn certified_back(
         &self,
         m: &Motion<R>,

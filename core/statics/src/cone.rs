@@ -1,4 +1,4 @@
-//! What contacts that fix the pose bear: the cone of all sums of their reactions, by the planes through two of its edges (ONE 8).
+//! What contacts that fix the pose bear: the cone of all sums of their reactions, by the planes through two of its edges (STATICS 8).
 
 use crate::contact::{MAX_CONTACTS, Sense};
 use crate::geometry::{Vec2, Wrench};

@@ -59,7 +59,7 @@ pub(crate) enum Function {
     Advance,
     /// A multiple of s v_k of a pair.
     Foot(Which),
-    /// D_c less the slip's length of a pair (E14).
+    /// D_c less the slip's length of a pair (E21).
     Memory,
     /// Along u: what is left of p, and -E_u.
     Path,

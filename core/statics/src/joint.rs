@@ -1,4 +1,4 @@
-//! The event functions of two contacts that slide together, with their bounds (ONE 4, pairs). A reaction is watched by a numerator whose
+//! The event functions of two contacts that slide together, with their bounds (E14 to E16). A reaction is watched by a numerator whose
 //! divisor keeps its sign.
 
 use crate::bounds::Sup;

@@ -1,4 +1,4 @@
-//! Event functions on a window: whether it is certain, where something crosses zero (ONE 5).
+//! Event functions on a window: whether it is certain, where something crosses zero (STATICS 5).
 
 use crate::contact::{Contact, Feature};
 use crate::events::{Ending, Function, Judging, Order, Watched};
@@ -48,7 +48,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
             self.know_low();
             let begin = self.lo.values.get(place);
-            // The slide of a slip that was as long goes on: a crossing, not a level (rule 10f).
+            // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
             if function == Function::Memory && begin.v <= R::ZERO {
                 continue;
             }
@@ -227,7 +227,7 @@ fn gap_at<R: Real, const V: usize, const S: usize, const C: usize>(
     }
 }
 
-/// Positive on the whole window by its end alone, whatever is at the beginning (ONE 5).
+/// Positive on the whole window by its end alone, whatever is at the beginning (R3).
 fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
     let enough = match *order {
         Order::Second(k) => k.halved(),
@@ -236,7 +236,7 @@ fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
     end > R::zero() && end >= enough
 }
 
-/// sqrt v0 + sqrt v1 over sqrt(K/2): a function is nowhere less than zero by more than its accuracy if this is 1 or more (ONE 5). A gap that
+/// sqrt v0 + sqrt v1 over sqrt(K/2): a function is nowhere less than zero by more than its accuracy if this is 1 or more (R2). A gap that
 /// opens from zero without a velocity is certified thereby.
 fn certainty<R: Real>(v0: R, v1: R, k: R) -> R {
     let root = |v: R| (v.max(R::ZERO) + R::zero()).sqrt();

@@ -1,4 +1,4 @@
-//! The law (ONE 9): what follows from the event that ended a motion on the hand's path. New signs, or settling at the frozen hand.
+//! The law (STATICS 11): what follows from the event that ended a motion on the hand's path. New signs, or settling at the frozen hand.
 
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
@@ -20,12 +20,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match ending {
             Ending::End | Ending::GoesOn | Ending::Stopped => {}
             Ending::Touch(feature) => self.touches(feature),
-            // M3 S3
+            // (R24)
             Ending::Pressed => {
                 self.body.contacts.rest();
                 self.body.stiction = true;
             }
-            // M7 S7 S10f
+            // A halt: stick, without stiction.
             Ending::Halt => self.body.loosen(),
             Ending::Yields(sense) => self.yields(sense),
             Ending::Clear => self.clears(),
@@ -49,10 +49,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// Friction of a stick gives way on the side of a slide.
     fn yields(&mut self, sense: Sense) {
         if self.body.stiction {
-            // M4 S4
+            // With stiction: a slip.
             return self.errand.settle(Next::Slip(sense));
         }
-        // M5 S5
+        // Without: a slide, unless it is not stable or would run back.
         let path = self.path();
         match self.statics.rates_as(self.body, sense, path) {
             None => {
@@ -177,7 +177,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.errand.settle(Next::Give);
         }
     }
-    /// Without stiction a slide of two begins without a jump, if a motion has the signs of the edges that bind (M10 S10e).
+    /// Without stiction a slide of two begins without a jump, if a motion has the signs of the edges that bind (R26).
     fn slide_begins(&mut self, [i, _]: [usize; 2], senses: [Sense; 2]) -> bool {
         let mut leading = *self.body;
         self.statics.lead(&mut leading, i);

@@ -1,4 +1,4 @@
-//! The motions that a load can begin at contacts that fix the pose, ranked (ONE 8): a pure function of the pose, the load and the motions
+//! The motions that a load can begin at contacts that fix the pose, ranked (STATICS 8): a pure function of the pose, the load and the motions
 //! that are struck off.
 
 use crate::cone::{ConeEdge, Facet};

@@ -124,7 +124,7 @@ pub(crate) struct Spot<R> {
     pub(crate) p: R,
 }
 
-/// The body at a point of a motion, its load about the holding point, and their partial derivatives by u and p. Symbols of ONE 2 and 3.
+/// The body at a point of a motion, its load about the holding point, and their partial derivatives by u and p. Symbols of STATICS 2 and 3.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant<R> {
     pub(crate) u: R,

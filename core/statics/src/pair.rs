@@ -1,4 +1,4 @@
-//! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (ONE 3). Moments about the first
+//! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (STATICS 3). Moments about the first
 //! contact.
 
 use crate::contact::{Contact, Feature, Sense};
@@ -306,7 +306,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             drag: through_first(f1, w2, borne) / full,
         }
     }
-    /// D_c less the length of the slip that would begin here (E14), the less one of the feet that can have stiction.
+    /// D_c less the length of the slip that would begin here (E21), the less one of the feet that can have stiction.
     pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let k = self.couple(m, i);
         let [f1, f2] = k.f;

@@ -1,11 +1,11 @@
-//! Bounds of all that moves in a joint slide, by products of bounds (ONE 4, pairs).
+//! Bounds of all that moves in a joint slide, by products of bounds (E14 to E16).
 
 use crate::bounds::{Extent, Sup};
 use crate::motion::{Instant, Motion};
 use crate::real::Real;
 use crate::world::Statics;
 
-/// The bounds of a pair on a strip of u (ONE 4, pairs).
+/// The bounds of a pair on a strip of u (E14 to E16).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairSup<R> {
     /// theta
@@ -32,7 +32,7 @@ struct Bends<R> {
     z2: R,
 }
 
-/// The bounds of a pair's position up to |u|, a part of its reach (ONE 4): 4/3 for 1/D, 11/8 for 1.37.
+/// The bounds of a pair's position up to |u|, a part of its reach (STATICS 4): 4/3 for 1/D, 11/8 for 1.37.
 fn bends<R: Real>(m: &Motion<R>, apart: R, u: R) -> Bends<R> {
     let (tau, slope) = (m.pair.twist, m.pair.slope);
     let [turns1, turns2] = m.contacts.map(|c| c.is_corner());

@@ -1,4 +1,4 @@
-//! Where a motion places the body, its load there, and their partial derivatives (ONE 3).
+//! Where a motion places the body, its load there, and their partial derivatives (STATICS 3).
 
 use crate::frame::Foot;
 use crate::geometry::{Rotation, Vec2};
@@ -76,7 +76,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
-    /// The foot where e·F = 0 (ONE 3).
+    /// The foot where e·F = 0 (STATICS 3).
     fn place_slide(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
         let Foot { c, r } = self.foot(m.first(), i.rotation, m.foot);
         let frame = self.frame(m.first(), i.rotation, c - r);
@@ -97,7 +97,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.g_p = frame.t * i.xi_p;
     }
 
-    /// F, M, and the residual of balance with its partial derivatives (ONE 3).
+    /// F, M, and the residual of balance with its partial derivatives (STATICS 3).
     fn weigh(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
         i.force = pull - i.g;
         // B, times w

@@ -97,7 +97,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             width,
         })
     }
-    /// A point of a curve by its u: E is linear in p. Bounds by (U4).
+    /// A point of a curve by its u: E is linear in p. Bounds by (E13).
     fn place_along_u(&mut self, branch: Branch<R>, x: R) -> Result<Judging<R>, R> {
         let Watched {
             statics, motion, ..
@@ -128,7 +128,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let part = i.e_p.abs().halved() / (j * width * (R::TWO + width));
             return Err(part.max(R::ONE / R::from_int(8)).min(R::HALF));
         }
-        // (U4)
+        // (E13)
         let inverse = R::ONE / least;
         let rate = (i.e_u.abs() + k * width) * inverse;
         let bend = (k + j * rate * (width + R::TWO)) * inverse;

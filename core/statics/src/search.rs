@@ -1,5 +1,5 @@
 //! One search for all motions: to the first event. A window of the motion is certain if every event function stays positive on it: its
-//! values at both ends exceed the sagitta that its bound of the second derivative permits (ONE 5, 6).
+//! values at both ends exceed the sagitta that its bound of the second derivative permits (STATICS 5, 6).
 
 use crate::events::{Ending, Judging, Watch, Watched, Which};
 use crate::geometry::Vec2;

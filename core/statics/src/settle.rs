@@ -1,4 +1,4 @@
-//! At the frozen hand, to rest: each round does one word and finds the next (ONE 9).
+//! At the frozen hand, to rest: each round does one word and finds the next (STATICS 11).
 
 use crate::contact::Sense;
 use crate::errand::{Leg, Next, Stage};
@@ -92,7 +92,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         settling.next = next;
         self.errand.stage = Stage::Settle;
     }
-    /// A single contact or an edge that sticks has stiction if it is pressed hard enough (M3).
+    /// A single contact or an edge that sticks has stiction if it is pressed hard enough (R24).
     fn renew(&mut self) {
         let contacts = &self.body.contacts;
         let first = contacts.first();
@@ -132,7 +132,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// Two contacts are driven on along a sense of the first (M8).
+    /// Two contacts are driven on along a sense of the first (R29).
     fn is_driven_on(&self, sense: Sense, little: R) -> bool {
         let (body, statics) = (&*self.body, self.statics);
         if body.contacts.len() != 2 {

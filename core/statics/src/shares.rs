@@ -245,7 +245,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         out
     }
-    /// Two contacts in one line: N_2 by the moment about the first (E4), T in proportion to N.
+    /// Two contacts in one line: N_2 by the moment about the first (E20), T in proportion to N.
     fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
         let frames = body
             .contacts

@@ -1,4 +1,4 @@
-//! At the frozen hand one contact or two slide on to mu_d N (ONE 9).
+//! At the frozen hand one contact or two slide on to mu_d N (STATICS 11).
 
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
@@ -154,7 +154,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         self.settled(next);
     }
-    /// In balance: stiction in one line where N >= N*, otherwise where one foot has moved D_c (M10 S10d).
+    /// In balance: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
     fn stopped_together(&mut self, m: &Motion<R>, senses: [Sense; 2]) -> Next {
         let [first, second] = m.contacts;
         let statics = self.statics;
@@ -188,7 +188,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         Next::Rest
     }
-    /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (S10h).
+    /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (R31).
     fn opens_in_slip(&mut self, m: &Motion<R>, which: Which) -> Option<Next> {
         let lasts = which.other();
         let contact = lasts.index();

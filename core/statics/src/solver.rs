@@ -47,7 +47,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     fn statics(&self) -> Statics<'_, R, V, S, C> {
         self.scene.world.held_at(self.scene.holding_point)
     }
-    /// The statics with a spring that holds the angle where nothing else does, unless it is off (ONE 10).
+    /// The statics with a spring that holds the angle where nothing else does, unless it is off (R34).
     pub(crate) fn held(&self, loose: bool) -> Statics<'_, R, V, S, C> {
         let mut statics = self.statics();
         if self.swings() && !loose {

@@ -1,4 +1,4 @@
-//! The tangent of a state: how the pose follows the hand while nothing happens, and the stiffness that the hand feels (ONE 18).
+//! The tangent of a state: how the pose follows the hand while nothing happens, and the stiffness that the hand feels (E8).
 
 use crate::geometry::Vec2;
 use crate::motion::{Kind, Motion};

@@ -1,4 +1,4 @@
-//! A gap closes: what touches, and what the contacts do then (ONE 9).
+//! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
 use crate::contact::{Contact, Feature, Sense};
 use crate::log::kind;
@@ -28,7 +28,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let i = self.placed_at_start(&m);
         (i.e_u < R::ZERO).then(|| self.rates(&m, &i))
     }
-    /// At zero reaction rates decide (M6): in which sense the first contact slides along the hand's displacement, if it does not stick.
+    /// At zero reaction rates decide (R21): in which sense the first contact slides along the hand's displacement, if it does not stick.
     fn sense_by_rates(&self, body: &Body<R>, hand_p: HandPose<R>) -> Sense {
         let frame = self.frame(body.contacts.first(), body.rotation, body.holding);
         let is_edge = body.contacts.len() > 1;

@@ -1,4 +1,4 @@
-//! The certificate of a window of a curve: one stable branch of balance (ONE 4).
+//! The certificate of a window of a curve: one stable branch of balance (STATICS 4).
 
 use crate::bounds::{Extent, Pace};
 use crate::geometry::Rotation;
@@ -64,7 +64,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         self.balance(m, spot, step, out);
         Ok(pace)
     }
-    /// One stable branch of balance on a window, with the bounds of its rates: (U1), (U2). Otherwise the part of the window that may be.
+    /// One stable branch of balance on a window, with the bounds of its rates: (E9), (E10). Otherwise the part of the window that may be.
     pub(crate) fn certified(
         &self,
         m: &Motion<R>,
@@ -80,7 +80,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let unit = slope.min(R::ONE).unit();
         let (e1, chord) = (e1.abs().scaled(unit), chord.scaled(unit));
         let inverse = R::ONE / slope.scaled(unit);
-        // (U1)
+        // (E9)
         let step = (e1 + chord / R::from_int(8)) * inverse;
         let strip = step.doubled();
         let curvature = self.curvature(m, i, Extent { way, strip });
@@ -91,7 +91,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Err(part.max(R::ONE / R::from_int(16)).min(R::HALF));
         }
         within_reach(m, i.u, strip)?;
-        // (U2)
+        // (E10)
         let inverse = inverse / (R::ONE - rho.doubled());
         let rate = (e1 + chord.halved() + (j * way * step).doubled()) * inverse;
         let bent = (k * rate * rate + (j * way * rate).doubled() + chord) * inverse;

@@ -47,7 +47,7 @@ impl<R: Real> Friction<R> {
     pub(crate) fn cone(&self, stiction: bool) -> Cone<R> {
         if stiction { self.fixed } else { self.sliding }
     }
-    /// A contact with this normal reaction has stiction (rule 3).
+    /// A contact with this normal reaction has stiction (R24).
     pub(crate) fn is_pressed(&self, normal: R) -> bool {
         self.threshold < R::HUGE && normal >= self.threshold
     }
