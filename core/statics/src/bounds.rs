@@ -132,6 +132,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Curvature { k, j, q }
     }
 
+    /// |xi_p| at most (E13): |f||h_p| of a slide; a slip moves its foot by p, and what else there is places the foot by u alone.
+    pub(crate) fn foot_per_p(&self, m: &Motion<R>) -> R {
+        match m.kind {
+            Kind::Slide => m.hand_p.at.length_bound() / self.friction(m.first()).sliding.cos,
+            Kind::Line | Kind::Free | Kind::Pin | Kind::Pair => m.foot_p.abs(),
+        }
+    }
+
     /// The bounds on a window with this pace.
     pub(crate) fn bound(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
         let (rate, way) = (pace.rate, pace.extent.way);

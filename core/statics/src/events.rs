@@ -310,7 +310,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Function::Drive => Order::Second(on.drive),
             Function::Halt => {
                 let [_, xi2] = on.bound.foot;
-                Order::First((xi2 + self.motion.drive() * on.p_bend) / on.width)
+                Order::First(xi2 / on.width)
             }
             Function::Advance => Order::First(on.pace.mixed * on.pace.rate),
             Function::Share(_) | Function::Foot(_) => self.pair_order(function, on),

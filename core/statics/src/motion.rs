@@ -111,10 +111,6 @@ impl<R: Real> Motion<R> {
         let [first, _] = self.contacts;
         first
     }
-    /// |h_p| + |xi_p|: by how much the parameter moves hand or foot.
-    pub(crate) fn drive(&self) -> R {
-        self.hand_p.at.length_bound() + self.foot_p.abs()
-    }
 }
 
 /// A point of a motion.

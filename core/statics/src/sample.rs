@@ -133,20 +133,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let rate = (i.e_u.abs() + k * width) * inverse;
         let bend = (k + j * rate * (width + R::TWO)) * inverse;
         let square = width * width;
+        let p_bend = bend * square;
+        let way = rate * width;
+        let strip = width;
         let pace = Pace {
             rate: width,
             bent: R::ZERO,
             mixed: j,
-            extent: Extent {
-                way: rate * width,
-                strip: width,
-            },
+            extent: Extent { way, strip },
         };
-        let p_bend = bend * square;
-        let go = motion.drive() * p_bend;
+        let go = statics.foot_per_p(motion) * p_bend;
         let mut bound = statics.bound(motion, i, &pace);
-        bound.pivot = bound.pivot + go.doubled();
-        bound.holding = bound.holding + go.doubled();
+        let [_, xi2] = &mut bound.foot;
+        *xi2 = *xi2 + go;
+        bound.pivot = bound.pivot + go;
+        bound.holding = bound.holding + go;
         Ok(Judging {
             pair: of_pair(statics, motion, i, extent),
             bound,
