@@ -138,6 +138,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         };
         self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
     }
+    /// A zero beyond the end of the search is none (R10); gaps that are closed within their accuracy are closed.
+    fn is_reached(&self, track: &Track<R>, newton: R) -> bool {
+        let level = if matches!(track.ending, Ending::Touch(_)) {
+            R::zero()
+        } else {
+            R::ZERO
+        };
+        let is_closed = track.end.v <= level;
+        is_closed || self.bracket.hi + newton <= self.bracket.end
+    }
     /// One more step of Newton's iteration from the end of the window leads to the zero.
     fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
         let tol = R::zero();
@@ -147,7 +157,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         };
         let part = newton / self.bracket.width();
         let is_near = part.abs() <= R::ONE / R::from_int(16);
-        let is_inside = self.bracket.hi + newton <= self.bracket.end || b.v.abs() <= tol;
+        let is_inside = self.is_reached(track, newton);
         let is_first = found.hit.is_none() && (a.v > tol || b.v.abs() <= tol);
         if !is_first || !is_near || !is_inside || k * part * part > tol.doubled() {
             return false;
@@ -198,7 +208,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 found.unsure |= begin + b.v.max(R::ZERO) < k;
             }
             Order::Second(k) => {
-                if b.v <= tol && slope < -R::standstill() {
+                if b.v <= tol && slope < -R::standstill() && self.is_reached(track, newton) {
                     found.hit = found.hit.or(Some((track.ending, newton)));
                 }
                 let is_open = a.v > tol || b.v > tol;
