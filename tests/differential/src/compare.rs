@@ -70,14 +70,8 @@ impl Pair {
             self.poses += u64::from(pose);
             self.equal += u64::from(equal);
             self.signs += u64::from(equal && signs(x) == signs(y));
-            self.reactions += u64::from(
-                equal
-                    && a.tells_reactions
-                    && b.tells_reactions
-                    && unbalance(x, y) <= 2.0 * bound * unit,
-            );
-            self.events +=
-                u64::from(equal && a.tells_events && b.tells_events && x.events == y.events);
+            self.reactions += u64::from(equal && unbalance(x, y) <= 2.0 * bound * unit);
+            self.events += u64::from(equal && x.events == y.events);
             if x.state != State::NonContact || y.state != State::NonContact {
                 self.apart.add(apart);
             }

@@ -1,56 +1,40 @@
 //! Frames before the judge.
 
-use crate::bear::borne;
 use crate::case::Case;
 use crate::subject::Solver;
 use stiction_judge::{Evolution, Finding, Frame, Judge};
 use stiction_tests::obstacles::Among;
 
 /// A judge of a run of a solver, frame by frame.
-pub(crate) struct Lawful<'a> {
-    case: &'a Case,
-    solver: Solver,
+pub(crate) struct Lawful {
     judge: Judge,
 }
 
-impl<'a> Lawful<'a> {
-    pub(crate) fn new(case: &'a Case, solver: Solver) -> Self {
-        Self::in_scene(case, &case.among, solver)
+impl Lawful {
+    pub(crate) fn new(case: &Case, solver: Solver) -> Self {
+        Self::in_scene(&case.among, solver)
     }
 
     /// A judge of a run in another scene.
-    pub(crate) fn in_scene(case: &'a Case, among: &Among, solver: Solver) -> Self {
+    pub(crate) fn in_scene(among: &Among, solver: Solver) -> Self {
         let scene = solver.digits.judged(among);
         let evolution = match solver.name.ends_with("-frame") {
             true => Evolution::Frame,
             false => Evolution::Path,
         };
         Self {
-            case,
-            solver,
             judge: Judge::new(scene, solver.digits.bounds(), evolution),
         }
     }
 
-    fn seen(&self, frame: &Frame) -> Frame {
-        if self.solver.tells_reactions {
-            return frame.clone();
-        }
-        borne(self.case, frame.clone()).0
-    }
-
     /// The laws that a frame breaks by itself.
     pub(crate) fn alone(&self, frame: &Frame) -> Vec<Finding> {
-        broken(self.judge.alone(&self.seen(frame)))
+        broken(self.judge.alone(frame))
     }
 
-    /// The laws that the next frame of the run breaks; of a solver without events only those of a single frame.
+    /// The laws that the next frame of the run breaks.
     pub(crate) fn next(&mut self, frame: &Frame) -> Vec<Finding> {
-        if !self.solver.tells_events {
-            return self.alone(frame);
-        }
-        let seen = self.seen(frame);
-        broken(self.judge.next(seen))
+        broken(self.judge.next(frame.clone()))
     }
 }
 

@@ -4,7 +4,6 @@
 //! A [`Solver`] makes a [`Subject`] of a scene, which answers hand poses with frames of the judge. A [`Family`] is a function from a seed to
 //! a [`Case`]: scene and hand. [`command::run`] is the program for any list of solvers.
 
-mod bear;
 mod case;
 pub mod command;
 mod compare;
@@ -22,4 +21,4 @@ pub use compare::{Pair, compare};
 pub use families::{FAMILIES, Family};
 pub use old::OLD;
 pub use statics::STATICS;
-pub use subject::{Digits, Solver, Subject};
+pub use subject::{Digits, Made, Solver, Subject};

@@ -131,7 +131,7 @@ fn tops(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
         let flag = run.iter().position(is_flagged);
         let level = case.level.as_ref().unwrap_or(&case.among);
         let law = first_law(Lawful::new(&case, solver), &run)
-            .and_then(|_| first_law(Lawful::in_scene(&case, level, solver), &run));
+            .and_then(|_| first_law(Lawful::in_scene(level, solver), &run));
         runs += 1;
         caught += u64::from(off.is_some());
         flagged += u64::from(flag.is_some());
@@ -152,7 +152,7 @@ fn tops(family: &Family, solver: Solver, seeds: Range<u64>) -> Measured {
 }
 
 /// The first frame of a run that breaks a law.
-fn first_law(mut lawful: Lawful<'_>, run: &[Frame]) -> Option<(usize, &'static str)> {
+fn first_law(mut lawful: Lawful, run: &[Frame]) -> Option<(usize, &'static str)> {
     let broken = |(i, frame)| lawful.next(frame).first().map(|finding| (i, finding.law));
     run.iter().enumerate().find_map(broken)
 }

@@ -1,6 +1,6 @@
 //! The core as it is: among half-planes with the model that it has for them, otherwise with the one for obstacles.
 
-use crate::subject::{Digits, Solver, Subject};
+use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::{Evolution, Fixed, Full, Hand, Solver as Core, State};
 use stiction_judge::Frame;
 use stiction_tests::Number;
@@ -11,25 +11,13 @@ use stiction_tests::run::{self, planar};
 
 /// The core in its number types and evolutions.
 pub const OLD: [Solver; 6] = [
-    old("old-f64", Digits::F64, path::<f64>),
-    old("old-f32", Digits::F32, path::<f32>),
-    old("old-fixed", Digits::Fixed, path::<Fixed>),
-    old("old-f64-frame", Digits::F64, frame::<f64>),
-    old("old-f32-frame", Digits::F32, frame::<f32>),
-    old("old-fixed-frame", Digits::Fixed, frame::<Fixed>),
+    Solver::new("old-f64", Digits::F64, path::<f64>),
+    Solver::new("old-f32", Digits::F32, path::<f32>),
+    Solver::new("old-fixed", Digits::Fixed, path::<Fixed>),
+    Solver::new("old-f64-frame", Digits::F64, frame::<f64>),
+    Solver::new("old-f32-frame", Digits::F32, frame::<f32>),
+    Solver::new("old-fixed-frame", Digits::Fixed, frame::<Fixed>),
 ];
-
-type Made = Result<Box<dyn Subject>, String>;
-
-const fn old(name: &'static str, digits: Digits, make: fn(&Among) -> Made) -> Solver {
-    Solver {
-        name,
-        digits,
-        tells_events: true,
-        tells_reactions: true,
-        make,
-    }
-}
 
 fn path<R: Number + 'static>(among: &Among) -> Made {
     made::<R>(among, Evolution::Path)

@@ -1,6 +1,6 @@
 //! The uniform statics: contacts on half-planes so far.
 
-use crate::subject::{Digits, Solver, Subject};
+use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::Fixed;
 use stiction_judge::{Contact, Frame, Touch};
 use stiction_statics::{Output, Solver as Core, State};
@@ -11,22 +11,10 @@ use stiction_tests::{Number, Setup};
 
 /// The uniform statics in its number types.
 pub const STATICS: [Solver; 3] = [
-    statics("new-f64", Digits::F64, made::<f64>),
-    statics("new-f32", Digits::F32, made::<f32>),
-    statics("new-fixed", Digits::Fixed, made::<Fixed>),
+    Solver::new("new-f64", Digits::F64, made::<f64>),
+    Solver::new("new-f32", Digits::F32, made::<f32>),
+    Solver::new("new-fixed", Digits::Fixed, made::<Fixed>),
 ];
-
-type Made = Result<Box<dyn Subject>, String>;
-
-const fn statics(name: &'static str, digits: Digits, make: fn(&Among) -> Made) -> Solver {
-    Solver {
-        name,
-        digits,
-        tells_events: true,
-        tells_reactions: true,
-        make,
-    }
-}
 
 fn made<R: Number + 'static>(among: &Among) -> Made {
     if !among.obstacles.is_empty() {

@@ -19,6 +19,9 @@ pub trait Subject {
     fn step(&mut self, hand: [f64; 3]) -> Frame;
 }
 
+/// A run, or why a scene is refused.
+pub type Made = Result<Box<dyn Subject>, String>;
+
 /// A number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
@@ -64,15 +67,15 @@ pub struct Solver {
     pub name: &'static str,
     /// Its number type.
     pub digits: Digits,
-    /// Its frames contain events; otherwise these are neither compared nor judged.
-    pub tells_events: bool,
-    /// Its frames contain reactions; otherwise the judge sees those that bear the load best.
-    pub tells_reactions: bool,
     /// A run through a scene, or why the solver refuses the scene.
-    pub make: fn(&Among) -> Result<Box<dyn Subject>, String>,
+    pub make: fn(&Among) -> Made,
 }
 
 impl Solver {
+    pub(crate) const fn new(name: &'static str, digits: Digits, make: fn(&Among) -> Made) -> Self {
+        Self { name, digits, make }
+    }
+
     /// All frames of a case, the first one at the hand's first pose, one second apart; or why there are none: refused, a panic, too slow.
     ///
     /// # Errors
