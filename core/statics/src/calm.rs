@@ -1,7 +1,7 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
 //! one window (STATICS 7).
 
-use crate::bounds::{Bound, Pace};
+use crate::bounds::Bound;
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion, Spot};
@@ -39,14 +39,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         let kind = if count == 0 { Kind::Free } else { Kind::Pin };
         let m = Motion::new(kind, body, way.per_p);
+        if count == 1 && m.first().is_corner() {
+            return Calm::Unsure;
+        }
         let mut i = Instant::ZERO;
         let Ok(pace) = self.window(&m, begin(body), way.whole, &mut i) else {
             return Calm::Unsure;
         };
         let bound = self.bound(&m, &i, &pace);
-        if count == 1 && m.first().is_corner() {
-            return Calm::Unsure;
-        }
         let mut yields = None;
         if count == 1 {
             let friction = self.friction(m.first());
@@ -86,13 +86,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
         let m = Motion::new(Kind::Slide, body, way.per_p);
+        if m.first().is_corner() {
+            return Calm::Unsure;
+        }
         let mut i = Instant::ZERO;
         let Ok(pace) = self.window(&m, begin(body), way.whole, &mut i) else {
             return Calm::Unsure;
         };
-        if m.first().is_corner() {
-            return Calm::Unsure;
-        }
         let bound = self.bound(&m, &i, &pace);
         let friction = self.friction(m.first());
         let n = -self.frame(m.first(), i.rotation, i.g).n.dot(i.force);
@@ -158,7 +158,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let Some(place) = self.calm_place(m, q, end.p, &mut i) else {
             return Calm::Unsure;
         };
-        let Some((_, bound)) = self.certified_back(m, &i, body.angle) else {
+        let Some(bound) = self.certified_back(m, &i, body.angle) else {
             return Calm::Unsure;
         };
         if place.p >= end.p || place.fall.doubled() * place.p < bound.holding {
@@ -183,7 +183,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let Some(place) = self.calm_place(&m, q, R::HUGE, &mut i) else {
             return false;
         };
-        let Some((_, bound)) = self.certified_back(&m, &i, body.angle) else {
+        let Some(bound) = self.certified_back(&m, &i, body.angle) else {
             return false;
         };
         let half = bound.holding.halved();
@@ -235,12 +235,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         None
     }
     /// (E9) from an instant in balance back to p = 0, where the angle is known: the bounds of the window in between.
-    fn certified_back(
-        &self,
-        m: &Motion<R>,
-        i: &Instant<R>,
-        angle: R,
-    ) -> Option<(Pace<R>, Bound<R>)> {
+    fn certified_back(&self, m: &Motion<R>, i: &Instant<R>, angle: R) -> Option<Bound<R>> {
         let residual = Residual {
             way: i.p,
             e1: i.e_p * i.p,
@@ -252,7 +247,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if (i.u - angle).abs() > pace.extent.strip {
             return None;
         }
-        Some((pace, self.bound(m, i, &pace)))
+        Some(self.bound(m, i, &pace))
     }
 }
 

@@ -273,17 +273,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// At the frozen hand along the angle in the direction of the residual, to balance or touch.
     pub(crate) fn turn(&mut self, stage: Stage) {
         self.errand.runs = self.errand.runs.saturating_add(1);
-        let kind = match stage {
-            Stage::Snap(kind) => kind,
-            Stage::Still
-            | Stage::At(_)
-            | Stage::Settle
-            | Stage::Yields
-            | Stage::Path
-            | Stage::Relax(_)
-            | Stage::Fly(_)
-            | Stage::Slip(_)
-            | Stage::Joint => Kind::Pin,
+        let kind = if let Stage::Snap(kind) = stage {
+            kind
+        } else {
+            Kind::Pin
         };
         let m = Motion::frozen(kind, self.body);
         let e = self.statics.placed_at_start(&m).e;
@@ -292,21 +285,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.log.limit(Status::IterationLimit);
         }
         if e == R::ZERO || is_lost {
-            return match stage {
-                Stage::Relax(sense) => {
-                    let next = self.turned(sense, Ending::Stopped);
-                    self.settled(next);
-                }
-                Stage::Still
-                | Stage::At(_)
-                | Stage::Settle
-                | Stage::Yields
-                | Stage::Path
-                | Stage::Snap(_)
-                | Stage::Fly(_)
-                | Stage::Slip(_)
-                | Stage::Joint => self.snapped(kind, Ending::Stopped),
-            };
+            if let Stage::Relax(sense) = stage {
+                let next = self.turned(sense, Ending::Stopped);
+                return self.settled(next);
+            }
+            return self.snapped(kind, Ending::Stopped);
         }
         let watch = if kind == Kind::Slide {
             Watch::Topple

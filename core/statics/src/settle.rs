@@ -1,14 +1,15 @@
 //! At the frozen hand, to rest: each round does one word and finds the next (STATICS 11).
 
-use crate::contact::Sense;
+use crate::contact::{Contact, Sense};
 use crate::errand::{Leg, Next, Stage};
 use crate::events::{Ending, Watch};
+use crate::geometry::Vec2;
 use crate::log::kind;
 use crate::modes::{Mode, Picked, Pressing};
 use crate::motion::{Kind, Motion, Spot};
 use crate::real::Real;
 use crate::search::Ended;
-use crate::state::Freedom;
+use crate::state::{Freedom, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
 use stiction_core::{Event, Status};
@@ -52,9 +53,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Fixed => return self.errand.settle(Next::Relax(Sense::Rests)),
         };
         let m = if kind == Kind::Pair {
-            let pair = self
-                .statics
-                .sliding_pair(self.body, crate::state::HandPose::REST);
+            let pair = self.statics.sliding_pair(self.body, HandPose::REST);
             Motion {
                 frozen: true,
                 ..pair
@@ -149,9 +148,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Both ends of an edge that slides are pressed.
     fn bears_edge(&self, sense: Sense) -> bool {
-        let m = self
-            .statics
-            .pair_along(self.body, crate::state::HandPose::REST, sense);
+        let m = self.statics.pair_along(self.body, HandPose::REST, sense);
         let i = self.statics.placed_at_start(&m);
         // A moment is known to its rounding; over a short edge that is more.
         let little = R::TOUCH + R::in_plane() / (i.r2 - i.r).length_bound();
@@ -161,7 +158,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn turned(&mut self, sense: Sense, ending: Ending) -> Next {
         if let Ending::Touch(feature) = ending {
             let start = self.errand.start;
-            let contact = crate::contact::Contact::at(feature);
+            let contact = Contact::at(feature);
             let gap = self.statics.gap(contact, start.rotation, start.holding);
             if sense.slides() && gap <= R::met_before() {
                 // It blocks the turn: the slip goes on.
@@ -311,7 +308,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if way <= R::EPSILON.doubled() {
             return self.settled(Next::Rest);
         }
-        self.run(Stage::Fly(Leg::FIRST), m, Watch::Way, R::ONE, false);
+        self.run(Stage::Fly(Leg::Straight), m, Watch::Way, R::ONE, false);
     }
     pub(crate) fn flown(&mut self, leg: Leg, ended: &Ended<R>) {
         let mut m = self.errand.search.motion;
@@ -324,7 +321,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 Some((m, Leg::Holding))
             }
             Leg::Holding if ended.ending == Ending::End => {
-                m.line.g_u = crate::geometry::Vec2::ZERO;
+                m.line.g_u = Vec2::ZERO;
                 m.line.theta_u = self.errand.turn;
                 Some((m, Leg::Turning))
             }

@@ -1,6 +1,6 @@
 //! The door: hands in SI units in, poses, events and forces out.
 
-use crate::contact::{Feature, MAX_CONTACTS};
+use crate::contact::{Feature, MAX_CONTACTS, Sense};
 use crate::description::Described;
 use crate::errand::{Errand, Next, Stage};
 use crate::geometry::{Rotation, Vec2, one_in};
@@ -95,7 +95,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             if self.swings() {
                 state.body.hand.angle = state.body.angle;
             }
-            state.errand.settle(Next::Relax(Default::default()));
+            state.errand.settle(Next::Relax(Sense::Rests));
             let mut step = Step {
                 statics: &statics,
                 body: &mut state.body,

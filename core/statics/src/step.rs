@@ -2,7 +2,8 @@
 
 use crate::calm::Calm;
 use crate::cone::Borne;
-use crate::errand::{Errand, Leg, Next, Stage};
+use crate::contact::Sense;
+use crate::errand::{Errand, Next, Stage};
 use crate::events::{Ending, Watch};
 use crate::log::Log;
 use crate::modes::Picked;
@@ -74,7 +75,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                     self.log.limit(Status::EventLimit);
                     self.body.hand = to;
                     self.errand.paths = 0;
-                    return self.errand.settle(Next::default_after_jump());
+                    // A sliding contact sticks or slips first.
+                    return self.errand.settle(Next::Relax(Sense::Rests));
                 }
                 (self.errand.before, self.errand.target) = (self.body.hand, to);
                 self.follow();
@@ -282,15 +284,4 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn ahead(&self) -> HandPose<R> {
         self.body.hand.to(&self.errand.target).per_p
     }
-}
-
-impl Next {
-    /// After a jump of the hand a sliding contact sticks or slips first.
-    pub(crate) const fn default_after_jump() -> Self {
-        Self::Relax(crate::contact::Sense::Rests)
-    }
-}
-
-impl Leg {
-    pub(crate) const FIRST: Self = Self::Straight;
 }
