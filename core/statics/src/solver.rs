@@ -13,7 +13,7 @@ use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::{Statics, Stiffness};
 use heapless::Vec;
-use stiction_core::{Angle, Contact, Description, Hand, SceneError, Status, Wrench};
+use stiction_core::{Angle, Contact, Description, Hand, SceneError, Status, Touch, Wrench};
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run.
 #[derive(Clone, Debug)]
@@ -316,13 +316,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         gather(all.map(|(contact, &[n, t])| {
             let frame = statics.frame(contact, body.rotation, body.holding);
             let point = body.holding + frame.r;
-            let [vertex, surface] = match contact.feature {
-                Feature::Vertex { vertex, side } => [vertex, side],
-                Feature::Corner { corner, body_side } => [body_side, corner],
+            let touch = match contact.feature {
+                Feature::Vertex { vertex, side } => Touch::Surface {
+                    vertex: vertex.into(),
+                    surface: side.into(),
+                },
+                Feature::Corner { corner, body_side } => Touch::Corner {
+                    obstacle: 0,
+                    corner: corner.into(),
+                    body_side: body_side.into(),
+                },
             };
             Contact {
-                vertex: usize::from(vertex),
-                surface: usize::from(surface),
+                touch,
+                direction: [frame.n.x, frame.n.y].map(|x| x.to_si(R::Si::ONE)),
                 point: [point.x, point.y].map(|x| x.to_si(units.length)),
                 normal: n.max(R::ZERO).to_si(units.force),
                 friction: t.to_si(units.force),

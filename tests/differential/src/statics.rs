@@ -2,7 +2,7 @@
 
 use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::Fixed;
-use stiction_judge::{Contact, Frame, Touch};
+use stiction_judge::{Contact, Frame};
 use stiction_statics::{Output, Solver as Core, State};
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::scene::{SURFACES, VERTICES};
@@ -41,11 +41,11 @@ impl<R: Number> Run<R> {
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
         let contacts = self.solver.contacts(state);
         let contact = |c: &stiction_core::Contact<R::Si>| Contact {
-            touch: Touch::Surface {
-                vertex: c.vertex,
-                surface: c.surface,
+            touch: c.touch,
+            point: match c.touch.vertex() {
+                Some(vertex) => self.setup.world(pose, self.setup.vertices[vertex]),
+                None => c.point.map(wide),
             },
-            point: self.setup.world(pose, self.setup.vertices[c.vertex]),
             direction: None,
             normal: wide(c.normal),
             friction: wide(c.friction),

@@ -41,7 +41,7 @@ fn check<R: Real<Si: SiFloat>>(setup: &Setup, expected: Expected<'_>) {
     check_model::<R, WithObstacles<6, 24>>(setup, expected);
 }
 
-fn check_model<R: Real<Si: SiFloat>, M: Built<R, 4, 2>>(
+fn check_model<R: Real<Si: SiFloat>, M: Model>(
     setup: &Setup,
     (lines, covered): Expected<'_>,
 ) {
