@@ -19,9 +19,13 @@ pub(crate) trait Thresholds: Real {
         }
     }
 
-    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero. Sums of four products are known to 4 ε.
+    /// 4 ε (L or k_h L): what a sum of four products near 1 is known to.
+    fn of_products() -> Self {
+        Self::EPSILON.doubled().doubled()
+    }
+    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero, up to a last step of its search.
     fn zero() -> Self {
-        (Self::TOUCH / Self::from_int(64)).max(Self::EPSILON.doubled().doubled())
+        (Self::TOUCH / Self::from_int(64)).max(Self::of_products())
     }
     /// Its square is rounding: after a Newton step du with du² <= ε (rad² or L²) the rest is linear.
     fn is_last(step: Self) -> bool {
