@@ -70,6 +70,11 @@ pub(crate) trait Thresholds: Real {
     fn met_before() -> Self {
         Self::TOUCH.doubled()
     }
+    /// 2 zero (L): a foot whose velocity, times the slope of the other gap, is less turns back here. Its zero is known to one *zero*, and found
+    /// to another.
+    fn of_turn() -> Self {
+        Self::zero().doubled()
+    }
     /// sqrt(touch) (L or rad): over this much of a motion its second order is a touch, its first order far more than rounding.
     fn ahead() -> Self {
         Self::TOUCH.sqrt()
