@@ -42,12 +42,12 @@ pub(crate) enum Pressing {
 }
 
 /// How far the list is done at one pose and hand, and which motions are struck off: those that came back without moving the body.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ranking<R> {
     place: Place<R>,
     struck: Vec<Begun, 12>,
 }
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Place<R> {
     /// The facets that yield by more than this are done.
     Facets(R),

@@ -19,6 +19,10 @@ pub(crate) trait Thresholds: Real {
         }
     }
 
+    /// The farthest coordinate (L) that a hand may have, from where the body starts.
+    fn far() -> Self {
+        Self::RANGE
+    }
     /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero. Sums of four products are known to 4 ε.
     fn zero() -> Self {
         (Self::TOUCH / Self::from_int(64)).max(Self::EPSILON.doubled().doubled())

@@ -381,7 +381,7 @@ fn pieces_and_rest<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) -> f
         let kind = StateKind::ALL.iter().position(|kind| *kind == all.state);
         kinds[kind.unwrap_or(0)] = true;
         // Nothing penetrates.
-        for c in &solver.contacts(&whole) {
+        for c in solver.contacts(&whole).iter() {
             assert!(wide(c.normal) >= 0.0 && c.normal.is_finite());
         }
     }
