@@ -56,17 +56,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let (body, units) = (&state.body, &self.scene.units);
         let statics = self.statics(state);
         let reactions = statics.reactions(body);
-        let all = body.contacts.iter().zip(&reactions);
-        let list = gather(all.map(|(contact, &[n, t])| {
+        let all = body.contacts.iter().zip(&reactions).enumerate();
+        let list = gather(all.map(|(i, (contact, &[n, t]))| {
             let frame = statics.frame(contact, body.rotation, body.holding);
             let [n, t, sliding] = if state.held {
                 [n.max(R::ZERO), t, contact.sense.number()]
             } else {
                 [R::ZERO; 3]
             };
+            // The foot of the first contact is what the state remembers.
+            let point = if i == 0 {
+                statics.foot(contact, body.rotation, body.foot).c
+            } else {
+                body.holding + frame.r
+            };
             Contact {
                 touch: touch_of(contact.feature),
-                point: units.place(body.holding + frame.r),
+                point: units.place(point),
                 direction: [frame.n.x, frame.n.y].map(|x| x.to_si(R::Si::ONE)),
                 normal: n.to_si(units.force),
                 friction: t.to_si(units.force),

@@ -19,7 +19,8 @@ pub(crate) struct Units<F> {
     pub(crate) moment: F,
     /// 1/L (1/m)
     per_length: F,
-    /// The place (m) of the origin inside the solver, where the body starts: so coordinates keep their digits far from that of the world.
+    /// The place (m) of the origin inside the solver, where the first vertex starts: so coordinates keep their digits far from that of the
+    /// world.
     origin: [F; 2],
 }
 
@@ -49,13 +50,16 @@ impl<F: Real> Units<F> {
             length = size_of_point(d);
         }
         let force = d.stiffness_translation * length;
-        let [x, y, _] = d.start;
+        let [x, y, theta] = d.start;
+        let (_, rest) = theta.turns();
+        let (sin, cos) = rest.sin_cos();
+        let [a, b] = d.vertices.first().copied().unwrap_or([F::ZERO; 2]);
         Self {
             length,
             force,
             moment: force * length,
             per_length: F::ONE / length,
-            origin: [x, y],
+            origin: [x + cos * a - sin * b, y + sin * a + cos * b],
         }
     }
     /// So many per k_h L² (1/(N·m)).
@@ -79,6 +83,11 @@ impl<F: Real> Units<F> {
     fn far(&self) -> Option<F> {
         let range = F::RANGE * self.length;
         self.origin.into_iter().find(|x| x.abs() > range)
+    }
+    /// A pose (m, rad) as it is seen from the origin inside the solver.
+    fn seen(&self, x: F, y: F, theta: F) -> [F; 3] {
+        let [from_x, from_y] = self.origin;
+        [x - from_x, y - from_y, theta]
     }
     /// A length (m), non-dimensional.
     pub(crate) fn length<R: Real<Si = F>>(&self, x: F) -> R {
@@ -138,7 +147,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
         let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
         let centroid = centroid(&vertices);
         let k = d.stiffness_rotation;
-        let [_, _, theta] = d.start;
+        let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
         let world = World {
             vertices,
@@ -157,7 +166,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
             holding_point: d.holding_point.map(|g| units.vector(g)),
             reach: units.length(d.reach),
             start: HandPose {
-                at: Vec2::ZERO,
+                at: units.point([x, y]),
                 angle: R::from_si(theta.rest, R::Si::ONE),
             },
             turns: theta.turns,
@@ -179,13 +188,17 @@ fn check<R: Real, const V: usize, const S: usize>(
     if let Some(value) = [x, y].into_iter().find(|x| !x.is_finite()) {
         return Err(of_start(value, "finite numbers"));
     }
+    if let Some(value) = units.far() {
+        let allowed = "at most 1e6 body sizes from the origin, in f64 1e12";
+        return Err(of_start(value, allowed));
+    }
     let shifted = d.surfaces.iter().map(|s| SurfaceDescription {
         offset: units.offset(unit(s.normal), s.offset),
         ..*s
     });
     let surfaces: Vec<_, S> = gather(shifted);
     let near = Description {
-        start: [R::Si::ZERO, R::Si::ZERO, theta],
+        start: units.seen(x, y, theta),
         surfaces: if d.surfaces.len() > S {
             d.surfaces
         } else {
@@ -199,10 +212,7 @@ fn check<R: Real, const V: usize, const S: usize>(
         }
         error
     })?;
-    units.far().map_or(Ok(()), |value| {
-        let allowed = "at most 1e6 body sizes from the origin, in f64 1e12";
-        Err(of_start(value, allowed))
-    })
+    Ok(())
 }
 
 fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {

@@ -132,6 +132,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             body.foot = statics.foot_of(first, body.rotation, body.holding);
         }
         state.body.hand = target;
+        statics.press(&mut state.body);
         state.errand = Errand::none();
         state.errand.target = target;
         state.errand.settle(Next::Relax(Sense::Rests));
@@ -157,6 +158,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
     }
 }
 
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// Contacts that fix the pose when a hand takes hold: they have stiction if one of them is pressed hard enough by a load that they bear
+    /// with it (R24).
+    fn press(&self, body: &mut Body<R>) {
+        if body.contacts.len() < 2 || body.contacts.are_edge() {
+            return;
+        }
+        body.stiction = true;
+        let reactions = self.reactions(body);
+        let mut all = body.contacts.iter().zip(&reactions);
+        body.stiction = all.any(|(contact, &[n, _])| self.friction(contact).is_pressed(n));
+    }
+}
+
 fn is_near<R: Real>(at: Vec2<R>) -> bool {
     at.x.abs() <= R::far() && at.y.abs() <= R::far()
 }
@@ -170,6 +185,8 @@ pub(crate) fn is_representable<R: Real, const V: usize, const S: usize, const C:
     let turn = (target.angle - body.angle).abs();
     let pull = (target.at - body.holding).length_bound();
     let arm = statics.size();
-    let moment = arm * (pull + arm) + statics.stiffness.of(turn);
-    turn <= R::TURN && pull <= R::RANGE && moment <= R::LOAD
+    let moment = arm * pull + statics.stiffness.of(turn);
+    // r·P of (E3), which is not bounded by the moment.
+    let slope = arm * (pull + arm);
+    turn <= R::TURN && pull <= R::RANGE && moment <= R::LOAD && slope.halved() <= R::LOAD
 }

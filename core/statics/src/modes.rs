@@ -252,8 +252,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (velocity, turn, lasting) = match *mode {
             Mode::Lift => {
                 let mut all = (0..body.contacts.len()).map(pulls);
-                let is_free = all.clone().all(|pull| pull >= R::ZERO);
-                return (is_free && all.any(|pull| pull > R::ZERO)).then_some(R::HUGE);
+                let is_moved = load.size() > R::of_drive(load.size());
+                return (is_moved && all.all(|pull| pull >= R::ZERO)).then_some(R::HUGE);
             }
             Mode::Turn { about, with } => {
                 let r = frame(about).r;
