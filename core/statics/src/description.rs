@@ -79,10 +79,9 @@ impl<F: Real> Units<F> {
             table([self.force, self.force, self.moment]),
         ]
     }
-    /// A coordinate (m) of the start that is out of range.
-    fn far(&self) -> Option<F> {
-        let range = F::RANGE * self.length;
-        self.origin.into_iter().find(|x| x.abs() > range)
+    /// A coordinate (m) has no digits left within the body.
+    fn is_far(&self, x: F) -> bool {
+        x.abs() > F::RANGE * self.length
     }
     /// A pose (m, rad) as it is seen from the origin inside the solver.
     fn seen(&self, x: F, y: F, theta: F) -> [F; 3] {
@@ -185,12 +184,18 @@ fn check<R: Real, const V: usize, const S: usize>(
         value,
         allowed,
     };
-    if let Some(value) = [x, y].into_iter().find(|x| !x.is_finite()) {
+    if let Some(value) = d.start.into_iter().find(|x| !x.is_finite()) {
         return Err(of_start(value, "finite numbers"));
     }
-    if let Some(value) = units.far() {
-        let allowed = "at most 1e6 body sizes from the origin, in f64 1e12";
-        return Err(of_start(value, allowed));
+    let farther = if y.abs() > x.abs() { y } else { x };
+    if units.is_far(farther) {
+        let is_double = R::Si::RANGE > R::Si::from_int(1_000_000);
+        let allowed = if is_double {
+            "at most 1e12 body sizes from the origin"
+        } else {
+            "at most 1e6 body sizes from the origin"
+        };
+        return Err(of_start(farther, allowed));
     }
     let shifted = d.surfaces.iter().map(|s| SurfaceDescription {
         offset: units.offset(unit(s.normal), s.offset),

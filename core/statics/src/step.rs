@@ -67,7 +67,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
         self.log.work = self.log.work.saturating_add(1);
         self.do_piece(to);
-        if self.errand.stage == Stage::Still {
+        // Before a jump nothing has moved yet.
+        let about_to_jump = self.errand.jumps && self.body.hand != to;
+        if self.errand.stage == Stage::Still && !about_to_jump {
             self.log_slide();
         }
     }
