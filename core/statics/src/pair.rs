@@ -12,7 +12,7 @@ use crate::values::Moving;
 use crate::world::Statics;
 
 /// Two contacts at an instant, with what changes along u.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Couple<R> {
     pub(crate) frames: [Frame<R>; 2],
     /// The directions of the two reactions, of length 1.
@@ -60,7 +60,7 @@ impl<R: Real> Couple<R> {
 }
 
 /// The normal reactions of a pair, and the drag along the motion that takes up what is not balanced.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
     pub(crate) normal: [R; 2],
     pub(crate) drag: R,

@@ -21,7 +21,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             return;
         }
         self.bracket.is_known = true;
-        *self.evaluations = self.evaluations.saturating_add(1);
         let spot = match &self.bracket.branch {
             Some(branch) => Spot {
                 u: branch.u,
@@ -41,7 +40,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
 
     /// Places the body at x, from where the motion is certain; bounds of the window in between, or the part of it that may be certain.
     pub(crate) fn place(&mut self, x: R) -> Result<Judging<R>, R> {
-        *self.evaluations = self.evaluations.saturating_add(1);
         let Watched {
             statics,
             motion,

@@ -284,7 +284,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The contacts bear the load, but only with reactions beyond the limit.
     pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
         let load = self.present_load(body);
-        body.freedom() == Freedom::Fixed && self.cone(body).shared(load, little(load)).is_jammed
+        let is_fixed = body.freedom() == Freedom::Fixed && !body.contacts.are_edge();
+        is_fixed && self.cone(body).shared(load, little(load)).is_jammed
     }
     /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as
     /// a foot that turns back goes the same way in both.

@@ -19,6 +19,10 @@ pub(crate) trait Thresholds: Real {
         }
     }
 
+    /// The farthest coordinate (L) that a hand may have, from where the body starts.
+    fn far() -> Self {
+        Self::RANGE
+    }
     /// 4 ε (L or k_h L): what a sum of four products near 1 is known to.
     fn of_products() -> Self {
         Self::EPSILON.doubled().doubled()

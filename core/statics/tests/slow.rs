@@ -24,6 +24,7 @@ fn a_ladder_slides_on<R: Real>(si: impl Fn(f64) -> R::Si) {
         stiffness_translation: si(1.0),
         stiffness_rotation: si(4.0),
         surfaces: &surfaces,
+        obstacles: &[],
     })
     .expect("a scene");
     let hand = |phi: f64| Hand::new(si(-cos), si(sin - 2.0), si(phi));
@@ -73,6 +74,7 @@ fn a_foot_turns_back<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) ->
         stiffness_translation: si(1.0),
         stiffness_rotation: si(16.0),
         surfaces: &surfaces,
+        obstacles: &[],
     })
     .expect("a scene");
     let hand = |phi: f64| Hand::new(si(0.3), si(-0.5), si(phi));

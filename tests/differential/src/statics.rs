@@ -1,28 +1,41 @@
 //! The uniform statics: contacts on half-planes so far.
 
 use crate::subject::{Digits, Made, Solver, Subject};
-use stiction_core::Fixed;
-use stiction_judge::{Contact, Frame};
-use stiction_statics::{Output, Solver as Core, State};
+use stiction_core::{Evolution, Fixed};
+use stiction_judge::{Contact, Frame, Touch};
+use stiction_statics::{self as core, Output, Solver as Core, State};
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::scene::{SURFACES, VERTICES};
 use stiction_tests::run::planar;
 use stiction_tests::{Number, Setup};
 
 /// The uniform statics in its number types.
-pub const STATICS: [Solver; 3] = [
-    Solver::new("new-f64", Digits::F64, made::<f64>),
-    Solver::new("new-f32", Digits::F32, made::<f32>),
-    Solver::new("new-fixed", Digits::Fixed, made::<Fixed>),
+pub const STATICS: [Solver; 6] = [
+    Solver::new("new-f64", Digits::F64, path::<f64>),
+    Solver::new("new-f32", Digits::F32, path::<f32>),
+    Solver::new("new-fixed", Digits::Fixed, path::<Fixed>),
+    Solver::new("new-f64-frame", Digits::F64, frame::<f64>),
+    Solver::new("new-f32-frame", Digits::F32, frame::<f32>),
+    Solver::new("new-fixed-frame", Digits::Fixed, frame::<Fixed>),
 ];
 
-fn made<R: Number + 'static>(among: &Among) -> Made {
+fn path<R: Number + 'static>(among: &Among) -> Made {
+    made::<R>(among, Evolution::Path)
+}
+
+fn frame<R: Number + 'static>(among: &Among) -> Made {
+    made::<R>(among, Evolution::Frame)
+}
+
+fn made<R: Number + 'static>(among: &Among, evolution: Evolution) -> Made {
     if !among.obstacles.is_empty() {
         return Err("obstacles".to_owned());
     }
     let solver = among.setup.described::<R, _>(|scene| Core::new(scene));
     Ok(Box::new(Run::<R> {
-        solver: solver.map_err(|error| error.to_string())?,
+        solver: solver
+            .map_err(|error| error.to_string())?
+            .with_evolution(evolution),
         state: None,
         setup: among.setup.clone(),
     }))
@@ -40,12 +53,13 @@ impl<R: Number> Run<R> {
         let [x, y] = output.position;
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
         let contacts = self.solver.contacts(state);
-        let contact = |c: &stiction_core::Contact<R::Si>| Contact {
+        let at = |touch: Touch, point: [R::Si; 2]| match touch.vertex() {
+            Some(vertex) => self.setup.world(pose, self.setup.vertices[vertex]),
+            None => point.map(wide),
+        };
+        let contact = |c: &core::Contact<R::Si>| Contact {
             touch: c.touch,
-            point: match c.touch.vertex() {
-                Some(vertex) => self.setup.world(pose, self.setup.vertices[vertex]),
-                None => c.point.map(wide),
-            },
+            point: at(c.touch, c.point),
             direction: None,
             normal: wide(c.normal),
             friction: wide(c.friction),
@@ -56,7 +70,7 @@ impl<R: Number> Run<R> {
         Frame {
             t: 0.0,
             hand: hand.map(R::rounded),
-            held: true,
+            held: output.held,
             pose,
             depth: 0.0,
             state: output.state,
