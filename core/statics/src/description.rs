@@ -2,10 +2,15 @@
 
 use crate::geometry::{Vec2, normalized, one_in};
 use crate::list::gather;
+use crate::obstacles::union::unite;
 use crate::real::Real;
 use crate::state::HandPose;
 use crate::world::{Cone, Friction, Side, Stiffness, World};
-use stiction_core::{Angle, Description, Scene, SceneError, SurfaceDescription};
+use heapless::Vec;
+use stiction_core::{
+    Angle, Description, ObstacleDescription, Parameter, Scene, SceneError, SurfaceDescription,
+    WithObstacles,
+};
 
 /// The size of 1 inside the solver, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,11 +107,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
     ///
     /// # Errors
     /// Those of [`Scene::new`].
-    pub(crate) fn new(d: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
-        // The checks are those of the crate that this one will be part of.
-        Scene::<R, V, S>::new(d)?;
+    pub(crate) fn new(
+        d: &Description<'_, R::Si>,
+        obstacles: &[ObstacleDescription<'_, R::Si>],
+    ) -> Result<Self, SceneError<R::Si>> {
+        check::<R, V, S, C>(d, obstacles)?;
         let units = Units::of(d);
         let vertices = gather(d.vertices.iter().map(|&v| units.point::<R>(v)));
+        let (corners, obstacles) = if C > 0 {
+            unite::<R, S, C>(d.surfaces, obstacles, &units)
+        } else {
+            (Vec::new(), Vec::new())
+        };
         let centroid = centroid(&vertices);
         let k = d.stiffness_rotation;
         let [x, y, theta] = d.start;
@@ -115,7 +127,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
             vertices,
             centroid,
             sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
-            corners: gather([]),
+            normals: gather(normals::<R>(d.vertices)),
+            corners,
+            obstacles,
             stiffness: Stiffness::new(
                 R::from_si(k, units.per_moment(1)),
                 R::from_si(k, units.per_moment(64)),
@@ -135,21 +149,62 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
     }
 }
 
+/// The checks are those of the crate that this one will be part of.
+fn check<R: Real, const V: usize, const S: usize, const C: usize>(
+    d: &Description<'_, R::Si>,
+    obstacles: &[ObstacleDescription<'_, R::Si>],
+) -> Result<(), SceneError<R::Si>> {
+    if C > 0 {
+        return Scene::<R, V, S, WithObstacles<C, C>>::among(d, obstacles).map(|_| ());
+    }
+    if let Some(count) = i32::try_from(obstacles.len())
+        .ok()
+        .filter(|&count| count > 0)
+    {
+        return Err(SceneError {
+            parameter: Parameter::ObstacleCount,
+            value: R::Si::from_int(count),
+            allowed: "0 to the capacity of the solver",
+        });
+    }
+    Scene::<R, V, S>::new(d).map(|_| ())
+}
+
+/// The inward normals of the body's sides, each from its first vertex to the next; a point has none.
+fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = Vec2<R>> {
+    let is_point = vertices.len() < 2;
+    let next = vertices.iter().skip(1).chain(vertices.first());
+    let sides = vertices.iter().zip(next).filter(move |_| !is_point);
+    sides.map(|(&[ax, ay], &[bx, by])| {
+        let (x, y) = normalized(bx - ax, by - ay);
+        let number = |x| R::from_si(x, R::Si::ONE);
+        Vec2::new(number(-y), number(x))
+    })
+}
+
 fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
     let [x, y] = s.normal;
     let (x, y) = normalized(x, y);
     let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
-    // L/4096 unless it is given.
-    let memory = s.memory.map_or(one_in(4096), |memory| units.length(memory));
     Side {
         normal,
         tangent: Vec2::new(normal.y, -normal.x),
         offset: units.length(s.offset),
-        friction: Friction::new(s.friction_static, s.friction_dynamic, memory),
+        friction: Friction::described([s.friction_static, s.friction_dynamic], s.memory, units),
     }
 }
 
 impl<R: Real> Friction<R> {
+    /// From mu_s and mu_d, and the memory length (m).
+    pub(crate) fn described(
+        [fixed, sliding]: [R::Si; 2],
+        memory: Option<R::Si>,
+        units: &Units<R::Si>,
+    ) -> Self {
+        // L/4096 unless it is given.
+        let memory = memory.map_or(one_in(4096), |memory| units.length(memory));
+        Self::new(fixed, sliding, memory)
+    }
     /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; it is at least the shortest that the number types
     /// distinguish.
     fn new(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {

@@ -5,7 +5,7 @@ use crate::description::Described;
 use crate::errand::{Errand, Next, Stage};
 use crate::geometry::{Rotation, Vec2, one_in};
 use crate::list::gather;
-use crate::log::{Log, kind};
+use crate::log::Log;
 use crate::output::Output;
 use crate::real::Real;
 use crate::state::{Body, HandPose};
@@ -13,7 +13,9 @@ use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::{Statics, Stiffness};
 use heapless::Vec;
-use stiction_core::{Angle, Contact, Description, Hand, SceneError, Status, Wrench};
+use stiction_core::{
+    Angle, Contact, Description, Hand, ObstacleDescription, SceneError, Status, Touching, Wrench,
+};
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run.
 #[derive(Clone, Debug)]
@@ -39,8 +41,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     /// # Errors
     /// [`SceneError`] names the first parameter that is not usable, its value and what is allowed.
     pub fn new(description: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
+        Self::among(description, &[])
+    }
+    /// A solver for a scene with obstacles.
+    ///
+    /// # Errors
+    /// [`SceneError`] names the first parameter that is not usable, its value and what is allowed.
+    pub fn among(
+        description: &Description<'_, R::Si>,
+        obstacles: &[ObstacleDescription<'_, R::Si>],
+    ) -> Result<Self, SceneError<R::Si>> {
         Ok(Self {
-            scene: Described::new(description)?,
+            scene: Described::new(description, obstacles)?,
         })
     }
     /// The statics as the scene has it.
@@ -79,15 +91,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         };
         // In floats: not every number type represents this.
         let near = R::from_si(one_in(100_000), R::Si::ONE);
-        let body = state.body;
-        for feature in statics.closed(&body, near) {
-            state.body.contacts.add(feature);
-        }
-        if !state.body.contacts.is_empty() {
-            let contact = state.body.contacts.first();
-            state.body.foot = statics.foot_of(contact, state.body.rotation, holding);
-            statics.seat(&mut state.body);
-        }
+        statics.join_closed(&mut state.body, near);
         if let Some(target) = self.usable(&state, &hand, &mut log) {
             state.depth = hand.depth;
             state.body.hand = target;
@@ -286,7 +290,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 rest: rest.to_si(R::Si::ONE),
             },
             depth: state.depth,
-            state: kind(&body.contacts),
+            state: self.statics().kind(&body.contacts),
             slips: log.slips,
             longest_slip: log.longest_slip.to_si(units.length),
             status: log.status,
@@ -327,6 +331,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 normal: n.max(R::ZERO).to_si(units.force),
                 friction: t.to_si(units.force),
                 sliding: contact.sense.integer(),
+            }
+        }))
+    }
+    /// What touches what, and the normals of the contacts, in the order of [`Self::contacts`].
+    pub fn touches(&self, state: &State<R>) -> Vec<Touching<R::Si>, MAX_CONTACTS> {
+        let (body, statics) = (&state.body, self.statics());
+        gather(body.contacts.iter().map(|contact| {
+            let n = statics.frame(contact, body.rotation, body.holding).n;
+            Touching {
+                touch: statics.touch_of(contact),
+                direction: [n.x, n.y].map(|x| x.to_si(R::Si::ONE)),
             }
         }))
     }

@@ -1,13 +1,13 @@
-//! The uniform statics: contacts on half-planes so far.
+//! The uniform statics: without corners among half-planes, with them among obstacles.
 
 use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::Fixed;
-use stiction_judge::{Contact, Frame, Touch};
+use stiction_judge::{Contact, Frame};
 use stiction_statics::{Output, Solver as Core, State};
+use stiction_tests::Number;
 use stiction_tests::obstacles::Among;
-use stiction_tests::obstacles::scene::{SURFACES, VERTICES};
+use stiction_tests::obstacles::scene::{CORNERS, SURFACES, VERTICES};
 use stiction_tests::run::planar;
-use stiction_tests::{Number, Setup};
 
 /// The uniform statics in its number types.
 pub const STATICS: [Solver; 3] = [
@@ -17,36 +17,41 @@ pub const STATICS: [Solver; 3] = [
 ];
 
 fn made<R: Number + 'static>(among: &Among) -> Made {
-    if !among.obstacles.is_empty() {
-        return Err("obstacles".to_owned());
+    if among.obstacles.is_empty() {
+        let solver = among.setup.described::<R, _>(|scene| Core::new(scene));
+        return run::<R, 0>(solver.map_err(|error| error.to_string())?);
     }
-    let solver = among.setup.described::<R, _>(|scene| Core::new(scene));
-    Ok(Box::new(Run::<R> {
-        solver: solver.map_err(|error| error.to_string())?,
+    let solver = among
+        .within::<R>()
+        .built::<R, _>(|scene, obstacles| Core::among(scene, obstacles));
+    run::<R, CORNERS>(solver.map_err(|error| error.to_string())?)
+}
+
+fn run<R: Number + 'static, const C: usize>(solver: Core<R, VERTICES, SURFACES, C>) -> Made {
+    Ok(Box::new(Run {
+        solver,
         state: None,
-        setup: among.setup.clone(),
     }))
 }
 
-struct Run<R: Number> {
-    solver: Core<R, VERTICES, SURFACES, 0>,
+struct Run<R: Number, const C: usize> {
+    solver: Core<R, VERTICES, SURFACES, C>,
     state: Option<State<R>>,
-    setup: Setup,
 }
 
-impl<R: Number> Run<R> {
+impl<R: Number, const C: usize> Run<R, C> {
     fn frame(&self, state: &State<R>, output: &Output<R::Si>, hand: [f64; 3]) -> Frame {
         let wide = R::wide;
         let [x, y] = output.position;
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
-        let contacts = self.solver.contacts(state);
-        let contact = |c: &stiction_core::Contact<R::Si>| Contact {
-            touch: Touch::Surface {
-                vertex: c.vertex,
-                surface: c.surface,
-            },
-            point: self.setup.world(pose, self.setup.vertices[c.vertex]),
-            direction: None,
+        let (contacts, touches) = (self.solver.contacts(state), self.solver.touches(state));
+        let contact = |(c, touch): (
+            &stiction_core::Contact<R::Si>,
+            &stiction_core::Touching<R::Si>,
+        )| Contact {
+            touch: touch.touch,
+            point: c.point.map(wide),
+            direction: Some(touch.direction.map(wide)),
             normal: wide(c.normal),
             friction: wide(c.friction),
             sliding: Some(c.sliding),
@@ -60,7 +65,7 @@ impl<R: Number> Run<R> {
             pose,
             depth: 0.0,
             state: output.state,
-            contacts: contacts.iter().map(contact).collect(),
+            contacts: contacts.iter().zip(&touches).map(contact).collect(),
             complete: true,
             wrench: [wide(fx), wide(fy), wide(wrench.moment)],
             slips: output.slips,
@@ -71,7 +76,7 @@ impl<R: Number> Run<R> {
     }
 }
 
-impl<R: Number> Subject for Run<R> {
+impl<R: Number, const C: usize> Subject for Run<R, C> {
     fn start(&mut self, hand: [f64; 3]) -> Frame {
         let (state, output) = self.solver.start(planar::<R>(hand));
         let frame = self.frame(&state, &output, hand);
