@@ -139,7 +139,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         if self.body.stiction {
             return Value::NONE;
         }
-        if !c1.is_in_line(c2) {
+        if !self.statics.is_even(c1, c2) {
             return Value {
                 v: self.statics.room_to_stiction(self.motion, i),
                 d: R::ZERO,

@@ -23,7 +23,7 @@ pub(crate) struct Found<R> {
 }
 
 /// An event function at both ends of a window.
-struct Track<R> {
+pub(crate) struct Track<R> {
     ending: Ending,
     begin: Value<R>,
     end: Value<R>,
@@ -33,6 +33,26 @@ struct Track<R> {
 }
 
 impl<R: Real> Track<R> {
+    /// With its bound of the second derivative.
+    pub(crate) fn gap(ending: Ending, [begin, end]: [Value<R>; 2], bend: R) -> Self {
+        Self {
+            ending,
+            begin,
+            end,
+            order: Order::Second(bend),
+            least: -bend,
+        }
+    }
+    /// By its values alone.
+    pub(crate) fn monotonous(ending: Ending, [begin, end]: [Value<R>; 2]) -> Self {
+        Self {
+            ending,
+            begin,
+            end,
+            order: Order::First(R::ZERO),
+            least: R::LEAST,
+        }
+    }
     /// Where it counts as zero without a step to its zero: a gap that is closed within its accuracy is closed, others at `exact`.
     fn level(&self, exact: R) -> R {
         if matches!(self.ending, Ending::Touch(_)) {
@@ -60,7 +80,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             self.know_low();
             let begin = self.lo.values.get(place);
             // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
-            let is_level = function != Function::Memory || self.watched.body.contacts.are_edge();
+            let is_level = function != Function::Memory
+                || self.watched.statics.is_edge(&self.watched.body.contacts);
             if !is_level && begin.v <= R::ZERO {
                 continue;
             }
@@ -108,7 +129,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     continue;
                 }
                 let feature = Feature::Vertex { vertex, side };
-                if body.contacts.contains(feature) {
+                if statics.holds(&body.contacts, feature) {
                     continue;
                 }
                 *room = room.min(gap);
@@ -126,7 +147,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 self.judge(found, &track);
             }
         }
-        None
+        if C == 0 {
+            return None;
+        }
+        self.judge_obstacles(on, room, found)
     }
     /// A lower bound of the second derivative of a gap: if the body turns about a fixed or straight moving point it is -n·R a theta'².
     fn least_bend(&self, on: &Judging<R>, normal: Vec2<R>, arm: Vec2<R>) -> R {
@@ -175,33 +199,41 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
         true
     }
-    /// One event function on the window.
-    fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
-        let tol = R::zero();
+    /// How fast it changes at the end of the window, or on it.
+    fn slope(&self, track: &Track<R>) -> R {
+        match track.order {
+            Order::Second(_) => track.end.d,
+            Order::First(_) => (track.end.v - track.begin.v) / self.bracket.width(),
+        }
+    }
+    /// Where what is below zero at the end crosses zero, by Newton's step or the chord.
+    pub(crate) fn crossing(&self, track: &Track<R>) -> R {
         let (x0, w) = (self.bracket.certain, self.bracket.width());
+        let (slope, end) = (self.slope(track), track.end.v);
+        let is_newton = match track.order {
+            Order::Second(_) => slope < R::ZERO && self.bracket.round % 4 != 3,
+            Order::First(_) => false,
+        };
+        let by_newton = x0 + w - end / slope;
+        if is_newton && by_newton > x0 {
+            return by_newton;
+        }
+        let begin = track.begin.v.max(R::ZERO);
+        x0 + w * (begin / (begin - end))
+    }
+    /// One event function on the window.
+    pub(crate) fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
+        let tol = R::zero();
+        let w = self.bracket.width();
         let (a, b) = (track.begin, track.end);
         let begin = a.v.max(R::ZERO);
-        let slope = match track.order {
-            Order::Second(_) => b.d,
-            Order::First(_) => (b.v - a.v) / w,
-        };
+        let slope = self.slope(track);
         let newton = -b.v / slope;
         if slope < R::ZERO && self.is_hit(found, track, newton) {
             return;
         }
         if b.v < -tol {
-            let chord = x0 + w * (begin / (begin - b.v));
-            let is_newton = match track.order {
-                Order::Second(_) => slope < R::ZERO && self.bracket.round % 4 != 3,
-                Order::First(_) => false,
-            };
-            let by_newton = x0 + w + newton;
-            let at = if is_newton && by_newton > x0 {
-                by_newton
-            } else {
-                chord
-            };
-            found.cross = found.cross.min(at);
+            found.cross = found.cross.min(self.crossing(track));
             found.crossing = found.crossing.or(Some(track.ending));
             return;
         }

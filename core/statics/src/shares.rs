@@ -220,7 +220,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Freedom::Slides => add(self.reaction(body)),
             Freedom::Turns if body.contacts.len() == 1 => add(self.reaction(body)),
             Freedom::Together => self.sliding_shares(body).into_iter().for_each(add),
-            Freedom::Fixed if body.contacts.are_edge() => {
+            Freedom::Fixed if self.is_edge(&body.contacts) => {
                 self.edge_shares(body).into_iter().for_each(add);
             }
             Freedom::Turns | Freedom::Fixed => {
@@ -233,7 +233,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Two contacts that slide: on their edges.
     fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
         let [first, second] = body.contacts.pair();
-        if first.is_in_line(second) {
+        if self.is_even(first, second) {
             return self.edge_shares(body);
         }
         let m = self.sliding_pair(body, HandPose::REST);
@@ -284,7 +284,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The contacts bear the load, but only with reactions beyond the limit.
     pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
         let load = self.present_load(body);
-        let is_fixed = body.freedom() == Freedom::Fixed && !body.contacts.are_edge();
+        let is_fixed = body.freedom() == Freedom::Fixed && !self.is_edge(&body.contacts);
         is_fixed && self.cone(body).shared(load, little(load)).is_jammed
     }
     /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as

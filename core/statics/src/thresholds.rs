@@ -92,6 +92,15 @@ pub(crate) trait Thresholds: Real {
     fn divisor() -> Self {
         Self::ONE / Self::from_int(64)
     }
+    /// 2^-10 (1): normals at a smaller angle (its sine) are those of one line: a body that lies on a step of 2^-19 L turns by less if its
+    /// contacts are 2^-9 L or more apart.
+    fn one_line() -> Self {
+        Self::ONE / Self::from_int(1024)
+    }
+    /// 2^-17 (L): four times what counts as one place; a neighbour that reaches less far through the line of a contact is on it.
+    fn beside() -> Self {
+        Self::MICRO.doubled().doubled()
+    }
     /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)
