@@ -2,16 +2,16 @@
 //! contacts stick at first, and it comes to rest again. World frame, SI units.
 
 use crate::event::Status;
+use crate::evolution::Evolution;
 use crate::forces::Wrench;
 use crate::geometry::Angle;
 use crate::hand::Hand;
 use crate::hold::Hold;
-use crate::model::Model;
 use crate::output::Output;
 use crate::real::Real;
 use crate::scene::Description;
 use crate::si::SiFloat;
-use crate::solver::{Evolution, Solver, State};
+use crate::solver::{Solver, State};
 use core::fmt;
 
 /// A body and the hand on it. SI units, world frame.
@@ -65,9 +65,9 @@ pub fn reach_again<F: SiFloat>(vertices: &[[F; 2]], reach: F) -> F {
 
 /// A body that was carried on.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Carried<R: Real, const V: usize, const S: usize, M: Model> {
+pub struct Carried<R: Real, const V: usize, const S: usize, const C: usize> {
     /// The solver in which the state goes on. No other one fits: the length unit of a point depends on where it is held.
-    pub solver: Solver<R, V, S, M>,
+    pub solver: Solver<R, V, S, C>,
     /// Its turns count from the whole turns of [`Present::angle`].
     pub state: State<R>,
     /// The answer of coming to rest.
@@ -99,7 +99,7 @@ impl<E: fmt::Display> fmt::Display for CarryError<E> {
 
 impl<E: fmt::Debug + fmt::Display> core::error::Error for CarryError<E> {}
 
-impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
+impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
     /// The body of `present` in the scene of `description`, or with its parameters: it stays at its pose, is held at the point at which it
     /// is held, its contacts stick at first, and it comes to rest. `solver_of` makes the solver of a description; it is called with this
     /// one, changed in start, holding point and reach. F is the float of the pose: it may come from another number type.
@@ -157,18 +157,8 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Solver<R, V
         present: &Present<F>,
         description: &Description<'_, R::Si>,
         mut solver_of: impl FnMut(&Description<'_, R::Si>) -> Result<Self, E>,
-    ) -> Result<Carried<R, V, S, M>, CarryError<E>> {
+    ) -> Result<Carried<R, V, S, C>, CarryError<E>> {
         let si = |x: F| R::Si::narrow(x.widen());
-        let hand = |hand: Hand<F>| Hand {
-            position: hand.position.map(si),
-            angle: Angle {
-                turns: hand.angle.turns,
-                rest: si(hand.angle.rest),
-            },
-            depth: si(hand.depth),
-            held: hand.held,
-            tilted: hand.tilted,
-        };
         let [x, y] = present.position.map(si);
         let mut there = Description {
             start: [x, y, si(present.angle.rest)],
@@ -185,14 +175,14 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Solver<R, V
             there.reach = reach_again(there.vertices, there.reach);
             let again = solver_of(&there).map_err(CarryError::Scene)?;
             let again = again.with_evolution(Evolution::Frame);
-            let (mut state, taken) = again.start(hand(present.idle()));
+            let (mut state, taken) = again.start(narrowed(&present.idle()));
             if !taken.held {
                 return Err(CarryError::OutOfReach);
             }
-            let output = again.step(&mut state, hand(present.hand));
+            let output = again.step(&mut state, narrowed(&present.hand));
             (state, output)
         } else {
-            solver.start(hand(present.hand))
+            solver.start(narrowed(&present.hand))
         };
         if matches!(output.status, Status::Saturated | Status::HeldLast) {
             return Err(CarryError::Unsettled(output.status));
@@ -206,6 +196,21 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Solver<R, V
             state,
             output,
         })
+    }
+}
+
+/// A hand in another float.
+fn narrowed<F: SiFloat, G: SiFloat>(hand: &Hand<F>) -> Hand<G> {
+    let narrow = |x: F| G::narrow(x.widen());
+    Hand {
+        position: hand.position.map(narrow),
+        angle: Angle {
+            turns: hand.angle.turns,
+            rest: narrow(hand.angle.rest),
+        },
+        depth: narrow(hand.depth),
+        held: hand.held,
+        tilted: hand.tilted,
     }
 }
 

@@ -1,115 +1,231 @@
-//! A contact as the solver knows it, a pair of a feature of the body and a feature of the surroundings; the lists of contacts and of their
-//! reactions.
+//! A contact: what touches what, and whether it sticks or slides; and the contacts of a body.
 
-use crate::list::gather;
 use crate::real::Real;
-use core::array;
-use heapless::Vec;
 
 /// At most this many contacts at a time; further ones are not reported.
 pub const MAX_CONTACTS: usize = 8;
 
-/// A contact: a feature of the body on a feature of the surroundings. Either a vertex on a surface, which is a half-plane or (numbered
-/// after the half-planes) the side of an obstacle that begins at the corner of that index; or such a corner on a side of the body.
+/// What touches what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Feature {
+    /// V: a vertex of the body on a side of the world.
+    Vertex { vertex: u8, side: u8 },
+    /// C: a corner of the world on the side of the body that begins at a vertex.
+    Corner { corner: u8, body_side: u8 },
+}
+
+/// Whether a contact sticks, or slides along its tangent t.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Pair {
-    /// The vertex; or the side of the body that begins at the vertex of this index, with [`Self::CORNER`] added.
-    pub(crate) vertex: u8,
-    pub(crate) surface: u8,
+pub(crate) enum Sense {
+    /// It sticks.
+    #[default]
+    Rests,
+    /// It slides along t.
+    Plus,
+    /// It slides against t.
+    Minus,
 }
 
-impl Pair {
-    /// Marks a corner on a side of the body.
-    const CORNER: u8 = 0x80;
-    /// A body among obstacles has no more vertices.
-    pub(crate) const MAX_VERTICES: usize = Self::CORNER as usize;
-
-    /// A corner of an obstacle on a side of the body.
-    pub(crate) const fn of_corner(corner: u8, body_side: u8) -> Self {
-        Self {
-            vertex: body_side | Self::CORNER,
-            surface: corner,
-        }
+impl Sense {
+    /// The sense of a number that is not zero.
+    pub(crate) fn of<R: Real>(x: R) -> Self {
+        if x > R::ZERO { Self::Plus } else { Self::Minus }
     }
-
-    /// Returns whether this is a corner of an obstacle on a side of the body.
-    pub(crate) const fn is_corner(self) -> bool {
-        self.vertex & Self::CORNER != 0
+    /// s: 0, 1 or -1
+    pub(crate) fn number<R: Real>(self) -> R {
+        self.along(R::ONE)
     }
-
-    /// The side of the body that a corner touches.
-    pub(crate) const fn body_side(self) -> u8 {
-        self.vertex & !Self::CORNER
-    }
-}
-
-pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
-
-/// Contacts that have just opened, as plain data, two in a word: a state that stores them is copied and compared as quickly as one without.
-/// If there are more than six, only the first six are stored.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Opened([u32; 3]);
-
-impl Opened {
-    /// Stands for no contact; no corner has that index as a surface.
-    const ABSENT: Pair = Pair {
-        vertex: u8::MAX,
-        surface: u8::MAX,
-    };
-    pub(crate) const NONE: Self = Self([u32::MAX; 3]);
-
-    pub(crate) fn of(mut pairs: impl Iterator<Item = Pair>) -> Self {
-        Self(array::from_fn(|_| {
-            let [a, b] = array::from_fn(|_| pairs.next().unwrap_or(Self::ABSENT));
-            u32::from_le_bytes([a.vertex, a.surface, b.vertex, b.surface])
-        }))
-    }
-
-    pub(crate) fn pairs(self) -> Pairs {
-        let both = |two: u32| {
-            let [a, on_a, b, on_b] = two.to_le_bytes();
-            [(a, on_a), (b, on_b)].map(|(vertex, surface)| Pair { vertex, surface })
-        };
-        let places = self.0.into_iter().flat_map(both);
-        gather(places.filter(|&pair| pair != Self::ABSENT))
-    }
-}
-
-/// Reactions as (N, T), in the order of the contacts.
-pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
-
-/// Whether the contacts of a body stick or slide with the hand: the memory of friction, one for all of them (STATICS 7).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Regime<R> {
-    /// They stick: with stiction up to mu_s N, without it up to mu_d N.
-    Stick { stiction: bool },
-    /// They slide at mu_d N: one vertex or an edge along sign·t, two contacts along their twist with that sign.
-    Slide(R),
-}
-
-impl<R: Real> Regime<R> {
-    /// The regime in which a contact begins.
-    pub(crate) const LOOSE: Self = Self::Stick { stiction: false };
-
-    /// The contacts stick, and mu_s limits their friction.
-    pub(crate) fn has_stiction(self) -> bool {
-        self == Self::Stick { stiction: true }
-    }
-
-    /// The sign of a slide.
-    pub(crate) fn slide(self) -> Option<R> {
+    /// s x
+    pub(crate) fn along<R: Real>(self, x: R) -> R {
         match self {
-            Self::Slide(sign) => Some(sign),
-            Self::Stick { .. } => None,
+            Self::Rests => R::ZERO,
+            Self::Plus => x,
+            Self::Minus => -x,
         }
     }
-
-    /// At the end of a slip, or after a jump, along sign·t: a contact that is pressed hard enough sticks, others slide on (rule 4).
-    pub(crate) fn after_slip(sticks: bool, sign: R) -> Self {
-        if sticks {
-            Self::Stick { stiction: true }
-        } else {
-            Self::Slide(sign)
+    pub(crate) fn reversed(self) -> Self {
+        match self {
+            Self::Rests => Self::Rests,
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
         }
+    }
+    pub(crate) fn slides(self) -> bool {
+        self != Self::Rests
+    }
+    /// Both slide, in different directions.
+    pub(crate) fn opposes(self, other: Self) -> bool {
+        self.slides() && other.slides() && self != other
+    }
+    /// 0, 1 or -1
+    pub(crate) fn integer(self) -> i8 {
+        match self {
+            Self::Rests => 0,
+            Self::Plus => 1,
+            Self::Minus => -1,
+        }
+    }
+}
+
+/// A contact with its sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Contact {
+    pub(crate) feature: Feature,
+    pub(crate) sense: Sense,
+}
+
+impl Contact {
+    pub(crate) const NONE: Self = Self::at(Feature::Vertex {
+        vertex: u8::MAX,
+        side: u8::MAX,
+    });
+    /// One that sticks.
+    pub(crate) const fn at(feature: Feature) -> Self {
+        Self {
+            feature,
+            sense: Sense::Rests,
+        }
+    }
+    pub(crate) const fn with(self, sense: Sense) -> Self {
+        Self { sense, ..self }
+    }
+    /// The vertex, if it is one that touches.
+    pub(crate) const fn vertex(self) -> Option<u8> {
+        match self.feature {
+            Feature::Vertex { vertex, .. } => Some(vertex),
+            Feature::Corner { .. } => None,
+        }
+    }
+    pub(crate) const fn is_corner(self) -> bool {
+        match self.feature {
+            Feature::Vertex { .. } => false,
+            Feature::Corner { .. } => true,
+        }
+    }
+    /// Two contacts of one vertex: the body can only turn about it.
+    pub(crate) fn shares_vertex(self, other: Self) -> bool {
+        self.vertex().is_some() && self.vertex() == other.vertex()
+    }
+    /// Two contacts in one line: on one side of the world, or of the body.
+    pub(crate) fn is_in_line(self, other: Self) -> bool {
+        match (self.feature, other.feature) {
+            (Feature::Vertex { side, .. }, Feature::Vertex { side: of_other, .. }) => {
+                side == of_other
+            }
+            (
+                Feature::Corner { body_side, .. },
+                Feature::Corner {
+                    body_side: of_other,
+                    ..
+                },
+            ) => body_side == of_other,
+            (Feature::Vertex { .. }, Feature::Corner { .. })
+            | (Feature::Corner { .. }, Feature::Vertex { .. }) => false,
+        }
+    }
+}
+
+/// The contacts of a body, the one that places it first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Contacts {
+    list: [Contact; MAX_CONTACTS],
+    count: u8,
+}
+
+impl Contacts {
+    pub(crate) const NONE: Self = Self {
+        list: [Contact::NONE; MAX_CONTACTS],
+        count: 0,
+    };
+    pub(crate) fn len(&self) -> usize {
+        usize::from(self.count)
+    }
+    pub(crate) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+    pub(crate) fn as_slice(&self) -> &[Contact] {
+        self.list.get(..self.len()).unwrap_or(&[])
+    }
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Contact> + Clone + '_ {
+        self.as_slice().iter().copied()
+    }
+    /// Contact i; none if there are fewer.
+    pub(crate) fn get(&self, i: usize) -> Contact {
+        self.as_slice().get(i).copied().unwrap_or(Contact::NONE)
+    }
+    pub(crate) fn first(&self) -> Contact {
+        self.get(0)
+    }
+    /// The first two.
+    pub(crate) fn pair(&self) -> [Contact; 2] {
+        [self.get(0), self.get(1)]
+    }
+    pub(crate) fn contains(&self, feature: Feature) -> bool {
+        self.iter().any(|c| c.feature == feature)
+    }
+    /// Adds a contact that sticks, if there is room for it.
+    pub(crate) fn add(&mut self, feature: Feature) {
+        self.push(Contact::at(feature));
+    }
+    /// Adds a contact with its sign, if there is room for it.
+    pub(crate) fn push(&mut self, contact: Contact) {
+        if let Some(place) = self.list.get_mut(usize::from(self.count)) {
+            *place = contact;
+            self.count = self.count.saturating_add(1);
+        }
+    }
+    /// Contact i becomes another one.
+    pub(crate) fn replace(&mut self, i: usize, contact: Contact) {
+        if let Some(place) = self.list.get_mut(i) {
+            *place = contact;
+        }
+    }
+    /// Contact i goes, the others keep their order.
+    pub(crate) fn remove(&mut self, i: usize) {
+        let count = self.len();
+        if let Some(rest @ [_, ..]) = self.list.get_mut(i..count) {
+            rest.rotate_left(1);
+            self.count = self.count.saturating_sub(1);
+        }
+    }
+    pub(crate) fn clear(&mut self) {
+        self.count = 0;
+    }
+    /// Contact i becomes the first.
+    pub(crate) fn lead(&mut self, i: usize) {
+        if i < self.len() {
+            self.list.swap(0, i);
+        }
+    }
+    /// Only these remain, in this order.
+    pub(crate) fn keep(&mut self, lasting: &[Contact]) {
+        self.count = 0;
+        for (place, contact) in self.list.iter_mut().zip(lasting) {
+            *place = *contact;
+            self.count = self.count.saturating_add(1);
+        }
+    }
+    /// All stick.
+    pub(crate) fn rest(&mut self) {
+        for contact in &mut self.list {
+            contact.sense = Sense::Rests;
+        }
+    }
+    /// All slide in this sense.
+    pub(crate) fn slide(&mut self, sense: Sense) {
+        for contact in &mut self.list {
+            contact.sense = sense;
+        }
+    }
+    /// The first two get these senses.
+    pub(crate) fn slide_pair(&mut self, senses: [Sense; 2]) {
+        for (contact, sense) in self.list.iter_mut().zip(senses) {
+            contact.sense = sense;
+        }
+    }
+    /// One contact, or several of one vertex: the body can turn about the first.
+    pub(crate) fn turn_about_first(&self) -> bool {
+        let first = self.first();
+        !self.is_empty() && self.iter().skip(1).all(|c| c.shares_vertex(first))
     }
 }

@@ -15,10 +15,10 @@ pub struct Contact<F> {
     pub direction: [F; 2],
     /// Where they touch (m).
     pub point: [F; 2],
-    /// Reaction N >= 0 on the body along n (N).
+    /// Reaction N >= 0 along n (N); 0 while the body is not held.
     pub normal: F,
-    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status reports that
-    /// the pose is out of balance. For an edge, where only the sum counts, in proportion to N.
+    /// Friction T along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status reports that the pose is
+    /// out of balance. Of contacts in one line, where only the sum counts, in proportion to N (E20).
     pub friction: F,
     /// 0 if it sticks, 1 or -1 if it slides along t or against it with the hand, |T| = mu_d N.
     pub sliding: i8,
@@ -162,14 +162,7 @@ impl<F: Real> Wrench<F> {
 /// slice; [`Wrench`] has an example.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contacts<F> {
-    list: Vec<Contact<F>, MAX_CONTACTS>,
-}
-
-impl<F> Contacts<F> {
-    pub(crate) fn add(&mut self, contact: Contact<F>) {
-        // A state never has more contacts than there is room for.
-        let _ = self.list.push(contact);
-    }
+    pub(crate) list: Vec<Contact<F>, MAX_CONTACTS>,
 }
 
 impl<F> Deref for Contacts<F> {

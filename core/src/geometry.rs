@@ -1,4 +1,5 @@
-//! Vectors, rotations and unwrapped angles in the plane. Complex notation of STATICS 1: conj(a) b = a·b + i a×b.
+//! Vectors, rotations, unwrapped angles and wrenches in the plane. (a, b): a·b; a×b = a_x b_y - a_y b_x; i a is a quarter turn counter-clockwise, (i a)×b =
+//! -a·b.
 
 use crate::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -39,27 +40,14 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn length(self) -> R {
         self.x.hypot(self.y)
     }
-    /// An upper bound of the length that needs no square root, larger by at most an eighth. Compiled once per image.
-    #[inline(never)]
+    /// An upper bound of the length that needs no square root, larger by at most an eighth.
     pub(crate) fn length_bound(self) -> R {
         let (x, y) = (self.x.abs(), self.y.abs());
         x + y - x.min(y).halved()
     }
-    /// conj(a) b: the dot product and the cross product as one vector.
-    pub(crate) fn conj_mul(self, b: Self) -> Self {
-        Self::new(self.dot(b), self.cross(b))
-    }
-    /// Divided by a number.
-    pub(crate) fn over(self, k: R) -> Self {
-        Self::new(self.x / k, self.y / k)
-    }
     /// In other units.
     pub(crate) fn in_units(self, unit: R) -> Self {
         Self::new(self.x.in_units(unit), self.y.in_units(unit))
-    }
-    /// Linear interpolation: `self` at 0, `b` at 1.
-    pub(crate) fn lerp(self, b: Self, part: R) -> Self {
-        self + (b - self) * part
     }
 }
 
@@ -97,6 +85,11 @@ pub(crate) fn normalized<F: Real>(x: F, y: F) -> (F, F) {
     (x / length, y / length)
 }
 
+/// 1/n
+pub(crate) fn one_in<F: Real>(n: i32) -> F {
+    F::ONE / F::from_int(n)
+}
+
 /// A rotation R(theta), stored as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rotation<R> {
@@ -107,6 +100,23 @@ pub(crate) struct Rotation<R> {
 }
 
 impl<R: Real> Rotation<R> {
+    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
+    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
+        Vec2::new(
+            R::sum_of_products(self.cos, a.x, self.sin, a.y),
+            R::difference_of_products(self.cos, a.y, self.sin, a.x),
+        )
+    }
+    /// Of an angle (rad) of any size.
+    pub(crate) fn by(theta: R) -> Self {
+        let theta = if theta.abs() > R::TAU {
+            theta.turns().1
+        } else {
+            theta
+        };
+        let (sin, cos) = theta.sin_cos();
+        Self { cos, sin }
+    }
     /// R a: from the body frame to the world frame.
     pub(crate) fn apply(self, a: Vec2<R>) -> Vec2<R> {
         Vec2::new(
@@ -114,12 +124,12 @@ impl<R: Real> Rotation<R> {
             R::sum_of_products(self.sin, a.x, self.cos, a.y),
         )
     }
-    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
-    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
-        Vec2::new(
-            R::sum_of_products(self.cos, a.x, self.sin, a.y),
-            R::difference_of_products(self.cos, a.y, self.sin, a.x),
-        )
+    /// Turned on by so little that the square of the turn is rounding.
+    pub(crate) fn nudged(self, turn: R) -> Self {
+        Self {
+            cos: self.cos - self.sin * turn,
+            sin: self.sin + self.cos * turn,
+        }
     }
 }
 
@@ -183,52 +193,64 @@ impl<R: Real> Angle<R> {
             rest,
         }
     }
-    /// The rotation by this angle.
-    pub(crate) fn rotation(self) -> Rotation<R> {
-        let (sin, cos) = self.rest.sin_cos();
-        Rotation { cos, sin }
-    }
     /// False if the remainder is infinite or NaN.
     pub fn is_finite(self) -> bool {
         self.rest.is_finite()
     }
 }
 
-/// An angle together with its rotation, which is always the one of the angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Orientation<R> {
-    angle: Angle<R>,
-    rotation: Rotation<R>,
+/// A force (k_h L) and its moment about the holding point (k_h L²).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Wrench<R> {
+    pub(crate) force: Vec2<R>,
+    pub(crate) moment: R,
 }
 
-impl<R: Real> Orientation<R> {
-    pub(crate) fn new(angle: Angle<R>) -> Self {
+impl<R: Real> Wrench<R> {
+    /// Of a force at a lever.
+    pub(crate) fn at(lever: Vec2<R>, force: Vec2<R>) -> Self {
         Self {
-            angle,
-            rotation: angle.rotation(),
+            force,
+            moment: lever.cross(force),
         }
     }
-    pub(crate) fn angle(&self) -> Angle<R> {
-        self.angle
+    /// A product that is zero for a wrench in the plane of two others.
+    pub(crate) fn dot(self, b: Self) -> R {
+        self.force.dot(b.force) + self.moment * b.moment
     }
-    pub(crate) fn rotation(&self) -> Rotation<R> {
-        self.rotation
+    /// Normal to two wrenches, as a facet of their cone.
+    pub(crate) fn cross(self, b: Self) -> Self {
+        let (f, g) = (self.force, b.force);
+        Self {
+            force: Vec2::new(
+                R::difference_of_products(f.y, b.moment, self.moment, g.y),
+                R::difference_of_products(self.moment, g.x, f.x, b.moment),
+            ),
+            moment: f.cross(g),
+        }
     }
-    /// Rotated further by `radians`.
-    pub(crate) fn plus(&self, radians: R) -> Self {
-        if radians == R::ZERO {
-            *self
-        } else {
-            Self::new(self.angle.plus(radians))
+    /// The larger one of the force and of the moment.
+    pub(crate) fn size(self) -> R {
+        self.force.length_bound().max(self.moment.abs())
+    }
+}
+
+impl<R: Real> Add for Wrench<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self {
+            force: self.force + b.force,
+            moment: self.moment + b.moment,
         }
     }
 }
 
-/// A placement of the body frame in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pose<R> {
-    /// Position p of the body's origin.
-    pub(crate) position: Vec2<R>,
-    /// Orientation theta, unwrapped.
-    pub(crate) orientation: Orientation<R>,
+impl<R: Real> Mul<R> for Wrench<R> {
+    type Output = Self;
+    fn mul(self, k: R) -> Self {
+        Self {
+            force: self.force * k,
+            moment: self.moment * k,
+        }
+    }
 }

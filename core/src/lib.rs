@@ -100,60 +100,66 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-mod balance_curve;
-mod body;
-mod bounded;
+mod answer;
+mod bounds;
+mod calm;
 mod carry;
-mod certified;
+mod cone;
 mod contact;
-mod detect;
+mod driven;
+mod ending;
+mod errand;
 mod event;
-mod falls;
-#[cfg(test)]
-mod fixtures;
+mod events;
+mod evolution;
 mod forces;
-mod friction;
+mod frame;
 mod geometry;
-mod grip;
+mod grasp;
 mod hand;
 mod hold;
+mod joint;
+mod judge;
+mod law;
 mod list;
-mod load;
 mod log;
-mod model;
-mod moment;
+mod modes;
 mod motion;
-mod obstacle;
+mod obstacles;
 mod output;
-mod path_event;
-mod pivot;
+mod pair;
+mod pair_bounds;
+mod place;
 mod real;
+mod sample;
 mod scene;
 mod search;
 mod settle;
+mod shares;
 mod si;
-mod sign;
+mod slip;
 mod solver;
 mod state;
-mod surface;
+mod step;
+mod tangent;
+#[cfg(test)]
+mod tests;
 mod thresholds;
-mod transition;
+mod touch;
 mod units;
-mod verb;
-mod work;
+mod values;
+mod window;
 mod world;
-mod wrench2;
-mod wrench_cone;
 
 pub use carry::{Carried, CarryError, Present, reach_again};
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};
+pub use evolution::Evolution;
 pub use forces::{Contact, Contacts, Touch, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
 pub use hold::Hold;
-pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless, WithObstacles};
-pub use output::Output;
+pub use output::{Output, Tangent};
 #[cfg(feature = "comparison")]
 pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};
@@ -161,5 +167,4 @@ pub use scene::{
     Description, ObstacleDescription, Parameter, Scene, SceneError, SurfaceDescription,
 };
 pub use si::{SiFloat, narrow_hand};
-pub use solver::{Evolution, Solver, State};
-pub use transition::{Transition, Transitions};
+pub use solver::{Solver, State};

@@ -1,20 +1,18 @@
-//! The events, slips, status and transitions of a step, for the output.
+//! What happens during a step, collected for its output.
 
-use crate::event::{Event, MAX_EVENTS, Status};
+use crate::event::{Event, MAX_EVENTS, StateKind, Status};
 use crate::real::Real;
-use crate::transition::Transitions;
 use heapless::Vec;
 
-/// What happens during a step, collected for the output.
+/// Events, slips, status and cost of a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log<R> {
     pub(crate) events: Vec<Event, MAX_EVENTS>,
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,
-    /// The body was last left out of balance because no motion was consistent.
-    pub(crate) ambiguous: bool,
-    pub(crate) transitions: Transitions,
+    /// Pieces.
+    pub(crate) work: u32,
 }
 
 impl<R: Real> Log<R> {
@@ -31,27 +29,37 @@ impl<R: Real> Log<R> {
         self.longest_slip = self.longest_slip.max(length.abs());
         self.event(Event::Slip);
     }
-    /// The most severe status. An ambiguity within the step does not count if the body came to rest after all.
-    pub(crate) fn final_status(&self) -> Status {
-        if self.ambiguous {
-            self.status.max(Status::Ambiguous)
-        } else {
-            self.status
-        }
-    }
-    /// The status, if the body was not brought to balance.
-    pub(crate) fn unrest(&self) -> Status {
-        Self::unrest_of(self.final_status())
-    }
-    /// The part of a status that means the pose is not a balance.
-    pub(crate) fn unrest_of(status: Status) -> Status {
-        match status {
-            Status::Ok | Status::EventLimit | Status::Twist => Status::Ok,
-            grave => grave,
-        }
-    }
     /// Keeps the most severe status.
     pub(crate) fn limit(&mut self, status: Status) {
         self.status = self.status.max(status);
+    }
+    /// One more contact.
+    pub(crate) fn touch(&mut self, before: StateKind, after: StateKind) {
+        self.event(match (before, after) {
+            (StateKind::NonContact | StateKind::SingleVertex, StateKind::Edge) => Event::Land,
+            (StateKind::NonContact | StateKind::SingleVertex, StateKind::Locked)
+            | (
+                StateKind::Edge | StateKind::TwoVertex | StateKind::Corner | StateKind::Locked,
+                _,
+            ) => Event::Jam,
+            (
+                StateKind::NonContact | StateKind::SingleVertex,
+                StateKind::NonContact
+                | StateKind::SingleVertex
+                | StateKind::TwoVertex
+                | StateKind::Corner,
+            ) => Event::Touch,
+        });
+    }
+    /// Contacts open, others last.
+    pub(crate) fn open(&mut self, before: StateKind, after: StateKind) {
+        self.event(match before {
+            StateKind::Edge => Event::Tip,
+            StateKind::TwoVertex | StateKind::Corner => Event::Lift,
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Locked => match after {
+                StateKind::Edge | StateKind::TwoVertex | StateKind::Corner => Event::Lift,
+                StateKind::NonContact | StateKind::SingleVertex | StateKind::Locked => Event::Tip,
+            },
+        });
     }
 }

@@ -1,115 +1,185 @@
-//! A point on any motion of the body, to first order: its pose and the velocity of each of its points. Among obstacles a normal may turn
-//! with the body, so the end of a motion is found from values and slopes at points of it (STATICS 12.3).
+//! The motions: each a curve of the pose with one internal unknown u and one parameter p. On a path x = p, and u follows from balance, E(u,
+//! p) = 0; at a frozen hand x = u, and E drives it.
 
-use crate::bounded::Sloped;
-use crate::contact::Pair;
-use crate::detect::Placed;
-use crate::geometry::Vec2;
+use crate::contact::Contact;
+use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
-use crate::surface::Surface;
-use crate::world::World;
+use crate::state::{Body, HandPose};
 
-/// The body at a point of a motion, and its velocity per unit of the motion's parameter.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Instant<R> {
-    pub(crate) placed: Placed<R>,
-    /// The velocity of the body's material at the placed point.
-    pub(crate) velocity: Vec2<R>,
-    /// dϑ/dx
-    pub(crate) turn: R,
+/// How a motion places the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Straight to a pose: u is the part of the way.
+    Line,
+    /// No contact: u is the angle.
+    Free,
+    /// The first contact sticks, or its foot moves with p: u is the angle.
+    Pin,
+    /// The first contact slides, its foot in balance: u is the angle.
+    Slide,
+    /// Two contacts slide: u is the way along the unit twist at the beginning.
+    Pair,
 }
 
-/// Normal and friction reaction of a contact, and their rates of change.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bears<R> {
-    pub(crate) normal: Sloped<R>,
-    pub(crate) friction: Sloped<R>,
+/// A motion: hand(p) = hand + p hand_p, foot(p) = foot + p foot_p.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Motion<R> {
+    pub(crate) kind: Kind,
+    /// The hand is frozen, x = u; otherwise x = p.
+    pub(crate) frozen: bool,
+    pub(crate) contacts: [Contact; 2],
+    pub(crate) hand: HandPose<R>,
+    pub(crate) hand_p: HandPose<R>,
+    pub(crate) foot: R,
+    pub(crate) foot_p: R,
+    pub(crate) angle: R,
+    /// e0: the moment that lasts on a slip that begins out of balance.
+    pub(crate) lasting: R,
+    pub(crate) line: Line<R>,
+    pub(crate) pair: Pair<R>,
 }
 
-impl<R: Real> Bears<R> {
-    /// A linear combination of N and T.
-    pub(crate) fn combine(&self, (normal, friction): (R, R)) -> Sloped<R> {
-        Sloped {
-            value: self.normal.value * normal + self.friction.value * friction,
-            slope: self.normal.slope * normal + self.friction.slope * friction,
+/// A straight way of the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Line<R> {
+    pub(crate) from: Vec2<R>,
+    /// G_u, theta_u
+    pub(crate) g_u: Vec2<R>,
+    pub(crate) theta_u: R,
+}
+
+/// What two contacts that slide need in addition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pair<R> {
+    /// tau: the unit twist (foot, angle) at the beginning.
+    pub(crate) twist: Vec2<R>,
+    /// The sign of E such that E > 0 drives: 1 or -1.
+    pub(crate) flip: R,
+    /// |g|: how fast the second gap changes with foot and angle at the beginning.
+    pub(crate) slope: R,
+    /// |u| up to which the bounds of the position hold.
+    pub(crate) reach: R,
+    /// The reactions are at an angle whose sine is 1/8 or more.
+    pub(crate) spread: bool,
+    /// The reactions count on the way, not only at its end.
+    pub(crate) pressed: bool,
+}
+
+impl<R: Real> Motion<R> {
+    /// Of a body along a path of the hand, or with the hand frozen and p to the foot.
+    pub(crate) fn new(kind: Kind, body: &Body<R>, hand_p: HandPose<R>) -> Self {
+        Self {
+            kind,
+            frozen: false,
+            contacts: body.contacts.pair(),
+            hand: body.hand,
+            hand_p,
+            foot: body.foot,
+            foot_p: R::ZERO,
+            angle: body.angle,
+            lasting: R::ZERO,
+            line: Line {
+                from: body.holding,
+                g_u: Vec2::ZERO,
+                theta_u: R::ZERO,
+            },
+            pair: Pair {
+                twist: Vec2::ZERO,
+                flip: R::ONE,
+                slope: R::ONE,
+                reach: R::HUGE,
+                spread: false,
+                pressed: true,
+            },
         }
     }
+    /// At the frozen hand, along u.
+    pub(crate) fn frozen(kind: Kind, body: &Body<R>) -> Self {
+        Self {
+            frozen: true,
+            ..Self::new(kind, body, HandPose::REST)
+        }
+    }
+    /// At the frozen hand the first contact's foot moves by p along foot_p.
+    pub(crate) fn slip(body: &Body<R>, foot_p: R) -> Self {
+        Self {
+            foot_p,
+            ..Self::new(Kind::Pin, body, HandPose::REST)
+        }
+    }
+    pub(crate) fn first(&self) -> Contact {
+        let [first, _] = self.contacts;
+        first
+    }
+}
+
+/// A point of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spot<R> {
+    pub(crate) u: R,
+    pub(crate) p: R,
+}
+
+/// The body at a point of a motion, its load about the holding point, and their partial derivatives by u and p. Symbols of STATICS 2 and 3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Instant<R> {
+    pub(crate) u: R,
+    pub(crate) p: R,
+    pub(crate) rotation: Rotation<R>,
+    pub(crate) angle: R,
+    pub(crate) foot: R,
+    /// G
+    pub(crate) g: Vec2<R>,
+    /// The lever of the first contact, and of the second of a pair.
+    pub(crate) r: Vec2<R>,
+    pub(crate) r2: Vec2<R>,
+    /// F, M
+    pub(crate) force: Vec2<R>,
+    pub(crate) moment: R,
+    pub(crate) e: R,
+    pub(crate) e_u: R,
+    pub(crate) e_p: R,
+    pub(crate) g_u: Vec2<R>,
+    pub(crate) g_p: Vec2<R>,
+    pub(crate) theta_u: R,
+    pub(crate) xi_u: R,
+    pub(crate) xi_p: R,
+}
+
+/// Velocities along x.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Rates<R> {
+    pub(crate) u: R,
+    pub(crate) p: R,
+    pub(crate) g: Vec2<R>,
+    pub(crate) theta: R,
+    pub(crate) xi: R,
+    pub(crate) force: Vec2<R>,
+    pub(crate) moment: R,
 }
 
 impl<R: Real> Instant<R> {
-    /// At rest.
-    pub(crate) fn at_rest(placed: Placed<R>) -> Self {
-        Self {
-            placed,
-            velocity: Vec2::ZERO,
-            turn: R::ZERO,
-        }
-    }
-
-    /// The velocity of the body's material at an arm from the placed point.
-    pub(crate) fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
-        self.velocity + arm.turned() * self.turn
-    }
-
-    /// The gap of a contact.
-    pub(crate) fn gap(&self, scene: &impl World<R>, contact: Pair) -> Sloped<R> {
-        let surface = self.surface(scene, contact);
-        let arm = self.placed.arm_to(scene, contact);
-        Sloped {
-            value: self.placed.gap(scene, contact),
-            slope: surface.normal.dot(self.velocity_at(arm)),
-        }
-    }
-
-    /// The coordinate along t of the body's material at a contact.
-    pub(crate) fn foot(&self, scene: &impl World<R>, contact: Pair) -> Sloped<R> {
-        let surface = self.surface(scene, contact);
-        let arm = self.placed.arm_to(scene, contact);
-        Sloped {
-            value: self.placed.foot(scene, contact),
-            slope: surface.tangent.dot(self.velocity_at(arm)),
-        }
-    }
-
-    /// The surface of a contact at the present orientation of the body.
-    pub(crate) fn surface(&self, scene: &impl World<R>, contact: Pair) -> Surface<R> {
-        scene.face(contact, self.placed.orientation.rotation())
-    }
-
-    /// The force of the load and its rate of change, for a hand at a position with a velocity.
-    pub(crate) fn force(
-        &self,
-        scene: &impl World<R>,
-        holding_point: Vec2<R>,
-        (hand, rate): (Vec2<R>, Vec2<R>),
-    ) -> (Vec2<R>, Vec2<R>) {
-        let rotation = self.placed.orientation.rotation();
-        let lever = rotation.apply(holding_point - self.placed.body_point);
-        let force = hand - self.placed.point - lever + scene.weight();
-        (force, rate - self.velocity_at(lever))
-    }
-
-    /// The reaction of a contact that alone bears a force with a rate of change.
-    pub(crate) fn bears(
-        &self,
-        scene: &impl World<R>,
-        contact: Pair,
-        (force, rate): (Vec2<R>, Vec2<R>),
-    ) -> Bears<R> {
-        let surface = self.surface(scene, contact);
-        // The normal of a corner turns with the body.
-        let turn = if contact.is_corner() {
-            self.turn
-        } else {
-            R::ZERO
-        };
-        let along = |direction: Vec2<R>| Sloped {
-            value: -direction.dot(force),
-            slope: -direction.dot(rate) - direction.turned().dot(force) * turn,
-        };
-        Bears {
-            normal: along(surface.normal),
-            friction: along(surface.tangent),
-        }
-    }
+    pub(crate) const ZERO: Self = Self {
+        u: R::ZERO,
+        p: R::ZERO,
+        rotation: Rotation {
+            cos: R::ONE,
+            sin: R::ZERO,
+        },
+        angle: R::ZERO,
+        foot: R::ZERO,
+        g: Vec2::ZERO,
+        r: Vec2::ZERO,
+        r2: Vec2::ZERO,
+        force: Vec2::ZERO,
+        moment: R::ZERO,
+        e: R::ZERO,
+        e_u: R::ZERO,
+        e_p: R::ZERO,
+        g_u: Vec2::ZERO,
+        g_p: Vec2::ZERO,
+        theta_u: R::ONE,
+        xi_u: R::ZERO,
+        xi_p: R::ZERO,
+    };
 }

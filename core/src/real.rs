@@ -159,10 +159,5 @@ pub trait Real:
     }
 }
 
-/// A number measured in a direction: -x if the sign is negative, otherwise x.
-pub(crate) fn along<R: Real>(sign: R, x: R) -> R {
-    if sign < R::ZERO { -x } else { x }
-}
-
 #[cfg(test)]
 mod tests;

@@ -1,109 +1,52 @@
-//! The scene: body, springs, surfaces with friction. Checked once, then immutable; the error names the parameter,
-//! its value and what is allowed. Lengths are divided by L, the body's largest vertex distance, and forces by k_h L.
+//! The scene: body, springs, surfaces and obstacles with friction. Checked once, then immutable; the error names the parameter, its value and
+//! what is allowed.
 
-use crate::body::Body;
-use crate::contact::Pair;
-use crate::detect::Placed;
-use crate::friction::Coulomb;
-use crate::geometry::{Angle, Orientation, Pose, Vec2};
+use crate::geometry::{Angle, Rotation, Vec2, one_in};
 use crate::list::gather;
-use crate::model::{Full, Model};
-use crate::obstacle::{Corner, Obstacles, Round};
+use crate::obstacles::axes::At;
+use crate::obstacles::union::unite;
 use crate::real::Real;
-use crate::surface::Surface;
+use crate::state::HandPose;
 use crate::units::Units;
-use crate::world::World;
-use core::ops::Range;
+use crate::world::{Stiffness, World};
 use heapless::Vec;
 
 mod check;
 mod description;
-mod obstacles;
+mod parts;
 
-pub(crate) use check::check_obstacle_count;
 use check::{
-    Representable, check_model, check_numbers, check_vertices, check_vertices_among, fits, larger,
-    size_of_point, surfaces, thinnest,
+    Representable, Room, check_numbers, check_obstacles, check_surfaces, check_vertices, fits,
+    larger, size_of_point, thinnest,
 };
 pub use description::{
     Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription,
 };
+use parts::{centroid, normals, side};
 
-impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
-    const EDGES: bool = V > 1;
-    const SURFACES: bool = S > 1 || Self::CORNERS;
-    const CORNERS: bool = <M::Obstacles<R, V> as Obstacles<R>>::CORNERS;
-    const GLIDES: bool = !M::FRICTION && S <= 1 && !Self::CORNERS;
-
-    fn vertices(&self) -> &[Vec2<R>] {
-        self.body.vertices()
-    }
-    fn centroid(&self) -> Vec2<R> {
-        self.body.centroid()
-    }
-    fn stiffness(&self) -> R {
-        self.stiffness
-    }
-    fn weight(&self) -> Vec2<R> {
-        if M::WEIGHT { self.weight } else { Vec2::ZERO }
-    }
-    /// A half-plane, or the side of an obstacle after them; without friction in a model that has none.
-    fn surface(&self, index: u8) -> Surface<R> {
-        let surface = self.surfaces.get(usize::from(index));
-        let of_obstacle = || self.corner(index).map(|corner| &corner.side);
-        let surface = if Self::CORNERS {
-            surface.or_else(of_obstacle)
-        } else {
-            surface
-        };
-        let mut surface = *surface.unwrap_or(&Surface::NOWHERE);
-        if !M::FRICTION {
-            // As a constant it leaves no code of the friction to compile.
-            surface.friction = Coulomb::FRICTIONLESS;
-        }
-        surface
-    }
-    fn surface_indices(&self) -> Range<u8> {
-        0..u8::try_from(self.surfaces.len()).unwrap_or(u8::MAX)
-    }
-    fn corners(&self) -> &[Corner<R>] {
-        self.obstacles.corners()
-    }
-    fn firsts(&self) -> &[u8] {
-        self.obstacles.firsts()
-    }
-    fn rounds(&self) -> &[Round<R>] {
-        self.obstacles.rounds()
-    }
-    fn body_normal(&self, side: u8) -> Vec2<R> {
-        let [x, y] = self.obstacles.body_normal(side);
-        Vec2::new(x, y)
-    }
-}
-
-/// A checked scene in numbers of type R, with room for V vertices and S surfaces (at most 255 each), for a solver with the parts
-/// of M. It never changes; [`Description`] has an example.
+/// A checked scene in numbers of type R, with room for V vertices, S surfaces and C corners of obstacles, for a solver. It never changes;
+/// [`Description`] has an example. Without room for corners, the solver contains no code for obstacles.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
-    pub(crate) body: Body<R, V>,
-    surfaces: Vec<Surface<R>, S>,
-    stiffness: R,
-    weight: Vec2<R>,
-    pub(crate) start: Pose<R>,
-    pub(crate) holding_point: Option<Vec2<R>>,
-    pub(crate) reach: R,
+pub struct Scene<R: Real, const V: usize, const S: usize, const C: usize = 0> {
+    pub(crate) world: World<R, V, S, C>,
     pub(crate) units: Units<R::Si>,
-    pub(crate) obstacles: M::Obstacles<R, V>,
+    /// g, body frame, if the scene has one.
+    pub(crate) holding_point: Option<Vec2<R>>,
+    /// How far outside the body a hand may be and still take hold.
+    pub(crate) reach: R,
+    /// The pose of the body's origin at the start, and its whole turns.
+    pub(crate) start: HandPose<R>,
+    pub(crate) turns: i32,
 }
 
-impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
-    /// Checks a description and makes it non-dimensional (STATICS 10). Coplanar sides of obstacles that meet and have the same friction
+impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> {
+    /// Checks a description and makes it non-dimensional . Coplanar sides of obstacles that meet and have the same friction
     /// become one side.
     ///
     /// A box over the edge of a table:
     ///
     /// ```
-    /// use stiction_core::{Description, ObstacleDescription, Parameter, Scene, WithObstacles};
+    /// use stiction_core::{Description, ObstacleDescription, Parameter, Scene};
     ///
     /// let table = [ObstacleDescription {
     ///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
@@ -122,8 +65,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     ///     surfaces: &[],
     ///     obstacles: &table,
     /// };
-    /// // Room for 2 obstacles, with 6 corners together.
-    /// type Among = Scene<f32, 4, 1, WithObstacles<2, 6>>;
+    /// // Room for 6 corners of obstacles.
+    /// type Among = Scene<f32, 4, 1, 6>;
     /// assert!(Among::new(&description).is_ok());
     ///
     /// let sunk = Description { start: [-0.02, 0.02, 0.0], ..description };
@@ -135,7 +78,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     /// let error = Among::new(&Description { obstacles: &step, ..description }).expect_err("no polygon");
     /// assert!(error.to_string().starts_with("corner 2 of obstacle 0 is 0.3, allowed: a corner"));
     ///
-    /// let error = Scene::<f32, 4, 1>::new(&description).expect_err("a model without obstacles");
+    /// let error = Scene::<f32, 4, 1>::new(&description).expect_err("no room for obstacles");
     /// assert_eq!(error.parameter, Parameter::ObstacleCount);
     /// # Ok::<(), stiction_core::SceneError<f32>>(())
     /// ```
@@ -143,42 +86,54 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     /// # Errors
     /// [`SceneError`] names the first parameter that is not finite, out of its range or inconsistent with the others,
     /// its value and what is allowed.
-    pub fn new(description: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
-        let d = description;
+    pub fn new(d: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
         check_numbers(d)?;
-        check_model::<R::Si, M>(d)?;
-        if Self::CORNERS {
-            check_vertices_among(d.vertices)?;
-        }
-        let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
+        let length = match check_vertices::<R::Si, V, C>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
         };
-        let units = Units::new(length, d.stiffness_translation);
-        let nd = |point| units.point_from_si::<R>(point);
+        let units = Units::new(d, length);
+        check_units::<R>(d, &units)?;
+        check_surfaces::<R, S>(d.surfaces)?;
+        let room = Room {
+            half_planes: d.surfaces.len(),
+            corners: C,
+        };
+        check_obstacles::<R>(d.obstacles, &room, &units)?;
+        let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
+        let (corners, obstacles) = if C > 0 {
+            unite::<R, S, C>(d.surfaces, d.obstacles, &units)
+        } else {
+            (Vec::new(), Vec::new())
+        };
         let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
-        let start = Pose {
-            position: nd([x, y]),
-            orientation: Orientation::new(Angle {
-                turns: theta.turns,
-                rest: R::from_si(theta.rest, R::Si::ONE),
-            }),
-        };
-        let mut scene = Self {
-            body: Body::new(gather(d.vertices.iter().map(|&v| nd(v)))),
-            surfaces: surfaces(d.surfaces, &units)?,
-            stiffness: units.moment_from_si(d.stiffness_rotation),
-            weight: Vec2::new(R::ZERO, -units.force_from_si::<R>(d.weight)),
-            start,
-            holding_point: d.holding_point.map(nd),
-            reach: units.length_from_si(d.reach),
+        let k = d.stiffness_rotation;
+        let scene = Self {
+            world: World {
+                centroid: centroid(&vertices),
+                vertices,
+                sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
+                normals: gather(normals::<R>(d.vertices)),
+                corners,
+                obstacles,
+                stiffness: Stiffness::new(
+                    R::from_si(k, units.per_moment(1)),
+                    R::from_si(k, units.per_moment(64)),
+                ),
+                weight: R::from_si(d.weight, units.per_force()),
+            },
             units,
-            obstacles: M::Obstacles::of_body(obstacles::normals::<R>(d.vertices)),
+            holding_point: d.holding_point.map(|g| units.vector(g)),
+            reach: units.length(d.reach),
+            start: HandPose {
+                at: units.point([x, y]),
+                angle: R::from_si(theta.rest, R::Si::ONE),
+            },
+            turns: theta.turns,
         };
         scene.check_range(d)?;
         scene.check_start()?;
-        M::surround(&mut scene, d)?;
         Ok(scene)
     }
 
@@ -192,16 +147,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
                 allowed,
             })
         };
-        for (i, (vertex, given)) in self.vertices().iter().zip(d.vertices).enumerate() {
+        let world = &self.world;
+        for (i, (vertex, given)) in world.vertices.iter().zip(d.vertices).enumerate() {
             if !fits(vertex.length_bound()) {
                 return error(Parameter::Vertex(i), larger(*given), allowed.place);
             }
         }
-        let [x, y, theta] = d.start;
-        if !fits(self.start.position.length_bound()) {
-            return error(Parameter::Start, larger([x, y]), allowed.place);
-        }
-        if self.start.orientation.angle().rest.abs() > R::TAU {
+        if self.start.angle.abs() > R::TAU {
+            let [.., theta] = d.start;
             return error(
                 Parameter::Start,
                 theta,
@@ -213,42 +166,54 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         {
             return error(Parameter::HoldingPoint, larger(given), allowed.place);
         }
-        for (i, (surface, given)) in self.surfaces.iter().zip(d.surfaces).enumerate() {
-            if !fits(surface.offset) {
+        for (i, (side, given)) in world.sides.iter().zip(d.surfaces).enumerate() {
+            if !fits(side.offset) {
                 return error(Parameter::Offset(i), given.offset, allowed.offset);
             }
         }
-        if !self.units.are_usable() {
-            let k_h = d.stiffness_translation;
-            return error(Parameter::StiffnessTranslation, k_h, allowed.stiffness);
-        }
-        if !fits(self.stiffness) {
+        if !fits(world.stiffness.value) {
             let k_theta = d.stiffness_rotation;
             return error(Parameter::StiffnessRotation, k_theta, allowed.rotation);
         }
-        if !fits(self.weight.y) {
+        if !fits(world.weight) {
             return error(Parameter::Weight, d.weight, allowed.weight);
         }
         Ok(())
     }
 
-    /// At the start no vertex is deeper than 1e-5 of the body size inside a surface.
+    /// At the start no vertex is deeper than 1e-5 of the body size inside a surface, nor the body in an obstacle.
     fn check_start(&self) -> Result<(), SceneError<R::Si>> {
-        let placed = Placed::at(&self.start);
-        for surface in self.surface_indices() {
-            let gap = |vertex: u8| placed.gap(self, Pair { vertex, surface });
-            let deepest = self.vertex_indices().fold((0, gap(0)), |worst, i| {
-                if gap(i) < worst.1 { (i, gap(i)) } else { worst }
+        let allowed = "at most 1e-5 of the body's largest vertex distance";
+        let at = At {
+            rotation: Rotation::by(self.start.angle),
+            g: self.start.at,
+        };
+        let statics = self.world.held_at(Vec2::ZERO);
+        let too_deep = |depth: R, parameter| {
+            let error = SceneError {
+                parameter,
+                value: depth.to_si(self.units.length),
+                allowed,
+            };
+            (depth > Self::start_tolerance()).then_some(error)
+        };
+        for (surface, side) in self.world.sides.iter().enumerate() {
+            let depth = |v: &Vec2<R>| side.offset - side.normal.dot(at.g + at.rotation.apply(*v));
+            let all = self.world.vertices.iter().map(depth).enumerate();
+            let deepest = all.reduce(|worst, one| if one.1 > worst.1 { one } else { worst });
+            let found = deepest.and_then(|(vertex, depth)| {
+                too_deep(depth, Parameter::Penetration { surface, vertex })
             });
-            if deepest.1 < -Self::start_tolerance() {
-                return Err(SceneError {
-                    parameter: Parameter::Penetration {
-                        surface: usize::from(surface),
-                        vertex: usize::from(deepest.0),
-                    },
-                    value: self.units.length_to_si(-deepest.1),
-                    allowed: "at most 1e-5 of the body's largest vertex distance",
-                });
+            if let Some(error) = found {
+                return Err(error);
+            }
+        }
+        for (index, obstacle) in statics.obstacles() {
+            let widest = statics.widest(&obstacle, at);
+            let found =
+                widest.and_then(|w| too_deep(-w.gap, Parameter::Overlap(usize::from(index))));
+            if let Some(error) = found {
+                return Err(error);
             }
         }
         Ok(())
@@ -261,7 +226,31 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     }
 }
 
-/// 1/n
-fn one_in<F: Real>(n: i32) -> F {
-    F::ONE / F::from_int(n)
+/// The units can be divided by, and the start is so near the origin of the world that its coordinates have digits left within the body.
+fn check_units<R: Real>(
+    d: &Description<'_, R::Si>,
+    units: &Units<R::Si>,
+) -> Result<(), SceneError<R::Si>> {
+    let [x, y, _] = d.start;
+    let farther = larger([x, y]);
+    if units.is_far(farther) {
+        let is_double = R::Si::RANGE > R::Si::from_int(1_000_000);
+        return Err(SceneError {
+            parameter: Parameter::Start,
+            value: farther,
+            allowed: if is_double {
+                "at most 1e12 body sizes from the origin"
+            } else {
+                "at most 1e6 body sizes from the origin"
+            },
+        });
+    }
+    if units.are_usable() {
+        return Ok(());
+    }
+    Err(SceneError {
+        parameter: Parameter::StiffnessTranslation,
+        value: d.stiffness_translation,
+        allowed: Representable::by::<R>().stiffness,
+    })
 }

@@ -1,197 +1,361 @@
-//! The first zero of functions that start positive, guaranteed (STATICS 3.2): the value, the slope and a bound of the curvature give a step
-//! that never passes a zero and converges quadratically to a simple one.
+//! One search for all motions: to the first event. A window of the motion is certain if every event function stays positive on it: its
+//! values at both ends exceed the sagitta that its bound of the second derivative permits (STATICS 5, 6).
 
+use crate::events::{Ending, Judging, Watch, Watched, Which};
+use crate::geometry::Vec2;
+use crate::judge::Found;
+use crate::motion::{Instant, Kind, Motion, Rates};
 use crate::real::Real;
+use crate::sample::{estimate, finish};
+use crate::state::Body;
+use crate::thresholds::Thresholds;
+use crate::values::Values;
+use crate::world::Statics;
 
-/// The remaining evaluations of a motion for the searches for its end, which share them. A simple zero takes 3 to 9; past the point of a
-/// double root, which a search may not jump over, the steps first halve and then double again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Looks {
-    most: u8,
-    left: u8,
-    /// Other work for the searches, in units of work.
-    beside: u16,
-}
+/// After this many rounds a search returns what is certain.
+const ROUNDS: u8 = 40;
 
-impl Looks {
-    /// The maximum number of evaluations for the motion of a single contact, or of none.
-    pub(crate) const MOST: u8 = 64;
-    /// Every search has this many of its own, so that all of them get away from where they begin.
-    const OWN: u8 = 4;
-    /// Other work is counted up to this much.
-    pub(crate) const MOST_BESIDE: u16 = 32;
-    /// For a motion of that kind that has not been evaluated yet.
-    pub(crate) const ALL: Self = Self::at_most(Self::MOST);
-
-    pub(crate) const fn at_most(most: u8) -> Self {
-        Self {
-            most,
-            left: most,
-            beside: 0,
-        }
-    }
-
-    /// Takes one more for a search that has already taken `own`, if there is one.
-    fn take(&mut self, own: u8) -> bool {
-        if self.left > 0 {
-            self.left = self.left.saturating_sub(1);
-        } else if own < Self::OWN {
-            self.most = self.most.saturating_add(1);
-        } else {
-            return false;
-        }
-        true
-    }
-
-    /// Counts other work that takes as long as this many evaluations.
-    pub(crate) fn add(&mut self, units: u16) {
-        self.beside = self.beside.saturating_add(units).min(Self::MOST_BESIDE);
-    }
-
-    /// Counts the work of examining obstacles, in units of work, however many.
-    pub(crate) fn add_among(&mut self, units: u32) {
-        let units = u16::try_from(units).unwrap_or(u16::MAX);
-        self.beside = self.beside.saturating_add(units);
-    }
-
-    /// The number of evaluations taken, including other work.
-    pub(crate) fn taken(self) -> u32 {
-        u32::from(self.most.saturating_sub(self.left)).saturating_add(u32::from(self.beside))
-    }
-}
-
-/// A function at one point: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slope<R> {
-    pub(crate) value: R,
-    pub(crate) slope: R,
-    pub(crate) curvature: R,
-    pub(crate) rounding: R,
-}
-
-impl<R: Real> Slope<R> {
-    /// The longest step that cannot pass a zero.
-    fn safe_step(&self) -> R {
-        let (e, d, k) = (self.value, self.slope, self.curvature);
-        if e <= R::ZERO || e <= self.rounding && d >= R::ZERO {
-            return R::ZERO;
-        }
-        let root = R::root_of_products(d, d, k.doubled(), e);
-        if d < R::ZERO {
-            e.doubled() / (root - d)
-        } else if k > R::ZERO {
-            (d + root) / k
-        } else {
-            R::HUGE
-        }
-    }
-
-    /// True if it has no zero within a step, because its lowest possible curve, a parabola, which is concave, is positive at both ends:
-    /// cheaper than computing the distance without a zero.
-    fn is_clear_of(&self, step: R) -> bool {
-        let fall = (self.curvature * step).halved() - self.slope;
-        self.value > self.rounding && self.value - fall * step > self.rounding
-    }
-
-    /// After a certified step E is at most K step²; true if twice that, or E itself, counts as zero.
-    fn is_closed_by(&self, step: R) -> bool {
-        self.value <= self.rounding || (self.curvature * step * step).doubled() <= self.rounding
-    }
-
-    /// The first step. A function that starts at zero and rises is stepped to the crest of its bound, d/K.
-    fn first_step(&self) -> R {
-        if self.value > self.rounding {
-            self.safe_step()
-        } else if self.slope <= R::ZERO {
-            R::ZERO
-        } else if self.curvature > R::ZERO {
-            self.slope / self.curvature
-        } else {
-            R::HUGE
-        }
-    }
-}
-
-/// The outcome of a search.
+/// How a search ended: at which end of its last window, at which x (or p, if it went along u), how far nothing else is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Found<R> {
-    /// No zero before the limit; `x` is the last point that was evaluated.
-    Nothing { x: R },
-    /// Function number `which` is the first to become zero, at `x`.
-    Zero { x: R, which: usize },
-    /// No evaluation was left at `x`, up to which there is no zero; `which` is the closest to one.
-    Unsure { x: R, which: usize },
+pub(crate) struct Ended<R> {
+    pub(crate) at: Which,
+    pub(crate) x: R,
+    pub(crate) ending: Ending,
+    pub(crate) room: R,
 }
 
-/// The functions of a search at one point.
-pub(crate) struct Samples<R, const M: usize> {
-    /// A function that is `None` has no zero within the window.
-    pub(crate) functions: [Option<Slope<R>>; M],
-    /// The farthest that the next step may go: the curvatures need only hold up to there.
-    pub(crate) window: R,
+/// One end of a window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct WindowEnd<R> {
+    pub(crate) instant: Instant<R>,
+    pub(crate) rates: Rates<R>,
+    pub(crate) values: Values<R>,
 }
 
-impl<R: Real, const M: usize> Samples<R, M> {
-    /// With curvatures that hold everywhere.
-    pub(crate) fn far(functions: [Slope<R>; M]) -> Self {
+/// Near a fold the same curve along u: u and p where that begins, the direction of u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Branch<R> {
+    pub(crate) u: R,
+    pub(crate) p: R,
+    pub(crate) direction: R,
+}
+
+/// A search between two evaluations: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bracket<R> {
+    /// The motion is certain up to here; the next window ends at `hi`, the search at `end`.
+    pub(crate) certain: R,
+    pub(crate) hi: R,
+    pub(crate) end: R,
+    /// Which end of the last window is the certain one, and whether it is evaluated.
+    pub(crate) low: Which,
+    pub(crate) is_known: bool,
+    /// The least hi that was too far.
+    pub(crate) bad: R,
+    pub(crate) room: R,
+    pub(crate) round: u8,
+    pub(crate) refusals: u8,
+    /// The first window is to be that of the tangents' estimate.
+    pub(crate) eager: bool,
+    pub(crate) shrunk: bool,
+    pub(crate) branch: Option<Branch<R>>,
+    /// The end of p if the search goes along u.
+    pub(crate) stop: R,
+}
+
+/// A motion that is searched for its first event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Search<R> {
+    pub(crate) motion: Motion<R>,
+    pub(crate) watch: Watch,
+    u0: R,
+    direction: R,
+    bracket: Bracket<R>,
+    first: WindowEnd<R>,
+    second: WindowEnd<R>,
+}
+
+impl<R: Real> WindowEnd<R> {
+    const NONE: Self = Self {
+        instant: Instant::ZERO,
+        rates: Rates {
+            u: R::ZERO,
+            p: R::ZERO,
+            g: Vec2::ZERO,
+            theta: R::ZERO,
+            xi: R::ZERO,
+            force: Vec2::ZERO,
+            moment: R::ZERO,
+        },
+        values: Values::NONE,
+    };
+}
+
+impl<R: Real> Search<R> {
+    /// No search yet.
+    pub(crate) const fn none(motion: Motion<R>) -> Self {
         Self {
-            functions: functions.map(Some),
-            window: R::HUGE,
+            motion,
+            watch: Watch::Way,
+            u0: R::ZERO,
+            direction: R::ONE,
+            bracket: Bracket::new(R::ONE, false, R::ZERO),
+            first: WindowEnd::NONE,
+            second: WindowEnd::NONE,
         }
     }
-}
-
-/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one point the first in the list counts.
-pub(crate) fn first_zero<R: Real, const M: usize>(
-    limit: R,
-    looks: &mut Looks,
-    mut sample: impl FnMut(R) -> Samples<R, M>,
-) -> Found<R> {
-    let mut x = R::ZERO;
-    let mut nearest = 0;
-    #[cfg(test)]
-    let mut search = crate::fixtures::searches::begin();
-    let mut own = 0;
-    while looks.take(own) {
-        #[cfg(test)]
-        if !search.goes_on() {
-            break;
+    /// A search of x from 0 to `end` along a motion; if it is eager, beginning with the tangents' estimate. No other contact than those of
+    /// the body is closer than `room`.
+    pub(crate) fn begin(&mut self, motion: Motion<R>, watch: Watch, end: R, eager: bool) {
+        self.u0 = match motion.kind {
+            Kind::Line | Kind::Pair => R::ZERO,
+            Kind::Free | Kind::Pin | Kind::Slide => motion.angle,
+        };
+        (self.motion, self.watch, self.direction) = (motion, watch, R::ONE);
+        self.bracket = Bracket::new(end, eager, R::ZERO);
+    }
+    /// The search of a frozen motion goes in the direction of this sign of u.
+    pub(crate) fn toward(&mut self, direction: R) {
+        self.direction = direction;
+    }
+    pub(crate) fn with_room(&mut self, room: R) {
+        self.bracket.room = room;
+    }
+    /// An end of the last window.
+    pub(crate) fn instant(&self, at: Which) -> &Instant<R> {
+        match at {
+            Which::First => &self.first.instant,
+            Which::Second => &self.second.instant,
         }
-        let Samples { functions, window } = sample(x);
-        let mut step = window;
-        let mut closest = None;
-        for (which, function) in functions.iter().enumerate() {
-            let Some(function) = function else { continue };
-            if function.is_clear_of(step) {
-                continue;
-            }
-            let safe = if own == 0 {
-                function.first_step()
+    }
+    /// The last point up to which nothing has happened, if it is beyond the beginning.
+    pub(crate) fn certain(&self) -> Option<&Instant<R>> {
+        let is_beyond = self.bracket.certain > R::ZERO && self.bracket.is_known;
+        is_beyond.then(|| self.instant(self.bracket.low))
+    }
+
+    /// One window: what ends the motion, if that is found.
+    #[inline(never)]
+    pub(crate) fn piece<const V: usize, const S: usize, const C: usize>(
+        &mut self,
+        statics: &Statics<'_, R, V, S, C>,
+        body: &Body<R>,
+    ) -> Option<Ended<R>> {
+        let (lo, hi) = match self.bracket.low {
+            Which::First => (&mut self.first, &mut self.second),
+            Which::Second => (&mut self.second, &mut self.first),
+        };
+        let mut run = Run {
+            watched: Watched {
+                statics,
+                body,
+                motion: &self.motion,
+                watch: self.watch,
+                direction: self.direction,
+            },
+            u0: self.u0,
+            bracket: &mut self.bracket,
+            lo,
+            hi,
+        };
+        let mut ended = run.round()?;
+        if self.bracket.branch.is_some() {
+            ended.x = if ended.ending == Ending::End {
+                self.bracket.stop
             } else {
-                function.safe_step()
+                self.instant(ended.at).p
             };
-            if safe < step {
-                step = safe;
-                closest = Some((which, function));
-            }
         }
-        if x + step >= limit {
-            return Found::Nothing { x };
-        }
-        if let Some((which, function)) = closest {
-            nearest = which;
-            let leaves = own == 0 && function.value <= function.rounding && step > R::ZERO;
-            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
-                return Found::Zero { x: x + step, which };
-            }
-        }
-        x = x + step;
-        own = own.saturating_add(1);
+        Some(ended)
     }
-    #[cfg(test)]
-    search.gives_up();
-    Found::Unsure { x, which: nearest }
 }
 
-#[cfg(test)]
-mod tests;
+impl<R: Real> Bracket<R> {
+    const fn new(end: R, eager: bool, room: R) -> Self {
+        Self {
+            certain: R::ZERO,
+            hi: end,
+            end,
+            low: Which::First,
+            is_known: false,
+            bad: R::HUGE,
+            room,
+            round: 0,
+            refusals: 0,
+            eager,
+            shrunk: false,
+            branch: None,
+            stop: end,
+        }
+    }
+    pub(crate) fn width(&self) -> R {
+        self.hi - self.certain
+    }
+}
+
+pub(crate) struct Run<'a, R, const V: usize, const S: usize, const C: usize> {
+    pub(crate) watched: Watched<'a, R, V, S, C>,
+    pub(crate) u0: R,
+    pub(crate) bracket: &'a mut Bracket<R>,
+    pub(crate) lo: &'a mut WindowEnd<R>,
+    pub(crate) hi: &'a mut WindowEnd<R>,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
+    fn round(&mut self) -> Option<Ended<R>> {
+        if self.bracket.eager {
+            self.bracket.eager = false;
+            self.know_low();
+            self.bracket.hi = estimate(self.lo, self.bracket.certain, self.bracket.end);
+            return None;
+        }
+        if self.bracket.round >= ROUNDS {
+            return Some(self.ended_low(Ending::GoesOn, R::ZERO));
+        }
+        let ended = self.window();
+        self.bracket.round = self.bracket.round.saturating_add(1);
+        ended
+    }
+
+    /// The motion ends where it is certain.
+    pub(crate) fn ended_low(&mut self, ending: Ending, room: R) -> Ended<R> {
+        self.know_low();
+        Ended {
+            at: self.bracket.low,
+            x: self.bracket.certain,
+            ending,
+            room,
+        }
+    }
+    fn ended_high(&self, ending: Ending, x: R, room: R) -> Ended<R> {
+        Ended {
+            at: self.bracket.low.other(),
+            x,
+            ending,
+            room,
+        }
+    }
+    /// One window; what it began with is evaluated only where it is needed.
+    fn window(&mut self) -> Option<Ended<R>> {
+        let on = match self.place(self.bracket.hi) {
+            Ok(on) => on,
+            Err(part) => return self.refused(part),
+        };
+        finish(&self.watched, self.bracket, self.hi);
+        let mut found = Found {
+            cross: R::HUGE,
+            crossing: None,
+            hit: None,
+            unsure: false,
+            part: R::ONE,
+        };
+        if let Some(ended) = self.judge_functions(&on, &mut found) {
+            return Some(ended);
+        }
+        if C > 0
+            && let Some(ended) = self.judge_ends(&mut found)
+        {
+            return Some(ended);
+        }
+        let mut room = self.bracket.room - on.bound.way;
+        if room <= R::ZERO {
+            room = R::HUGE;
+            if let Some(ended) = self.judge_gaps(&on, &mut room, &mut found) {
+                return Some(ended);
+            }
+        }
+        if found.crossing.is_some() || found.unsure {
+            return self.shrink(&found);
+        }
+        self.go_on(&found, &on, room)
+    }
+    /// The window is too wide, or something crosses zero on it.
+    fn shrink(&mut self, found: &Found<R>) -> Option<Ended<R>> {
+        let b = &mut *self.bracket;
+        let w = b.width();
+        if found.crossing.is_some() {
+            b.bad = b.bad.min(b.hi);
+        }
+        if w <= R::standstill() * (R::ONE + b.hi) {
+            let hit = found.hit.map(|(ending, _)| ending);
+            let ending = found.crossing.or(hit).unwrap_or(Ending::GoesOn);
+            let x = b.hi;
+            return Some(self.ended_high(ending, x, R::ZERO));
+        }
+        let part = if found.part < R::ONE {
+            let eighth = R::ONE / R::from_int(8);
+            (found.part - found.part * eighth).max(eighth)
+        } else {
+            R::HALF
+        };
+        let middle = b.certain + w * part;
+        b.shrunk = true;
+        let mut hi = match (found.crossing.is_some(), found.unsure) {
+            (true, true) => found.cross.min(middle),
+            (true, false) => found.cross,
+            (false, _) => middle,
+        };
+        if hi <= b.certain {
+            hi = b.certain + w * R::EPSILON.sqrt();
+        }
+        if hi >= b.hi {
+            hi = middle;
+        }
+        b.hi = hi;
+        None
+    }
+    /// The window is certain: the motion ends at its end, or the next window begins there.
+    fn go_on(&mut self, found: &Found<R>, on: &Judging<R>, room: R) -> Option<Ended<R>> {
+        self.bracket.room = room;
+        let (hi, w, end) = (self.bracket.hi, self.bracket.width(), self.bracket.end);
+        if let Some((ending, dx)) = found.hit {
+            let left = room - R::zero();
+            // The last step of Newton's iteration: what remains is rounding.
+            let x = hi + dx;
+            let is_step = dx != R::ZERO && x > self.bracket.certain && x <= end;
+            if is_step && (self.place(x).is_ok() || self.bracket.branch.is_some()) {
+                let left = left - dx.abs() * (R::ONE + on.bound.way / w);
+                return Some(self.ended_high(ending, x, left));
+            }
+            return Some(self.ended_high(ending, hi, left));
+        }
+        if hi >= end {
+            // Along u the end is that of the bounds.
+            let ending = if self.bracket.branch.is_some() {
+                Ending::GoesOn
+            } else {
+                Ending::End
+            };
+            return Some(self.ended_high(ending, hi, room));
+        }
+        if self.is_beyond_reach() {
+            return Some(self.ended_high(Ending::GoesOn, hi, room));
+        }
+        let b = &mut *self.bracket;
+        let growth = if b.shrunk {
+            w + w.halved().halved()
+        } else {
+            w.doubled().doubled()
+        };
+        b.certain = hi;
+        b.hi = estimate(self.hi, hi, end).min(end).min(hi + growth);
+        b.shrunk = false;
+        if b.bad < R::HUGE && b.hi >= b.bad {
+            b.hi = if b.bad > hi {
+                hi + (b.bad - hi).halved()
+            } else {
+                (hi + w).min(end)
+            };
+        }
+        b.low = b.low.other();
+        b.is_known = true;
+        None
+    }
+    /// The position of a pair on a path is known no farther.
+    fn is_beyond_reach(&self) -> bool {
+        let motion = self.watched.motion;
+        motion.kind == Kind::Pair
+            && !motion.frozen
+            && self.hi.instant.u.abs() > motion.pair.reach.halved()
+    }
+}

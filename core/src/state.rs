@@ -1,373 +1,222 @@
-//! 3: the contact state. Each variant owns exactly the memory that it needs from one frame to the next; each has a file of its own with the
-//! same verbs in the same order:
-//!
-//! * `contacts`, `pose`: what touches, and the pose of the body;
-//! * `follow`: a certified frame, in which nothing happens before its end: follows the hand, or returns false and has not moved;
-//! * `advance`: follows the hand on a straight path, in balance, to the first event (path evolution);
-//! * `relax`: hand frozen, comes to balance without sliding and tests friction;
-//! * `slide`: hand frozen, slides to the end of the slip;
-//! * `reactions`: the forces of the contacts at rest.
-//!
-//! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
-//!
-//! Each verb except the certified frame is a call of its own (`inline(never)`): the stack holds the data of one, not of all.
+//! The memory of a body in contact: its contacts with their signs, where it is, where the hand is, how far nothing else is.
 
-use crate::contact::{Pair, Pairs, Reactions, Regime};
-use crate::detect::Placed;
-use crate::event::StateKind;
-use crate::geometry::Pose;
-use crate::grip::Grip;
-use crate::load::Load;
-use crate::moment::{Pinned, Sliding};
-use crate::pivot::Pivot;
+use crate::contact::Contacts;
+use crate::frame::Frame;
+use crate::geometry::{Rotation, Vec2, Wrench};
+use crate::motion::Instant;
 use crate::real::Real;
-use crate::verb::{Moved, Relax, Trigger, seat};
-use crate::work::Work;
-use crate::world::World;
+use crate::thresholds::Thresholds;
+use crate::world::Statics;
 
-mod corner;
-mod edge;
-mod fixed_pose;
-mod free;
-mod locked;
-mod on_corner;
-mod onset;
-mod segment;
-mod short_slip;
-mod side_end;
-mod single_vertex;
-mod slide;
-mod swing;
-mod trammel;
-mod two_vertex;
-
-pub(crate) use corner::Corner;
-pub(crate) use edge::Edge;
-pub(crate) use free::Free;
-pub(crate) use locked::Locked;
-pub(crate) use on_corner::{CORNER_LOOK, MAX_HALVINGS, MOST_OF_PIECES};
-pub(crate) use single_vertex::SingleVertex;
-pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, RUN, SLIDE, SPOT, SPOT_LOOK};
-pub(crate) use two_vertex::{Slip, TwoVertex};
-
-/// The contact state with its memory.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum ContactState<R: Real> {
-    Free(Free<R>),
-    SingleVertex(SingleVertex<R>),
-    Edge(Edge<R>),
-    TwoVertex(TwoVertex<R>),
-    Corner(Corner<R>),
-    Locked(Locked<R>),
+/// The hand as the other end of the springs: lengths / L, angle in rad. Also a displacement of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct HandPose<R> {
+    /// h
+    pub(crate) at: Vec2<R>,
+    /// phi
+    pub(crate) angle: R,
 }
 
-impl<R: Real> ContactState<R> {
-    pub(crate) fn kind(&self) -> StateKind {
-        match self {
-            Self::Free(_) => StateKind::NonContact,
-            Self::SingleVertex(_) => StateKind::SingleVertex,
-            Self::Edge(_) => StateKind::Edge,
-            Self::TwoVertex(_) => StateKind::TwoVertex,
-            Self::Corner(_) => StateKind::Corner,
-            Self::Locked(_) => StateKind::Locked,
+/// The displacement of the hand along which p runs from 0 to `whole`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Displacement<R> {
+    /// h_p, phi_p
+    pub(crate) per_p: HandPose<R>,
+    pub(crate) whole: R,
+}
+
+impl<R: Real> HandPose<R> {
+    pub(crate) const REST: Self = Self {
+        at: Vec2::ZERO,
+        angle: R::ZERO,
+    };
+
+    /// The displacement to another pose: in fixed point in units of a power of two near its own size, so that rates have all their places.
+    pub(crate) fn to(&self, target: &Self) -> Displacement<R> {
+        let by = Self {
+            at: target.at - self.at,
+            angle: target.angle - self.angle,
+        };
+        if !R::is_fixed() {
+            return Displacement {
+                per_p: by,
+                whole: R::ONE,
+            };
+        }
+        let size = by.at.x.abs().max(by.at.y.abs()).max(by.angle.abs());
+        let unit = size.max(R::EPSILON).min(R::ONE).unit();
+        Displacement {
+            per_p: Self {
+                at: by.at.in_units(unit),
+                angle: by.angle.in_units(unit),
+            },
+            whole: unit,
         }
     }
-
-    pub(crate) fn contacts(&self) -> Pairs {
-        match self {
-            Self::Free(_) => Pairs::new(),
-            Self::SingleVertex(s) => s.contacts(),
-            Self::Edge(s) => s.contacts(),
-            Self::TwoVertex(s) => s.contacts(),
-            Self::Corner(s) => s.contacts(),
-            Self::Locked(s) => s.contacts(),
+    /// The size of the displacement to another pose: way and turn at a lever of one body size.
+    pub(crate) fn distance(&self, target: &Self) -> R {
+        (target.at - self.at).length_bound() + (target.angle - self.angle).abs()
+    }
+    /// This pose moved along a displacement by p.
+    pub(crate) fn moved(&self, per_p: &Self, p: R) -> Self {
+        Self {
+            at: self.at + per_p.at * p,
+            angle: self.angle + per_p.angle * p,
         }
     }
+    /// The most by which a displacement of this rate can move the body per p: way and turn at a lever of one body size.
+    pub(crate) fn size(&self) -> R {
+        self.at.length_bound() + self.angle.abs()
+    }
+}
 
-    /// The pivot that fixes the pose; without contact the pose itself.
-    pub(crate) fn anchor(&self) -> Result<&Pivot<R>, &Pose<R>> {
-        match self {
-            Self::Free(s) => Err(&s.pose),
-            Self::SingleVertex(s) => Ok(&s.pivot),
-            Self::Edge(s) => Ok(&s.pivot),
-            Self::TwoVertex(s) => Ok(&s.pivot),
-            Self::Corner(s) => Ok(&s.pivot),
-            Self::Locked(s) => Ok(&s.pivot),
+/// A body in the world. With a contact it is placed by the foot of the first and its angle; the holding point follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Body<R> {
+    pub(crate) contacts: Contacts,
+    /// The memory bit of friction: the contacts have stiction.
+    pub(crate) stiction: bool,
+    /// xi: the foot of the first contact along t.
+    pub(crate) foot: R,
+    /// theta, and R(theta)
+    pub(crate) angle: R,
+    pub(crate) rotation: Rotation<R>,
+    /// G: the holding point.
+    pub(crate) holding: Vec2<R>,
+    pub(crate) hand: HandPose<R>,
+    /// No other contact is closer than this; 0: not known.
+    pub(crate) room: R,
+    /// Contacts that fix the pose bear any load that differs from the present one by less; 0: not known.
+    pub(crate) slack: R,
+}
+
+/// How the contacts leave the body to move, by their number and signs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Freedom {
+    /// No contact.
+    Free,
+    /// It turns about a contact that sticks.
+    Turns,
+    /// One contact slides.
+    Slides,
+    /// Two contacts slide.
+    Together,
+    /// It does not move.
+    Fixed,
+}
+
+impl<R: Real> Body<R> {
+    pub(crate) fn freedom(&self) -> Freedom {
+        let [first, second] = self.contacts.pair();
+        match self.contacts.len() {
+            0 => Freedom::Free,
+            1 if first.sense.slides() => Freedom::Slides,
+            _ if first.sense.slides() || second.sense.slides() => Freedom::Together,
+            _ if self.contacts.turn_about_first() => Freedom::Turns,
+            _ => Freedom::Fixed,
         }
     }
-
-    /// The body placed by the point that fixes its pose.
-    pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
-        match self.anchor() {
-            Ok(pivot) => pivot.placed(scene),
-            Err(pose) => Placed::at(pose),
+    /// The body at an instant of a motion of its own.
+    pub(crate) fn go_to(&mut self, i: &Instant<R>, room: R) {
+        self.foot = i.foot;
+        self.angle = i.angle;
+        self.rotation = i.rotation;
+        self.holding = i.g;
+        self.room = room;
+    }
+    /// A body without contact at a pose, with the hand at its first pose.
+    pub(crate) fn new(holding: Vec2<R>, angle: R, hand: HandPose<R>) -> Self {
+        Self {
+            contacts: Contacts::NONE,
+            stiction: false,
+            foot: R::ZERO,
+            angle,
+            rotation: Rotation::by(angle),
+            holding,
+            hand,
+            room: R::ZERO,
+            slack: R::ZERO,
         }
     }
-
-    /// The load on the body about the point that holds its pose.
-    pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
-        Load::new(scene, self.placed(scene), grip)
+    /// Nothing is known about what is near, nor about what the contacts bear.
+    pub(crate) fn forget(&mut self) {
+        (self.room, self.slack) = (R::ZERO, R::ZERO);
     }
-
-    pub(crate) fn pose(&self, scene: &impl World<R>) -> Pose<R> {
-        self.placed(scene).pose()
+    /// The contacts stick, without stiction.
+    pub(crate) fn loosen(&mut self) {
+        self.contacts.rest();
+        self.stiction = false;
     }
+    /// The body leaves all contacts.
+    pub(crate) fn lift(&mut self) {
+        self.contacts.clear();
+        self.stiction = false;
+        self.forget();
+    }
+}
 
-    /// Returns whether the number type can represent the springs between the body and a hand.
-    pub(crate) fn can_be_held<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
-        let load = self.load(scene, grip);
-        if W::GLIDES {
-            load.is_representable_sliding()
-        } else {
-            load.is_representable()
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// F and M: hand and weight on the body, about the holding point, with the hand at a pose.
+    pub(crate) fn load(&self, body: &Body<R>, hand: &HandPose<R>) -> Wrench<R> {
+        let weight = body.rotation.apply(self.centroid).x * self.weight;
+        Wrench {
+            force: hand.at - body.holding + self.weight_force(),
+            moment: self.stiffness.of(hand.angle - body.angle) - weight,
         }
     }
-
-    /// Returns whether the contacts hold the body, but only with reactions beyond the limit (STATICS 6).
-    #[inline(never)]
-    pub(crate) fn is_jammed<W: World<R>>(
-        &self,
-        scene: &W,
-        grip: &Grip<R>,
-        work: &mut Work,
-    ) -> bool {
-        match self {
-            Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip, work),
-            Self::Corner(s) if W::SURFACES => s.is_jammed(scene, grip, work),
-            Self::Locked(s) if W::SURFACES => s.is_jammed(scene, grip, work),
-            _ => false,
+    /// The load with the hand where it is.
+    pub(crate) fn present_load(&self, body: &Body<R>) -> Wrench<R> {
+        self.load(body, &body.hand)
+    }
+    /// N and T of the first contact if it alone bears the load.
+    pub(crate) fn reaction(&self, body: &Body<R>) -> [R; 2] {
+        let frame = self.frame(body.contacts.first(), body.rotation, body.holding);
+        let force = self.present_load(body).force;
+        [-frame.n.dot(force), -frame.t.dot(force)]
+    }
+    /// The residual of balance that is rounding.
+    pub(crate) fn rounding(&self, body: &Body<R>) -> R {
+        R::of_balance(self.present_load(body).size())
+    }
+    /// Contact i becomes the first, so that the pose is held by it.
+    pub(crate) fn lead(&self, body: &mut Body<R>, i: usize) {
+        if i > 0 {
+            body.contacts.lead(i);
+            let first = body.contacts.first();
+            body.foot = self.foot_of(first, body.rotation, body.holding);
         }
     }
-
-    /// A displacement of the hand after which a load that the contacts could only just bear is certainly not borne any more.
-    pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>, work: &mut Work) -> R {
-        match self {
-            Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip, work),
-            Self::Locked(s) if W::SURFACES => s.release(scene, grip, work),
-            _ => self.load(scene, grip).release(),
-        }
+    /// The holding point as the first contact's foot and the angle place it.
+    pub(crate) fn stand(&self, body: &mut Body<R>) {
+        body.rotation = Rotation::by(body.angle);
+        let foot = self.foot(body.contacts.first(), body.rotation, body.foot);
+        body.holding = foot.c - foot.r;
     }
-
-    /// Whether the contacts stick or slide; without contact nothing sticks.
-    pub(crate) fn regime(&self) -> Regime<R> {
-        match self {
-            Self::Free(_) => Regime::LOOSE,
-            Self::SingleVertex(s) => s.regime,
-            Self::Edge(s) => s.regime,
-            Self::TwoVertex(s) => s.regime,
-            Self::Corner(Corner { stiction, .. }) | Self::Locked(Locked { stiction, .. }) => {
-                let stiction = *stiction;
-                Regime::Stick { stiction }
-            }
-        }
-    }
-
-    /// The state and whether its contacts slide.
-    pub(crate) fn motion(&self) -> (StateKind, bool) {
-        (self.kind(), self.regime().slide().is_some())
-    }
-
-    /// The same state, sticking or sliding; a state that cannot slide sticks.
-    pub(crate) fn set_regime(&mut self, regime: Regime<R>) {
-        match self {
-            Self::Free(_) => {}
-            Self::SingleVertex(s) => s.regime = regime,
-            Self::Edge(s) => s.regime = regime,
-            Self::TwoVertex(s) => s.regime = regime,
-            Self::Corner(Corner { stiction, .. }) | Self::Locked(Locked { stiction, .. }) => {
-                *stiction = regime.has_stiction();
-            }
-        }
-    }
-
-    /// One vertex or an edge that sticks has stiction if it is pressed hard enough (rule 3).
-    pub(crate) fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
-        if let Self::SingleVertex(SingleVertex { pivot, regime, .. })
-        | Self::Edge(Edge { pivot, regime, .. }) = self
-        {
-            pivot.renew(scene, grip, regime);
-        }
-    }
-
-    /// For contacts that fix the pose when a hand takes hold: they have stiction if one of them is pressed hard enough by a load that they
-    /// can bear (rule 10 a).
-    pub(crate) fn press<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) {
-        if !W::SURFACES || !matches!(self, Self::TwoVertex(_) | Self::Corner(_) | Self::Locked(_)) {
+    /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn.
+    pub(crate) fn seat(&self, body: &mut Body<R>) {
+        if body.contacts.is_empty() {
             return;
         }
-        self.set_regime(Regime::Stick { stiction: true });
-        let (reactions, _) = self.reactions(scene, grip, &self.load(scene, grip));
-        let contacts = self.contacts();
-        let mut pairs = contacts.iter().zip(&reactions);
-        let is_pressed = pairs.any(|(contact, &[normal, _])| {
-            let friction = scene.surface(contact.surface).friction;
-            friction.is_pressed(normal)
-        });
-        if !is_pressed {
-            self.set_regime(Regime::LOOSE);
-        }
-    }
-
-    /// True if it has followed a frame in which certainly nothing happens.
-    pub(crate) fn follow<W: World<R>>(
-        &mut self,
-        scene: &W,
-        (from, to): (&Grip<R>, &Grip<R>),
-        work: &mut Work,
-    ) -> bool {
-        let path = (from, to);
-        work.spend(self.certified_work());
-        match self {
-            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path, work),
-            Self::Free(s) => s.follow::<W, Pinned>(scene, path, work),
-            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, (R::ONE, work)),
-            Self::SingleVertex(s) => match s.regime {
-                Regime::Slide(sign) => s.follow_sliding(scene, path, (sign, work)),
-                Regime::Stick { .. } => s.follow(scene, path, work),
-            },
-            Self::Edge(s) if W::EDGES => s.follow(scene, path, work),
-            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path, work),
-            Self::Locked(s) if W::SURFACES => s.follow(scene, to, work),
-            _ => false,
-        }
-    }
-
-    /// Moves with the hand from one grip to another, in balance, to the first event (STATICS 7, step 1).
-    pub(crate) fn advance<W: World<R>>(
-        &mut self,
-        scene: &W,
-        from: &Grip<R>,
-        to: &Grip<R>,
-    ) -> Moved<R> {
-        match self {
-            Self::Free(s) if W::GLIDES => s.advance::<Sliding<R>>(scene, from, to),
-            Self::Free(s) => s.advance::<Pinned>(scene, from, to),
-            Self::SingleVertex(s) if W::GLIDES => s.advance_sliding(scene, (from, to), R::ONE),
-            Self::SingleVertex(s) => match s.regime {
-                Regime::Slide(sign) => s.advance_sliding(scene, (from, to), sign),
-                Regime::Stick { .. } => s.advance(scene, from, to),
-            },
-            Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
-            Self::TwoVertex(s) if W::SURFACES => s.advance(scene, from, to),
-            Self::Corner(s) if W::SURFACES => s.advance(scene, from, to),
-            Self::Locked(s) if W::SURFACES => s.advance(scene, from, to),
-            _ => absent(),
-        }
-    }
-
-    /// Comes to balance at a frozen hand without sliding, then tests friction (STATICS 7, step 3).
-    pub(crate) fn relax<W: World<R>>(
-        &mut self,
-        scene: &W,
-        grip: &Grip<R>,
-        how: Relax<R>,
-    ) -> Moved<R> {
-        match self {
-            Self::Free(s) if W::GLIDES => s.relax::<Sliding<R>>(scene, grip),
-            Self::Free(s) => s.relax::<Pinned>(scene, grip),
-            Self::SingleVertex(s) if !W::GLIDES => s.relax(scene, grip, how.sliding),
-            Self::SingleVertex(s) => s.glide_down(scene, grip),
-            Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
-            Self::TwoVertex(s) if W::SURFACES => s.relax(scene, grip, how),
-            Self::Corner(s) if W::SURFACES => s.relax(scene, grip),
-            Self::Locked(s) if W::SURFACES => s.relax(scene, grip, how.tried),
-            _ => absent(),
-        }
-    }
-
-    /// From a fold of the branch, on in the direction of the sign. A free body continues from there without it.
-    #[inline(never)]
-    pub(crate) fn snap<W: World<R>>(
-        &mut self,
-        scene: &W,
-        grip: &Grip<R>,
-        (direction, under_way): (R, &mut Option<Slip<R>>),
-    ) -> Moved<R> {
-        match self {
-            Self::Free(s) if W::GLIDES => s.snap::<Sliding<R>>(scene, grip, direction),
-            Self::Free(s) => s.snap::<Pinned>(scene, grip, direction),
-            Self::SingleVertex(s) if W::GLIDES => s.snap_sliding(scene, grip, (direction, R::ONE)),
-            Self::SingleVertex(s) => match s.regime {
-                Regime::Slide(sign) => s.snap_sliding(scene, grip, (direction, sign)),
-                Regime::Stick { .. } => s.snap(scene, grip, direction),
-            },
-            Self::TwoVertex(s) if W::SURFACES => s.snap(scene, grip, direction, under_way),
-            Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
-            other => other.relax(scene, grip, Relax::default()),
-        }
-    }
-
-    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first. It may take several pieces:
-    /// `under_way` stores its progress.
-    pub(crate) fn slip<W: World<R>>(
-        &mut self,
-        scene: &W,
-        grip: &Grip<R>,
-        (sign, under_way): (R, &mut Option<Slip<R>>),
-    ) -> Moved<R> {
-        match self {
-            Self::SingleVertex(s) if !W::GLIDES => s.slip(scene, grip, (sign, under_way)),
-            Self::Edge(s) if W::EDGES && !W::GLIDES => s.slip(scene, grip, sign),
-            Self::TwoVertex(s) if W::SURFACES => s.slip(scene, grip, under_way),
-            _ => absent(),
-        }
-    }
-
-    /// The reactions, (N, T) of each contact, and the directions along t in which the contacts slide: 0 if they stick.
-    pub(crate) fn reactions<W: World<R>>(
-        &self,
-        scene: &W,
-        grip: &Grip<R>,
-        load: &Load<R>,
-    ) -> (Reactions<R>, [R; 2]) {
-        let reactions = match self {
-            Self::TwoVertex(s) if W::SURFACES => return s.reactions(scene, grip, load),
-            Self::SingleVertex(s) => s.reactions(scene, load),
-            Self::Edge(s) if W::EDGES => s.reactions(scene, load),
-            Self::Corner(s) if W::SURFACES => s.reactions(scene, load),
-            Self::Locked(s) if W::SURFACES => s.reactions(scene, load),
-            _ => Reactions::new(),
-        };
-        (reactions, [self.regime().slide().unwrap_or(R::ZERO); 2])
-    }
-
-    /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.
-    pub(crate) fn seated<W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[Pair]) -> Self {
-        if !W::SEVERAL {
-            return Self::SingleVertex(SingleVertex::new(pivot));
-        }
-        let pivot = seat(scene, pivot, others);
-        match *others {
-            [other]
-                if W::SURFACES
-                    && other.vertex == pivot.contact.vertex
-                    && !(W::CORNERS && other.is_corner()) =>
-            {
-                Self::Corner(Corner {
-                    pivot,
-                    surface: other.surface,
-                    stiction: false,
-                })
+        for _ in 0..3 {
+            self.stand(body);
+            let first = body.contacts.first();
+            let contacts = body.contacts;
+            for contact in contacts.iter().skip(1) {
+                let frames = [first, contact].map(|c| self.frame(c, body.rotation, body.holding));
+                let slope = gap_slope(&frames);
+                let gap = self.gap(contact, body.rotation, body.holding);
+                let step = gap / slope.dot(slope).max(R::EPSILON);
+                if !self.is_in_line(first, contact) {
+                    body.foot = body.foot - step * slope.x;
+                }
+                body.angle = body.angle - step * slope.y;
+                self.stand(body);
             }
-            [other]
-                if W::EDGES
-                    && pivot
-                        .placed(scene)
-                        .are_in_line(scene, [pivot.contact, other]) =>
-            {
-                Self::Edge(Edge::new(pivot, other))
-            }
-            [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
-            [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),
-            _ => Self::SingleVertex(SingleVertex::new(pivot)),
         }
     }
 }
 
-/// The verb of a state that does not occur in the scene, or that has no such verb.
-fn absent<R: Real>() -> Moved<R> {
-    Moved::by(Trigger::Undriven)
+/// The gradient of the second contact's gap by foot and angle of the first: g = (n_2·t_1, t_2·r12).
+pub(crate) fn gap_slope<R: Real>([first, second]: &[Frame<R>; 2]) -> Vec2<R> {
+    Vec2::new(second.n.dot(first.t), second.t.dot(second.r - first.r))
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,99 +1,115 @@
-//! Every bound at which a number counts as zero, a position as the same, a quotient as known: its unit, and its derivation. STATICS 10 has
-//! the same as a table. ε is [`Real::EPSILON`]; the touch and the shortest slip are [`Real::TOUCH`] and [`Real::MICRO`]. The constants of
-//! (E8) and (E9) are not included: they are steps of a proof.
+//! Every bound at which a number counts as zero, a position as the same, a quotient as known: its unit, and its derivation. ε is
+//! [`Real::EPSILON`]; the touch and the shortest slip are [`Real::TOUCH`] and [`Real::MICRO`].
 
+use crate::geometry::one_in;
 use crate::real::Real;
 
+/// What the number type can tell apart.
 pub(crate) trait Thresholds: Real {
-    /// 2 ε, per size of the coordinates of a gap (L), and of a cosine or sine (1): the number is rounded, and so is what is computed from
-    /// it.
-    fn of_coordinates() -> Self {
-        Self::EPSILON.doubled()
+    /// A number of few bits before the point: rates and slopes are taken in units near their size, sums saturate.
+    fn is_fixed() -> bool {
+        Self::RANGE < Self::from_int(100)
+    }
+    /// In units near its size if the number type has few places; otherwise as it is.
+    fn scaled(self, unit: Self) -> Self {
+        if Self::is_fixed() {
+            self.in_units(unit)
+        } else {
+            self
+        }
     }
 
-    /// 4 ε of a size, of forces (k_h L), moments (k_h L²) and other sums of four products at most.
-    fn of_sums(size: Self) -> Self {
-        Self::rounding(size).doubled().doubled()
+    /// The farthest coordinate (L) that a hand may have, from where the body starts.
+    fn far() -> Self {
+        Self::RANGE
     }
-
-    /// 8 ε of the hand's displacement (L, or rad): a foot that moves back by less rests (rule 7). The rounding of the velocity at both ends
-    /// of a slide, 4 ε each.
-    fn of_displacement(size: Self) -> Self {
-        Self::rounding(size * Self::from_int(8))
+    /// 4 ε (L or k_h L): what a sum of four products near 1 is known to.
+    fn of_products() -> Self {
+        Self::EPSILON.doubled().doubled()
     }
-
-    /// 4 roundings of a load (k_h L): the residual that reactions may leave of it comes from their three components and its own rounding.
-    fn of_reactions(rounding: Self) -> Self {
-        rounding * Self::from_int(4)
+    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero, up to a last step of its search.
+    fn zero() -> Self {
+        (Self::TOUCH / Self::from_int(64)).max(Self::of_products())
     }
-
-    /// 8 roundings of a margin, in its unit: it is used up beyond doubt if it is exceeded by the 4 ε to which a search knows it, at the
-    /// beginning and at the end.
-    fn beyond_doubt(rounding: Self) -> Self {
-        rounding * Self::from_int(8)
+    /// Its square is rounding: after a Newton step du with du² <= ε (rad² or L²) the rest is linear.
+    fn is_last(step: Self) -> bool {
+        step * step <= Self::EPSILON
     }
-
-    /// 64 roundings of a load (k_h L): a search knows E·D to 4 roundings, where D, and the unit of the curve, are no less than a quarter of
-    /// their largest component.
-    fn of_searches(rounding: Self) -> Self {
-        rounding * Self::from_int(4 * 4 * 4)
+    /// 8 touch (1, of the displacement): a shorter window is not tried; the branch ends there.
+    fn shortest_window() -> Self {
+        Self::TOUCH * Self::from_int(8)
     }
-
-    /// 16 ε (L or rad per unit of the motion): smaller velocities count as zero. Those of the unit twist are quotients of sums of two
-    /// products of normals and levers, each known to 2 ε.
-    fn standstill() -> Self {
-        Self::from_int(16) * Self::EPSILON
+    /// 8 ε (1 + load) (k_h L, k_h L²): a residual of balance is a sum of four products of the load's size, known to 4 ε, and compared with
+    /// another one.
+    fn of_balance(load: Self) -> Self {
+        Self::EPSILON * Self::from_int(8) * (Self::ONE + load)
     }
-
-    /// 4 ε (1): directions are parallel if the sine of their angle does not exceed this.
-    fn parallel() -> Self {
-        Self::from_int(4) * Self::EPSILON
+    /// 64 ε (1 + load) (k_h L²): a moment with which a slip begins and that lasts until it ends; less is the rounding of eight such residuals.
+    fn of_lasting_moment(load: Self) -> Self {
+        Self::of_balance(load) * Self::from_int(8)
     }
-
-    /// 64 ε (1): an edge that is not farther from the plane of two others lies in it, and a gap that opens no faster does not open. A
-    /// normal of unit size is known to 16 ε if these two are at an angle of 1/4 or more, and its products with an edge to four times that.
+    /// 2 ε (1 + load) (k_h L²): the load drives a motion by more than the rounding of one product.
+    fn of_drive(load: Self) -> Self {
+        Self::EPSILON.doubled() * (Self::ONE + load)
+    }
+    /// 32 ε (1 + load) per size of a facet (k_h L): a load beyond it is not borne whichever way its four residuals round.
+    fn of_release(load: Self) -> Self {
+        Self::of_balance(load) * Self::from_int(4)
+    }
+    /// 64 ε (1): an edge that is not farther from the plane of two others lies in it, a gap that opens no faster does not open. A normal of
+    /// unit size is known to 16 ε if these two are at an angle of 1/4 or more, its products with an edge to four times that.
     fn in_plane() -> Self {
-        Self::from_int(64) * Self::EPSILON
+        Self::EPSILON * Self::from_int(64)
     }
-
+    /// 16 ε (L or rad per unit of the motion): smaller velocities count as zero; they are quotients of sums of two products of normals and
+    /// levers, each known to 2 ε.
+    fn standstill() -> Self {
+        Self::EPSILON * Self::from_int(16)
+    }
+    /// 8 ε of the hand's displacement (L, or rad): a foot that moves back by less rests. The rounding of its velocity at both ends, 4 ε each.
+    fn of_displacement(size: Self) -> Self {
+        Self::EPSILON * Self::from_int(8) * size
+    }
+    /// 2 touch (L): a contact that is reached within this was there before; its gap at the beginning and the touch are each known to one.
+    fn met_before() -> Self {
+        Self::TOUCH.doubled()
+    }
+    /// 2 zero (L): a foot whose velocity, times the slope of the other gap, is less turns back here. Its zero is known to one *zero*, and found
+    /// to another.
+    fn of_turn() -> Self {
+        Self::zero().doubled()
+    }
+    /// sqrt(touch) (L or rad): over this much of a motion its second order is a touch, its first order far more than rounding.
+    fn ahead() -> Self {
+        Self::TOUCH.sqrt()
+    }
     /// 2^-8 (1): components along three edges of a larger volume are known to 2^8 roundings, no worse than in fixed point a reaction at the
     /// limit is known to its rounding.
     fn sharp() -> Self {
         Self::ONE / Self::from_int(256)
     }
-
     /// 1/64 (1): a quotient with a larger divisor is known to 64 roundings, as accurately as the result of a search.
     fn divisor() -> Self {
         Self::ONE / Self::from_int(64)
     }
-
-    /// 1/8 (1): if the directions of two reactions are at an angle of a larger sine, the reactions that balance the force alone are known
-    /// to 8 roundings, and nothing else is used.
-    fn spread() -> Self {
-        Self::HALF.halved().halved()
+    /// 2^-10 (1): normals at a smaller angle (its sine) are those of one line: a body that lies on a step of 2^-19 L turns by less if its
+    /// contacts are 2^-9 L or more apart.
+    fn one_line() -> Self {
+        Self::ONE / Self::from_int(1024)
     }
-
-    /// 16 (1): if the reactions that bear a load are beyond the range of the numbers, a sixteenth of it is tried, and so on, and the
-    /// residual of a load is refined in steps of which it is a sixteenth: with 4 of 24 digits at a time no component leaves the range.
-    fn digits() -> Self {
-        Self::from_int(16)
+    /// 2^-17 (L): four times what counts as one place; a neighbour that reaches less far through the line of a contact is on it.
+    fn beside() -> Self {
+        Self::MICRO.doubled().doubled()
     }
-
-    /// 2 [`Real::TOUCH`] (L): a contact that is reached within this was there before. Its gap at the beginning and the touch are each known
-    /// to one.
-    fn met_before() -> Self {
-        Self::TOUCH.doubled()
-    }
-
-    /// 16 [`Real::MICRO`] (1): a tilt of flat sides that is no larger may be rounding. A gap is known to 4 ε at a contact; over an overlap
-    /// of 2^-6 L that results in 2^-15 with 24 digits.
-    fn snapped_flat() -> Self {
-        Self::from_int(16) * Self::MICRO
-    }
-
-    /// 64 (k_h L): larger reactions are not distinguished from a jam (STATICS 6). Half of what fixed point represents.
+    /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)
+    }
+    /// 1e-5 (k_h L²): the spring that holds the angle on the way, towards the body's angle at the beginning of a frame, where nothing else
+    /// does. Over a turn of 1/10 rad its moment is a touch in single precision; with less a frame turns the body by so much that paths
+    /// reach their limit.
+    fn swing() -> Self {
+        Self::from_si(one_in(100_000), Self::Si::ONE)
     }
 }
 

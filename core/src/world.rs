@@ -1,141 +1,185 @@
-//! The states' view of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces / (k_h L).
+//! The world as the statics sees it: the body's vertices and centroid, the sides and corners that it can touch, the springs, the weight.
+//! Lengths / L, forces / (k_h L). L is the largest distance of two vertices, k_h the translational stiffness.
 
-use crate::contact::Pair;
-use crate::forces::Touch;
-use crate::geometry::{Rotation, Vec2};
-use crate::obstacle::{Corner, Round};
+use crate::geometry::Vec2;
+use crate::obstacles::{Corner, Obstacle};
 use crate::real::Real;
-pub(crate) use crate::surface::Surface;
 use crate::thresholds::Thresholds;
-use core::ops::Range;
+use heapless::Vec;
 
-/// The interface of a scene to the states. The constants are known to the compiler: code that a scene cannot need is not compiled in.
-pub(crate) trait World<R: Real>: Sized {
-    /// A body of more than one vertex: it can lie on an edge.
-    const EDGES: bool;
-    /// More than one surface, or obstacles: it can touch two simultaneously.
-    const SURFACES: bool;
-    /// Obstacles with corners.
-    const CORNERS: bool;
-    /// Two simultaneous contacts are possible.
-    const SEVERAL: bool = Self::EDGES || Self::SURFACES;
-    /// The only surface is without friction. A contact on it glides: its foot is where the tangential forces balance.
-    const GLIDES: bool;
+/// An angle of friction lambda, tan(lambda) = mu: as sine and cosine, so that mu from 0 to infinity is regular.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cone<R> {
+    pub(crate) sin: R,
+    pub(crate) cos: R,
+}
 
-    /// Vertices, body frame, counter-clockwise.
-    fn vertices(&self) -> &[Vec2<R>];
-    /// The surface of an index; if there is none, a plane that nothing reaches.
-    fn surface(&self, index: u8) -> Surface<R>;
-    /// The indices of all half-planes.
-    fn surface_indices(&self) -> Range<u8>;
-    /// All corners of obstacles, obstacle by obstacle; the indices of corners as surfaces follow those of the half-planes.
-    fn corners(&self) -> &[Corner<R>];
-    /// For each obstacle the index of its first corner.
-    fn firsts(&self) -> &[u8];
-    /// For each obstacle a circle that contains it.
-    fn rounds(&self) -> &[Round<R>];
-    /// m_j: the outward normal of the body's side that begins at vertex j, body frame.
-    fn body_normal(&self, side: u8) -> Vec2<R>;
-    /// cg, body frame.
-    fn centroid(&self) -> Vec2<R>;
-    /// k_theta / (k_h L²)
-    fn stiffness(&self) -> R;
-    /// The weight as a force, W / (k_h L).
-    fn weight(&self) -> Vec2<R>;
+/// Coulomb's law of a side: a reaction N n + T t sticks while |T| <= mu_s N and slides with |T| = mu_d N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Friction<R> {
+    /// atan mu_s
+    pub(crate) fixed: Cone<R>,
+    /// atan mu_d
+    pub(crate) sliding: Cone<R>,
+    /// mu_s - mu_d
+    pub(crate) drop: R,
+    /// N* = D_c / (mu_s - mu_d) (k_h L), or [`Real::HUGE`] without stiction.
+    pub(crate) threshold: R,
+    /// D_c (L), at least 2^-19
+    pub(crate) memory: R,
+}
 
-    /// Returns whether nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: then it swings freely
-    /// about the holding point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
-    fn swings(&self, arm: Vec2<R>) -> bool {
-        let is_held_there = || arm.length_bound() <= R::of_coordinates();
-        self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
-    }
-
-    /// The corner of an index among the surfaces.
-    fn corner(&self, index: u8) -> Option<&Corner<R>> {
-        let first = self.surface_indices().end;
-        (self.corners()).get(usize::from(index.checked_sub(first)?))
-    }
-
-    /// The obstacle of a contact; `None` for a half-plane.
-    fn obstacle_of(&self, contact: Pair) -> Option<u8> {
-        self.corner(contact.surface).map(|corner| corner.obstacle)
-    }
-
-    /// The surface of a contact in an orientation of the body: for a corner the line of the body's side, which turns with the body.
-    fn face(&self, contact: Pair, rotation: Rotation<R>) -> Surface<R> {
-        let surface = self.surface(contact.surface);
-        if !Self::CORNERS || !contact.is_corner() {
-            return surface;
-        }
-        let place = self.corner(contact.surface).map_or(Vec2::ZERO, |c| c.place);
-        let normal = -rotation.apply(self.body_normal(contact.body_side()));
-        let offset = normal.dot(place);
-        Surface {
-            normal,
-            tangent: Vec2::new(normal.y, -normal.x),
-            offset,
-            origin: normal * offset,
-            friction: surface.friction,
-        }
-    }
-
-    /// What touches what, by the indices of the description.
-    fn touch(&self, contact: Pair) -> Touch {
-        let (vertex, surface) = (usize::from(contact.vertex), usize::from(contact.surface));
-        let Some(corner) = self.corner(contact.surface) else {
-            return Touch::Surface { vertex, surface };
+impl<R: Real> Friction<R> {
+    pub(crate) const NONE: Self = {
+        let cone = Cone {
+            sin: R::ZERO,
+            cos: R::ONE,
         };
-        let obstacle = usize::from(corner.obstacle);
-        let first = self.firsts().get(obstacle).copied().unwrap_or_default();
-        let first = usize::from(self.surface_indices().end.saturating_add(first));
-        let index = surface.saturating_sub(first);
-        if contact.is_corner() {
-            Touch::Corner {
-                obstacle,
-                corner: index,
-                body_side: usize::from(contact.body_side()),
-            }
+        Self {
+            fixed: cone,
+            sliding: cone,
+            drop: R::ZERO,
+            threshold: R::HUGE,
+            memory: R::ZERO,
+        }
+    };
+
+    /// The cone of a contact that sticks, with stiction or without.
+    pub(crate) fn cone(&self, stiction: bool) -> Cone<R> {
+        if stiction { self.fixed } else { self.sliding }
+    }
+    /// A contact with this normal reaction has stiction (R24).
+    pub(crate) fn is_pressed(&self, normal: R) -> bool {
+        self.threshold < R::HUGE && normal >= self.threshold
+    }
+}
+
+/// A side: the free half-plane is n·p >= b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Side<R> {
+    /// n, of length 1
+    pub(crate) normal: Vec2<R>,
+    /// t = (n_y, -n_x)
+    pub(crate) tangent: Vec2<R>,
+    /// b
+    pub(crate) offset: R,
+    pub(crate) friction: Friction<R>,
+}
+
+impl<R: Real> Side<R> {
+    /// A side that nothing reaches.
+    pub(crate) const NOWHERE: Self = Self {
+        normal: Vec2::new(R::ZERO, R::ONE),
+        tangent: Vec2::new(R::ONE, R::ZERO),
+        offset: R::LEAST,
+        friction: Friction::NONE,
+    };
+}
+
+/// The rotational stiffness k = k_theta / (k_h L²).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stiffness<R> {
+    /// k
+    pub(crate) value: R,
+    /// k times a power of two, and that: a small k has few places in fixed point.
+    times: R,
+    unit: R,
+}
+
+impl<R: Real> Stiffness<R> {
+    /// From k and 64 k.
+    pub(crate) fn new(value: R, value_64: R) -> Self {
+        let (times, unit) = if R::is_fixed() && value < R::ONE {
+            (value_64, R::from_int(64))
         } else {
-            Touch::Side {
-                vertex,
-                obstacle,
-                side: index,
-            }
-        }
-    }
-
-    /// Where the side of a contact begins and ends along t; for a half-plane beyond all numbers.
-    fn reach(&self, contact: Pair) -> [R; 2] {
-        let Some(corner) = self.corner(contact.surface) else {
-            return [R::LEAST, R::HUGE];
+            (value, R::ONE)
         };
-        if !contact.is_corner() {
-            return corner.reach;
+        Self { value, times, unit }
+    }
+    /// k x
+    pub(crate) fn of(&self, x: R) -> R {
+        if R::is_fixed() {
+            (self.times * x).in_units(self.unit)
+        } else {
+            self.value * x
         }
-        // t_b
-        let tangent = self.body_normal(contact.body_side()).turned();
-        let side = contact.body_side();
-        let [next, _] = self.neighbours(side);
-        [next, side].map(|end| -tangent.dot(self.vertex(end)))
     }
+}
 
-    /// v_i, body frame; the origin if there is no such vertex.
-    fn vertex(&self, i: u8) -> Vec2<R> {
-        let vertex = self.vertices().get(usize::from(i));
-        *vertex.unwrap_or(&Vec2::ZERO)
+/// Body and surroundings: at most V vertices, S sides, C corners. It never changes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct World<R, const V: usize, const S: usize, const C: usize> {
+    /// Body frame, counter-clockwise.
+    pub(crate) vertices: Vec<Vec2<R>, V>,
+    /// cg, body frame
+    pub(crate) centroid: Vec2<R>,
+    pub(crate) sides: Vec<Side<R>, S>,
+    /// The inward normals of the body's sides, body frame.
+    pub(crate) normals: Vec<Vec2<R>, V>,
+    pub(crate) corners: Vec<Corner<R>, C>,
+    pub(crate) obstacles: Vec<Obstacle<R>, C>,
+    pub(crate) stiffness: Stiffness<R>,
+    /// w >= 0: the size of the weight, which acts along -y.
+    pub(crate) weight: R,
+}
+
+/// A world whose body is held at a point of its own: levers count from there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Statics<'a, R, const V: usize, const S: usize, const C: usize> {
+    pub(crate) world: &'a World<R, V, S, C>,
+    /// g, body frame
+    grip: Vec2<R>,
+    /// cg - g, body frame
+    pub(crate) centroid: Vec2<R>,
+    /// k, w
+    pub(crate) stiffness: Stiffness<R>,
+    pub(crate) weight: R,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> {
+    /// The body held at g, body frame.
+    pub(crate) fn held_at(&self, grip: Vec2<R>) -> Statics<'_, R, V, S, C> {
+        Statics {
+            world: self,
+            grip,
+            centroid: self.centroid - grip,
+            stiffness: self.stiffness,
+            weight: self.weight,
+        }
     }
+}
 
-    /// The indices of all vertices.
-    fn vertex_indices(&self) -> Range<u8> {
-        0..u8::try_from(self.vertices().len()).unwrap_or(u8::MAX)
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// a: the lever of a vertex from the holding point, body frame; zero if there is no such vertex.
+    pub(crate) fn vertex(&self, index: u8) -> Vec2<R> {
+        let vertex = self.world.vertices.get(usize::from(index));
+        vertex.map_or(Vec2::ZERO, |&v| v - self.grip)
     }
-
-    /// The two neighbours of a vertex (for a rod twice the other one, for a point itself): on the surface that it touches nothing else can
-    /// arrive first.
-    fn neighbours(&self, i: u8) -> [u8; 2] {
-        let last = self.vertex_indices().end.saturating_sub(1);
-        let next = if i >= last { 0 } else { i.saturating_add(1) };
-        let previous = if i == 0 { last } else { i.saturating_sub(1) };
-        [next, previous]
+    /// The levers of all vertices, with their indices.
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = (u8, Vec2<R>)> {
+        (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
+    }
+    /// A half-plane, or a side of an obstacle after them; one that nothing reaches if there is none of that index.
+    pub(crate) fn side(&self, index: u8) -> Side<R> {
+        let side = self.world.sides.get(usize::from(index));
+        if C > 0 && side.is_none() {
+            return self
+                .corner_of_side(index)
+                .map_or(Side::NOWHERE, |corner| self.corner(corner).side);
+        }
+        side.copied().unwrap_or(Side::NOWHERE)
+    }
+    /// All half-planes, with their indices.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = (u8, &Side<R>)> {
+        (0_u8..).zip(&self.world.sides)
+    }
+    /// W: the weight as a force.
+    pub(crate) fn weight_force(&self) -> Vec2<R> {
+        Vec2::new(R::ZERO, -self.weight)
+    }
+    /// An upper bound of the distance of the vertices from the holding point.
+    pub(crate) fn size(&self) -> R {
+        self.vertices()
+            .fold(R::ZERO, |size, (_, a)| size.max(a.length_bound()))
     }
 }

@@ -1,20 +1,13 @@
 //! The checks of a description that need only its numbers. The first fault ends them.
 
 use super::{Description, Parameter, SceneError, SurfaceDescription};
-use crate::friction::Coulomb;
-use crate::geometry::{Vec2, normalized};
-use crate::model::Model;
+use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::surface::Surface;
-use crate::units::Units;
-use heapless::Vec;
 
 mod obstacles;
 mod outline;
 
-pub(crate) use obstacles::check_obstacle_count;
-pub(super) use obstacles::{Room, check_obstacles, check_vertices_among};
-pub(super) use outline::sides;
+pub(super) use obstacles::{Room, check_obstacles};
 use outline::{check_convex, spread};
 
 type Checked<F> = Result<(), SceneError<F>>;
@@ -125,26 +118,6 @@ pub(super) fn fits<R: Real>(x: R) -> bool {
     x.is_finite() && x.abs() <= R::RANGE
 }
 
-/// Friction and weight only where the model has them.
-pub(super) fn check_model<F: Real, M: Model>(d: &Description<'_, F>) -> Checked<F> {
-    require(
-        M::WEIGHT || d.weight == F::ZERO,
-        Parameter::Weight,
-        d.weight,
-        "0 in a model without weight",
-    )?;
-    for (i, surface) in d.surfaces.iter().enumerate() {
-        check_model_friction::<F, M>(surface.friction_static, Parameter::FrictionStatic(i))?;
-    }
-    Ok(())
-}
-
-/// Friction only where the model has it.
-fn check_model_friction<F: Real, M: Model>(mu_s: F, parameter: Parameter) -> Checked<F> {
-    let allowed = "0 in a model without friction";
-    require(M::FRICTION || mu_s == F::ZERO, parameter, mu_s, allowed)
-}
-
 /// The friction of a surface or an obstacle as it is given.
 struct Friction<F> {
     mu_s: F,
@@ -166,19 +139,23 @@ impl<F: Real> Friction<F> {
 }
 
 /// Checks the vertices; returns the largest distance between two of them, 0 for a point.
-pub(super) fn check_vertices<F: Real, const V: usize>(
+pub(super) fn check_vertices<F: Real, const V: usize, const C: usize>(
     vertices: &[[F; 2]],
     thinnest: F,
 ) -> Result<F, SceneError<F>> {
     let count = vertices.len();
     let shown = F::from_int(i32::try_from(count).unwrap_or(i32::MAX));
-    let fits = count >= 1 && count <= V && count <= usize::from(u8::MAX);
-    require(
-        fits,
-        Parameter::VertexCount,
-        shown,
-        "1 to the capacity of the solver, and at most 255",
-    )?;
+    // Among obstacles a contact numbers a vertex with seven bits, on the wire.
+    let (most, allowed) = if C > 0 {
+        (
+            128,
+            "1 to the capacity of the solver, and at most 128 among obstacles",
+        )
+    } else {
+        (255, "1 to the capacity of the solver, and at most 255")
+    };
+    let fits = count >= 1 && count <= V && count <= most;
+    require(fits, Parameter::VertexCount, shown, allowed)?;
     let length = spread(vertices, Parameter::Vertex)?;
     check_convex(vertices, length, thinnest, Parameter::Vertex)?;
     Ok(length)
@@ -213,21 +190,14 @@ pub(super) fn thinnest<R: Real>() -> R::Si {
     thinnest.to_si(R::Si::ONE)
 }
 
-/// The memory length if none is given, in body sizes.
-pub(super) fn default_memory<F: Real>() -> F {
-    F::ONE / F::from_int(4096)
-}
-
-/// Checks and normalises the surfaces.
-pub(super) fn surfaces<R: Real, const S: usize>(
+/// Checks the surfaces.
+pub(super) fn check_surfaces<R: Real, const S: usize>(
     given: &[SurfaceDescription<R::Si>],
-    units: &Units<R::Si>,
-) -> Result<Vec<Surface<R>, S>, SceneError<R::Si>> {
+) -> Checked<R::Si> {
     let count = R::Si::from_int(i32::try_from(given.len()).unwrap_or(i32::MAX));
     let fits = given.len() <= S && given.len() <= usize::from(u8::MAX);
     let capacity = "0 to the capacity of the solver, and at most 255";
     require(fits, Parameter::SurfaceCount, count, capacity)?;
-    let mut checked = Vec::new();
     for (i, d) in given.iter().enumerate() {
         let [x, y] = d.normal;
         let size = x.hypot(y);
@@ -239,10 +209,9 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             "a finite vector that is not zero",
         )?;
         require(true, Parameter::Offset(i), d.offset, "a finite number")?;
-        let (mu_s, mu_d) = (d.friction_static, d.friction_dynamic);
         let friction = Friction {
-            mu_s,
-            mu_d,
+            mu_s: d.friction_static,
+            mu_d: d.friction_dynamic,
             memory: d.memory,
         };
         friction.check([
@@ -250,22 +219,8 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             Parameter::FrictionDynamic(i),
             Parameter::Memory(i),
         ])?;
-        let memory = d
-            .memory
-            .map_or(default_memory(), |memory| units.length_from_si(memory));
-        let (x, y) = normalized(x, y);
-        let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
-        let offset = units.length_from_si(d.offset);
-        // The slice is not longer than S, so there is room.
-        let _ = checked.push(Surface {
-            normal,
-            tangent: Vec2::new(normal.y, -normal.x),
-            offset,
-            origin: normal * offset,
-            friction: Coulomb::from_coefficients(mu_s, mu_d, memory),
-        });
     }
-    Ok(checked)
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,12 +1,8 @@
 //! The checks of obstacles with corners that need only their numbers and the body's size L.
 
 use super::outline::{check_convex, sides, spread};
-use super::{
-    Checked, Friction, Representable, check_model_friction, fits, larger, require, thinnest,
-};
-use crate::contact::Pair;
+use super::{Checked, Friction, Representable, fits, larger, require, thinnest};
 use crate::geometry::Vec2;
-use crate::model::Model;
 use crate::real::Real;
 use crate::scene::{ObstacleDescription, Parameter};
 use crate::units::Units;
@@ -15,39 +11,23 @@ use crate::units::Units;
 pub(in crate::scene) struct Room {
     /// Indices that half-planes occupy of the 255 that they share with the corners.
     pub(in crate::scene) half_planes: usize,
-    pub(in crate::scene) obstacles: usize,
     /// Corners of all obstacles together.
     pub(in crate::scene) corners: usize,
 }
 
-/// A body among obstacles has no more vertices than a contact can number.
-pub(in crate::scene) fn check_vertices_among<F: Real>(vertices: &[[F; 2]]) -> Checked<F> {
-    let fits = vertices.len() <= Pair::MAX_VERTICES;
-    let allowed = "1 to the capacity of the solver, and at most 128 among obstacles";
-    require(fits, Parameter::VertexCount, count(vertices), allowed)
-}
-
-/// There are no more obstacles than the solver has room for.
-pub(crate) fn check_obstacle_count<F: Real>(
-    given: &[ObstacleDescription<'_, F>],
-    capacity: usize,
-) -> Checked<F> {
-    let allowed = "0 to the capacity of the solver";
-    require(
-        given.len() <= capacity,
-        Parameter::ObstacleCount,
-        count(given),
-        allowed,
-    )
-}
-
 /// All obstacles, in their order.
-pub(in crate::scene) fn check_obstacles<R: Real, M: Model>(
+pub(in crate::scene) fn check_obstacles<R: Real>(
     given: &[ObstacleDescription<'_, R::Si>],
     room: &Room,
     units: &Units<R::Si>,
 ) -> Checked<R::Si> {
-    check_obstacle_count(given, room.obstacles)?;
+    // Each has a corner.
+    require(
+        given.len() <= room.corners,
+        Parameter::ObstacleCount,
+        count(given),
+        "0 to the capacity of the solver",
+    )?;
     for (i, obstacle) in given.iter().enumerate() {
         let corners = count(obstacle.vertices);
         let some = !obstacle.vertices.is_empty();
@@ -67,7 +47,6 @@ pub(in crate::scene) fn check_obstacles<R: Real, M: Model>(
             obstacle.friction_static,
             Parameter::ObstacleFrictionStatic(i),
         );
-        check_model_friction::<R::Si, M>(mu_s, fixed)?;
         let friction = Friction {
             mu_s,
             mu_d: obstacle.friction_dynamic,
@@ -92,11 +71,11 @@ fn check_shape<R: Real>(
     spread(corners, name)?;
     let allowed = Representable::by::<R>().place;
     for (k, &corner) in corners.iter().enumerate() {
-        let place: Vec2<R> = units.point_from_si(corner);
+        let place: Vec2<R> = units.point(corner);
         require(fits(place.length_bound()), name(k), larger(corner), allowed)?;
     }
-    let body_size = units.length_to_si(R::ONE);
-    let shortest = units.length_to_si(shortest_side::<R>());
+    let body_size = units.length;
+    let shortest = shortest_side::<R>().to_si(units.length);
     if corners.len() > 1 {
         for (side, (from, to)) in sides(corners).enumerate() {
             let [from, to] = [from, to].map(|[x, y]| Vec2::new(x, y));

@@ -55,7 +55,7 @@ fn convexity_is_that_of_the_shape() {
         let scale = libm::exp10(f64::from(exponent)) as f32;
         let scaled = |corner: [f32; 2]| {
             let vertices = [[0.0, 0.0], [1.0, 0.0], corner, [0.0, 1.0]];
-            check_vertices::<f32, 4>(&vertices.map(|v| v.map(|x| x * scale)), thinnest::<f32>())
+            check_vertices::<f32, 4, 0>(&vertices.map(|v| v.map(|x| x * scale)), thinnest::<f32>())
         };
         assert!(scaled([1.0, 1.0]).is_ok(), "{scale}");
         assert!(scaled([0.75, 0.5]).is_ok(), "{scale}");

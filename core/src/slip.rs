@@ -1,0 +1,255 @@
+//! At the frozen hand one contact or two slide on to mu_d N (STATICS 11).
+
+use crate::contact::Sense;
+use crate::errand::{Next, Stage};
+use crate::event::{Event, Status};
+use crate::events::{Ending, Watch, Which};
+use crate::modes::{Mode, Pressing};
+use crate::motion::Motion;
+use crate::real::Real;
+use crate::search::Ended;
+use crate::state::HandPose;
+use crate::step::Step;
+use crate::thresholds::Thresholds;
+
+/// At most so many searches make a slip.
+const RUNS: u8 = 16;
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
+    /// A slip begins, in a sense of the first contact.
+    pub(crate) fn slip(&mut self, sense: Sense) {
+        self.errand.runs = 0;
+        let statics = self.statics;
+        let pair = self.body.contacts.pair();
+        self.errand.feet = pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
+        if self.body.contacts.len() == 1 {
+            self.errand.feet = [self.body.foot; 2];
+            return self.slide_on(sense);
+        }
+        let motion = if statics.is_edge(&self.body.contacts) {
+            statics.pair_along(self.body, HandPose::REST, sense)
+        } else {
+            let driven = |pressing| statics.driven(self.body, &self.body.hand, [0, 1], pressing);
+            let always = driven(Pressing::Always);
+            let Some(by) = always.or_else(|| driven(Pressing::AtBalance)) else {
+                return self.settled(Next::Relax(Sense::Rests));
+            };
+            let mut m = statics.pair(self.body, HandPose::REST, by.direction);
+            m.pair.pressed = always.is_some();
+            m
+        };
+        self.slide_together(Motion {
+            frozen: true,
+            ..motion
+        });
+    }
+
+    /// One contact.
+    fn slide_on(&mut self, sense: Sense) {
+        self.errand.runs = self.errand.runs.saturating_add(1);
+        if self.errand.runs > RUNS {
+            self.log.limit(Status::IterationLimit);
+            return self.settled(Next::Rest);
+        }
+        let mut m = Motion::slip(self.body, sense.number());
+        let e0 = self.statics.placed_at_start(&m).e;
+        let load = self.statics.present_load(self.body);
+        if e0.abs() > R::of_lasting_moment(load.size()) {
+            m.lasting = e0;
+        } else if self.statics.slips_shortly(self.body, sense) {
+            self.errand.search.motion.lasting = R::ZERO;
+            return self.slipped(sense, Ending::Stopped);
+        }
+        let end = load.force.length_bound() + R::TWO;
+        self.run(Stage::Slip(sense), m, Watch::Slip(sense), end, true);
+    }
+    /// A slip of one contact has ended.
+    pub(crate) fn slipped(&mut self, sense: Sense, ending: Ending) {
+        let next = match ending {
+            Ending::Stopped => {
+                let [normal, _] = self.statics.reaction(self.body);
+                let friction = self.statics.friction(self.body.contacts.first());
+                let is_pressed = friction.is_pressed(normal);
+                let [foot, _] = self.errand.feet;
+                let length = self.body.foot - foot;
+                if self.body.stiction || is_pressed && length.abs() > R::MICRO {
+                    self.log.slip(length);
+                }
+                self.body.stiction = is_pressed;
+                if !is_pressed {
+                    self.body.contacts.slide(sense);
+                }
+                if self.errand.search.motion.lasting == R::ZERO {
+                    Next::Rest
+                } else {
+                    Next::Relax(sense)
+                }
+            }
+            Ending::Touch(feature) => {
+                self.touch(feature);
+                Next::Relax(sense)
+            }
+            Ending::Ends(_) => {
+                if self.hand_on(0, sense) {
+                    self.handed(sense)
+                } else if self.body.contacts.len() > 1 {
+                    Next::Relax(sense)
+                } else {
+                    return self.slide_on(sense);
+                }
+            }
+            Ending::Clear => {
+                self.log.event(Event::Lift);
+                self.body.lift();
+                Next::Relax(Sense::Rests)
+            }
+            Ending::Fold => {
+                // The foot a little further: the branch has ended.
+                self.log.event(Event::Snap);
+                let little = R::TOUCH * R::from_int(16);
+                self.body.foot = self.body.foot + sense.along(little);
+                self.statics.stand(self.body);
+                Next::Relax(Sense::Rests)
+            }
+            Ending::End
+            | Ending::GoesOn
+            | Ending::Yields(_)
+            | Ending::Pressed
+            | Ending::Halt
+            | Ending::Opens(_)
+            | Ending::GivesWay => return self.slide_on(sense),
+        };
+        self.settled(next);
+    }
+
+    /// Two contacts.
+    fn slide_together(&mut self, motion: Motion<R>) {
+        self.errand.runs = self.errand.runs.saturating_add(1);
+        if self.errand.runs > RUNS {
+            self.log.limit(Status::IterationLimit);
+            return self.settled(Next::Relax(Sense::Rests));
+        }
+        let load = self.statics.present_load(self.body);
+        let end = (load.force.length_bound() + R::from_int(4)).min(motion.pair.reach);
+        self.run(Stage::Joint, motion, Watch::JointSlip, end, true);
+    }
+    /// A slip of two has ended.
+    pub(crate) fn slipped_together(&mut self, ended: &Ended<R>) {
+        let m = self.errand.search.motion;
+        let senses = m.contacts.map(|c| c.sense);
+        let [sense, _] = senses;
+        let next = match ended.ending {
+            Ending::Stopped => self.stopped_together(&m, senses),
+            Ending::Touch(feature) => {
+                self.touch(feature);
+                Next::Relax(sense)
+            }
+            Ending::Ends(which) => {
+                self.body.contacts.slide_pair(senses);
+                let [first, second] = senses;
+                self.hand_on(which.index(), which.of([first, second]));
+                self.handed(self.body.contacts.first().sense)
+            }
+            Ending::Opens(which) => match self.opens_in_slip(&m, which) {
+                Some(next) => next,
+                None => return,
+            },
+            Ending::End | Ending::GoesOn | Ending::Halt => match self.again(&m) {
+                Some(on) => return self.slide_together(on),
+                // Nothing drives it on.
+                None => Next::Relax(sense),
+            },
+            Ending::Fold
+            | Ending::Yields(_)
+            | Ending::Clear
+            | Ending::Pressed
+            | Ending::GivesWay => Next::Relax(Sense::Rests),
+        };
+        self.settled(next);
+    }
+    /// In balance: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
+    fn stopped_together(&mut self, m: &Motion<R>, senses: [Sense; 2]) -> Next {
+        let [first, second] = m.contacts;
+        let statics = self.statics;
+        let feet = m
+            .contacts
+            .map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
+        let moved = feet
+            .iter()
+            .zip(self.errand.feet)
+            .map(|(now, then)| *now - then);
+        let is_pressed = if statics.is_even(first, second) {
+            let [normal, _] = statics.reaction(self.body);
+            statics.friction(first).is_pressed(normal)
+        } else {
+            m.contacts.iter().zip(moved.clone()).any(|(c, way)| {
+                let friction = statics.friction(*c);
+                friction.threshold < R::HUGE && way.abs() >= friction.memory
+            })
+        };
+        if self.body.stiction || is_pressed {
+            let length = moved.into_iter().next().unwrap_or(R::ZERO);
+            self.log.slip(length);
+        }
+        self.body.stiction = is_pressed;
+        let [sense, _] = senses;
+        if !m.pair.pressed {
+            return Next::Relax(sense);
+        }
+        if !is_pressed {
+            self.body.contacts.slide_pair(senses);
+        }
+        Next::Rest
+    }
+    /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (R31).
+    fn opens_in_slip(&mut self, m: &Motion<R>, which: Which) -> Option<Next> {
+        let lasts = which.other();
+        let contact = lasts.index();
+        let lasting = lasts.of(m.contacts);
+        let turn = Mode::Turn {
+            about: contact,
+            with: None,
+        };
+        let slide = Mode::Slide {
+            contact,
+            sense: lasting.sense,
+        };
+        let modes: &[Mode] = if lasting.sense.slides() {
+            &[turn, slide]
+        } else {
+            &[turn]
+        };
+        let gap_opens = modes.iter().any(|mode| {
+            let rate = (self.statics).opening(self.body, &self.body.hand, mode, Pressing::Always);
+            rate.is_some_and(|rate| rate > R::in_plane())
+        });
+        if !gap_opens {
+            let mut free = *m;
+            free.pair.pressed = false;
+            if let Some(on) = self.again(&free) {
+                self.slide_together(on);
+                return None;
+            }
+        }
+        let before = self.statics.kind(&self.body.contacts);
+        self.statics.lead(self.body, contact);
+        self.body.contacts.keep(&[lasting.with(Sense::Rests)]);
+        self.body.forget();
+        self.log
+            .open(before, self.statics.kind(&self.body.contacts));
+        Some(Next::Relax(lasting.sense))
+    }
+    /// The slip of two from here on, in the same direction, if it is driven.
+    fn again(&self, m: &Motion<R>) -> Option<Motion<R>> {
+        let make = |direction| self.statics.pair(self.body, m.hand_p, direction);
+        let mut next = make(R::ONE);
+        if next.pair.twist.dot(m.pair.twist) < R::ZERO {
+            next = make(-R::ONE);
+        }
+        next.frozen = true;
+        next.pair.pressed = m.pair.pressed;
+        let i = self.statics.placed_at_start(&next);
+        let drag = self.statics.shares(&next, &i).drag;
+        (i.e > R::ZERO && drag > R::ZERO).then_some(next)
+    }
+}

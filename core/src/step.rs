@@ -1,0 +1,297 @@
+//! One step: along the hand's displacement from event to event; at a jump the body settles at the frozen hand.
+
+use crate::calm::Calm;
+use crate::cone::Borne;
+use crate::contact::Sense;
+use crate::errand::{Errand, Next, Stage};
+use crate::event::{Event, Status};
+use crate::events::{Ending, Watch};
+use crate::evolution::Evolution;
+use crate::log::Log;
+use crate::modes::Picked;
+use crate::motion::{Kind, Motion};
+use crate::real::Real;
+use crate::search::Ended;
+use crate::state::{Body, Displacement, Freedom, HandPose};
+use crate::world::Statics;
+
+/// After so many paths since it caught up the hand jumps.
+const PATHS: u8 = 128;
+
+/// A step: the body, what is under way, and what happens.
+pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
+    pub(crate) statics: &'a Statics<'a, R, V, S, C>,
+    pub(crate) body: &'a mut Body<R>,
+    pub(crate) errand: &'a mut Errand<R>,
+    pub(crate) log: &'a mut Log<R>,
+    pub(crate) evolution: Evolution,
+    /// The most pieces.
+    pub(crate) budget: u32,
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
+    /// Follows the hand to a pose, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
+    /// Returns whether it is done.
+    pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
+        // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
+        if self.errand.stage == Stage::Path && self.errand.target != to {
+            self.turn_path();
+        }
+        while !self.is_done(&to) {
+            // At least one piece, so that the body makes progress.
+            let may = self.log.work < self.budget && (self.log.work == 0 || more());
+            if !may && self.log.work > 0 {
+                return false;
+            }
+            self.piece(to);
+        }
+        true
+    }
+    fn is_done(&self, to: &HandPose<R>) -> bool {
+        self.errand.stage == Stage::Still && self.body.hand == *to
+    }
+    /// The path ends where it is certain, if that is beyond its beginning.
+    fn turn_path(&mut self) {
+        if self.errand.ended.is_some() {
+            return;
+        }
+        let Some(instant) = self.errand.search.certain() else {
+            return;
+        };
+        let way = self.errand.before.to(&self.errand.target);
+        self.body.hand = self.errand.before.moved(&way.per_p, instant.p);
+        self.body.go_to(instant, R::ZERO);
+        self.errand.stage = Stage::Still;
+    }
+
+    /// The smallest part of a step that leaves plain data behind.
+    pub(crate) fn piece(&mut self, to: HandPose<R>) {
+        self.log.work = self.log.work.saturating_add(1);
+        self.do_piece(to);
+        // Before a jump nothing has moved yet.
+        let about_to_jump = self.errand.jumps && self.body.hand != to;
+        if self.errand.stage == Stage::Still && !about_to_jump {
+            self.log_slide();
+        }
+    }
+    fn do_piece(&mut self, to: HandPose<R>) {
+        match self.errand.stage {
+            Stage::Still => {
+                self.errand.paths = self.errand.paths.saturating_add(1);
+                if self.errand.paths > PATHS {
+                    self.log.limit(Status::EventLimit);
+                    self.errand.jumps = true;
+                }
+                if self.errand.jumps {
+                    self.body.hand = to;
+                    (self.errand.paths, self.errand.jumps) = (0, false);
+                    // A sliding contact sticks or slips first.
+                    return self.errand.settle(Next::Relax(Sense::Rests));
+                }
+                (self.errand.before, self.errand.target) = (self.body.hand, to);
+                self.follow();
+            }
+            Stage::At(ending) => {
+                self.errand.stage = Stage::Still;
+                // In frame evolution, too, the first event happens where the hand reaches it (R40).
+                self.errand.jumps = self.evolution == Evolution::Frame;
+                self.happens(ending);
+            }
+            Stage::Settle => self.settle(),
+            Stage::Yields => {
+                let errand = &mut *self.errand;
+                let ranking = &mut errand.settling.ranking;
+                match self.statics.pick(self.body, &errand.start.hand, ranking) {
+                    Picked::More => {}
+                    Picked::Mode(mode) => self.begins(Some(mode)),
+                    Picked::None => self.begins(None),
+                }
+            }
+            Stage::Path
+            | Stage::Snap(_)
+            | Stage::Relax(_)
+            | Stage::Fly(_)
+            | Stage::Slip(_)
+            | Stage::Joint => self.search(),
+        }
+    }
+    /// One window, or what follows from the last one.
+    fn search(&mut self) {
+        match self.errand.ended.take() {
+            Some(ended) => self.found(ended),
+            None => {
+                self.errand.ended = self.errand.search.piece(self.statics, self.body);
+            }
+        }
+    }
+    /// Logs where a slide begins and ends.
+    fn log_slide(&mut self) {
+        let slides = self.body.contacts.iter().any(|c| c.sense.slides());
+        if slides && !self.errand.slid {
+            self.log.event(Event::Slide);
+        } else if self.errand.slid && !slides && !self.body.contacts.is_empty() {
+            self.log.event(Event::Stop);
+        }
+        self.errand.slid = slides;
+    }
+    /// A search has ended.
+    #[inline(never)]
+    fn found(&mut self, ended: Ended<R>) {
+        let instant = self.errand.search.instant(ended.at);
+        self.body.go_to(instant, ended.room);
+        match self.errand.stage {
+            Stage::Path => {
+                let way = self.errand.before.to(&self.errand.target);
+                self.body.hand = if ended.x >= way.whole {
+                    self.errand.target
+                } else {
+                    self.errand.before.moved(&way.per_p, ended.x)
+                };
+                self.errand.stage = match ended.ending {
+                    Ending::End | Ending::GoesOn | Ending::Stopped => Stage::Still,
+                    ending @ (Ending::Fold
+                    | Ending::Touch(_)
+                    | Ending::Ends(_)
+                    | Ending::Yields(_)
+                    | Ending::Clear
+                    | Ending::Pressed
+                    | Ending::Halt
+                    | Ending::Opens(_)
+                    | Ending::GivesWay) => Stage::At(ending),
+                };
+            }
+            Stage::Snap(kind) if ended.ending == Ending::GoesOn => self.turn(Stage::Snap(kind)),
+            Stage::Snap(kind) => self.snapped(kind, ended.ending),
+            Stage::Relax(sense) if ended.ending == Ending::GoesOn => {
+                self.turn(Stage::Relax(sense));
+            }
+            Stage::Relax(sense) => {
+                let next = self.turned(sense, ended.ending);
+                self.settled(next);
+            }
+            Stage::Fly(leg) => self.flown(leg, &ended),
+            Stage::Slip(sense) => self.slipped(sense, ended.ending),
+            Stage::Joint => self.slipped_together(&ended),
+            Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields => {}
+        }
+    }
+
+    /// Along the hand's displacement to the first event.
+    #[inline(never)]
+    fn follow(&mut self) {
+        let to = self.errand.target;
+        let way = self.body.hand.to(&to);
+        let calm = match self.body.freedom() {
+            Freedom::Free | Freedom::Turns => self.statics.turns_calmly(self.body, &to),
+            Freedom::Slides => self.statics.slides_calmly(self.body, &to),
+            Freedom::Together => Calm::Unsure,
+            Freedom::Fixed => return self.stand_still(&way),
+        };
+        match calm {
+            Calm::End => return,
+            Calm::Yields(sense) => {
+                self.errand.stage = Stage::At(Ending::Yields(sense));
+                return;
+            }
+            Calm::Unsure => {}
+        }
+        let (motion, watch) = match self.body.freedom() {
+            Freedom::Free => (self.along(Kind::Free, &way), Watch::Way),
+            Freedom::Turns if self.body.contacts.len() > 1 => {
+                (self.along(Kind::Pin, &way), Watch::Corner)
+            }
+            Freedom::Turns => (self.along(Kind::Pin, &way), Watch::Stick),
+            Freedom::Slides => (self.along(Kind::Slide, &way), Watch::Slide),
+            Freedom::Together | Freedom::Fixed => {
+                let m = self.statics.sliding_pair(self.body, way.per_p);
+                (m, Watch::Joint)
+            }
+        };
+        let eager = !matches!(motion.kind, Kind::Slide | Kind::Pair);
+        self.run(Stage::Path, motion, watch, way.whole, eager);
+    }
+    fn along(&self, kind: Kind, way: &Displacement<R>) -> Motion<R> {
+        Motion::new(kind, self.body, way.per_p)
+    }
+    /// A search begins.
+    pub(crate) fn run(
+        &mut self,
+        stage: Stage,
+        motion: Motion<R>,
+        watch: Watch,
+        end: R,
+        eager: bool,
+    ) {
+        self.errand.search.begin(motion, watch, end, eager);
+        self.errand.search.with_room(self.body.room);
+        self.errand.stage = stage;
+    }
+
+    /// The pose is fixed: the load is linear along the displacement.
+    fn stand_still(&mut self, way: &Displacement<R>) {
+        let to = self.errand.target;
+        let change = (to.at - self.body.hand.at).length_bound()
+            + self
+                .statics
+                .stiffness
+                .of((to.angle - self.body.hand.angle).abs());
+        if self.body.slack > change {
+            self.body.slack = self.body.slack - change;
+            self.body.hand = to;
+            return;
+        }
+        self.body.slack = R::ZERO;
+        let pressed = self.presses(way);
+        let borne = self.statics.borne(self.body, &to);
+        let at = |p: R| {
+            if p >= way.whole {
+                to
+            } else {
+                self.body.hand.moved(&way.per_p, p)
+            }
+        };
+        let (hand, ending) = match (borne, pressed) {
+            (Borne::Until(part), Some(p)) if part * way.whole <= p => {
+                (at(part * way.whole), Ending::GivesWay)
+            }
+            (Borne::Until(part), None) => (at(part * way.whole), Ending::GivesWay),
+            (Borne::Until(_) | Borne::All(_), Some(p)) => (at(p), Ending::Pressed),
+            (Borne::All(slack), None) => {
+                self.body.hand = to;
+                return self.stay(slack);
+            }
+        };
+        self.body.hand = hand;
+        self.errand.stage = Stage::At(ending);
+    }
+    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined before it has doubled.
+    fn stay(&mut self, slack: R) {
+        if self.statics.is_jammed(self.body) {
+            return self.log.limit(Status::Jammed);
+        }
+        let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
+        if !may_press {
+            let load = self.statics.present_load(self.body);
+            self.body.slack = slack.min(R::ONE + load.size());
+        }
+    }
+    /// Where along a displacement an edge without stiction is pressed hard enough for it.
+    fn presses(&self, way: &Displacement<R>) -> Option<R> {
+        if self.body.stiction || !self.statics.is_edge(&self.body.contacts) {
+            return None;
+        }
+        let contact = self.body.contacts.first();
+        let threshold = self.statics.friction(contact).threshold;
+        let n = self
+            .statics
+            .frame(contact, self.body.rotation, self.body.holding)
+            .n;
+        let normal = -n.dot(self.statics.present_load(self.body).force);
+        let p = (threshold - normal) / -n.dot(way.per_p.at);
+        (threshold < R::HUGE && p >= R::ZERO && p <= way.whole).then_some(p)
+    }
+    /// h_p, phi_p of what is left of the displacement.
+    pub(crate) fn ahead(&self) -> HandPose<R> {
+        self.body.hand.to(&self.errand.target).per_p
+    }
+}
