@@ -63,14 +63,14 @@
 //! | To | see |
 //! |---|---|
 //! | describe a scene and learn what is wrong with it | [`Description`], [`SceneError`] |
-//! | add a table with an edge, a step, a post or a hole | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
+//! | add a table with an edge, a step, a post or a hole | [`ObstacleDescription`], [`Touch`] |
 //! | choose between exact and cheap | [`Evolution`], [`Solver`] |
 //! | keep and replay a run | [`State`] |
 //! | change the scene or its parameters in mid-contact | [`Solver::carry`], [`Present`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
 //! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
 //! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
-//! | run without a floating-point unit, or leave code out | [`Fixed`], [`Model`] |
+//! | run without a floating-point unit, or leave code out | [`Fixed`], the capacities of [`Scene`] |
 //! | communicate with a board | the package `stiction-wire` |
 //!
 //! # Contact states

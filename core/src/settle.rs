@@ -119,6 +119,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.settled(next);
             }
             Freedom::Slides | Freedom::Together | Freedom::Fixed => {
+                self.renew();
                 let next = if sense.slides() && self.is_driven_on(sense, little) {
                     Next::Slip(sense)
                 } else if self.statics.bears(self.body, little) {

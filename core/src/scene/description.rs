@@ -27,7 +27,7 @@ pub struct SurfaceDescription<F> {
 /// A table of two pieces with a step on it, and a pin above its edge:
 ///
 /// ```
-/// use stiction_core::{Description, Full, ObstacleDescription, Parameter, Scene, WithObstacles};
+/// use stiction_core::{Description, ObstacleDescription, Parameter, Scene};
 ///
 /// let wood = ObstacleDescription {
 ///     vertices: &[[-0.5, -0.1], [-0.2, -0.1], [-0.2, 0.0], [-0.5, 0.0]],
@@ -53,8 +53,8 @@ pub struct SurfaceDescription<F> {
 ///     surfaces: &[],
 ///     obstacles: &world,
 /// };
-/// assert!(Scene::<f32, 4, 1, WithObstacles<4, 13, Full>>::new(&description).is_ok());
-/// let full = Scene::<f32, 4, 1, WithObstacles<4, 12, Full>>::new(&description);
+/// assert!(Scene::<f32, 4, 1, 13>::new(&description).is_ok());
+/// let full = Scene::<f32, 4, 1, 12>::new(&description);
 /// let error = full.expect_err("room for 12 corners");
 /// assert_eq!((error.parameter, error.value), (Parameter::CornerCount, 13.0));
 /// ```
@@ -134,7 +134,7 @@ pub struct Description<'a, F> {
     pub stiffness_rotation: F,
     /// The surfaces, at most as many as the scene has room for, and 255.
     pub surfaces: &'a [SurfaceDescription<F>],
-    /// The obstacles, for which the model has to have room ([`WithObstacles`](crate::WithObstacles)).
+    /// The obstacles; their corners are together at most as many as the scene has room for.
     pub obstacles: &'a [ObstacleDescription<'a, F>],
 }
 
