@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 const M0: &str = "thumbv6m-none-eabi";
 const M4F: &str = "thumbv7em-none-eabihf";
@@ -48,7 +48,7 @@ fn boards() -> [(&'static str, BoardBuild); 5] {
         // More would need more stack than there is.
         room: SceneModel {
             surfaces: 2,
-            obstacles: ObstacleRoom::default(),
+            corners: 0,
             ..SceneModel::BOARD
         },
         ..board(M0, NumberType::Fixed, "../memory/nrf51822.x")

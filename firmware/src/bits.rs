@@ -6,15 +6,15 @@ mod walk;
 
 use stiction_core::{Contact, Evolution, Real, SiFloat, Touch};
 
-pub use place::{Among, Place};
+pub use place::CORNERS;
 pub use walk::{Answer, Walk, follow};
 
-/// The hash of the walk's first `frames` frames: its first half in each evolution.
-pub fn of_walk<R: Real<Si: SiFloat>, M: Place>(frames: u32) -> u64 {
+/// The hash of the walk's first `frames` frames, its first half in each evolution: by walls, or, with C = [`CORNERS`], among obstacles.
+pub fn of_walk<R: Real<Si: SiFloat>, const C: usize>(frames: u32) -> u64 {
     let mut hash = Hash::new();
     let half = frames / 2;
     for (evolution, frames) in [(Evolution::Path, frames - half), (Evolution::Frame, half)] {
-        follow::<R, M>(evolution, frames, |answer| hash.answer(answer));
+        follow::<R, C>(evolution, frames, |answer| hash.answer(answer));
     }
     hash.value
 }
@@ -61,9 +61,6 @@ impl Hash {
         }
         for &event in output.events() {
             self.word(event as u32);
-        }
-        for arm in output.transitions.iter() {
-            self.word(arm as u32);
         }
         for contact in contacts.iter() {
             self.contact(contact);

@@ -11,7 +11,6 @@ use stiction_core::{Description, Evolution, Real, Scene, SceneError, SiFloat};
 
 use crate::bits;
 use crate::count::{self, Failure, FileError, Files, Instruments, Totals};
-use crate::model::BoardModel;
 
 #[cfg(target_arch = "arm")]
 mod arm;
@@ -59,24 +58,24 @@ impl Files for HostFiles {
 
 /// The programs `count` and `count_among`: do the job in the first file on the command line, in a model, with the budget of a step that
 /// follows the second file, write the results to that file, print the totals, and end.
-pub fn count<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>() -> ! {
+pub fn count<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>() -> ! {
     measured(|budget, files, instruments| {
-        count::run::<R, V, S, M>(None, budget, files, instruments)
+        count::run::<R, V, S, C>(None, budget, files, instruments)
     })
 }
 
 /// Builds a scene of a number type, capacities for vertices and surfaces, and a model from a description.
-pub type Make<R, const V: usize, const S: usize, M> =
-    fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, M>, SceneError<<R as Real>::Si>>;
+pub type Make<R, const V: usize, const S: usize, const C: usize> =
+    fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, C>, SceneError<<R as Real>::Si>>;
 
 /// The program `count_scene`: like [`count`], in the model of a compiled-in scene and with its evolution.
 #[inline(always)]
-pub fn count_in_model<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
-    _: Make<R, V, S, M>,
+pub fn count_in_model<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
+    _: Make<R, V, S, C>,
     evolution: Evolution,
 ) -> ! {
     measured(|budget, files, instruments| {
-        count::run::<R, V, S, M>(Some(evolution), budget, files, instruments)
+        count::run::<R, V, S, C>(Some(evolution), budget, files, instruments)
     })
 }
 
@@ -139,12 +138,12 @@ fn open() -> Option<HostFiles> {
 }
 
 /// The program `bits`: prints the hash of the walk, of as many frames as the command line says, in the surroundings of a model, and ends.
-pub fn print_bits<R: Real<Si: SiFloat>, M: bits::Place>() -> ! {
+pub fn print_bits<R: Real<Si: SiFloat>, const C: usize>() -> ! {
     let frames = argument(1, |text| text.to_str().ok()?.parse().ok()).flatten();
     let Some(frames) = frames else {
         process::exit(2)
     };
-    semihosting::println!("{:016x}", bits::of_walk::<R, M>(frames));
+    semihosting::println!("{:016x}", bits::of_walk::<R, C>(frames));
     process::exit(0)
 }
 

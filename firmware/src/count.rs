@@ -8,12 +8,10 @@
 
 use core::mem::size_of;
 use heapless::Vec;
-use stiction_core::{
-    Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State,
-};
+use stiction_core::{Evolution, Hand, Output, Parameter, Real, Scene, SceneError, Solver, State};
 use stiction_wire::{Command, Decoder, EventSet, Events, Frame, List, Pose, Report, wire_bytes};
 
-use crate::model::{BoardModel, NOWHERE, StoreObstacles};
+use crate::obstacles::{NOWHERE, StoredObstacles};
 
 /// The longest message of a job (bytes): a scene of 4 vertices and 17 obstacles of 4 corners has 891.
 const LONGEST: usize = 1024;
@@ -91,14 +89,14 @@ impl From<SceneError<f32>> for Failure {
 /// # Errors
 /// See [`Failure`]; the scene of the job may need something that the model lacks.
 #[inline(always)]
-pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
     evolution: Option<Evolution>,
     budget: u32,
     files: &mut impl Files,
     instruments: &mut impl Instruments,
 ) -> Result<Totals, Failure> {
     let mut job = Job::new(files);
-    let scene = job.next(|command| scene::<R, V, S, M>(&command))?;
+    let scene = job.next(|command| scene::<R, V, S, C>(&command))?;
     let scene = scene.unwrap_or(Err(Failure::Format))?;
     let mode = job.next(|command| {
         let Command::Mode(mode) = command else {
@@ -121,19 +119,19 @@ pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     let bytes = |size: usize| u32::try_from(size).unwrap_or(u32::MAX);
     Ok(Totals {
         stack: instruments.deepest_stack(),
-        solver: bytes(size_of::<Solver<R, V, S, M>>()),
+        solver: bytes(size_of::<Solver<R, V, S, C>>()),
         state: bytes(size_of::<State<R>>()),
     })
 }
 
-fn scene<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+fn scene<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
     command: &Command<'_>,
-) -> Result<Scene<R, V, S, M>, Failure> {
+) -> Result<Scene<R, V, S, C>, Failure> {
     let Command::Scene(scene) = command else {
         return Err(Failure::Format);
     };
     let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
-    Ok(M::Stored::with_received(
+    Ok(StoredObstacles::<C>::with_received(
         scene,
         &mut vertices,
         &mut surfaces,
@@ -237,12 +235,12 @@ impl<'f, F: Files> Job<'f, F> {
 }
 
 /// A run of the solver; it has no state before the first sample.
-struct Ride<R: Real, const V: usize, const S: usize, M: Model> {
-    solver: Solver<R, V, S, M>,
+struct Ride<R: Real, const V: usize, const S: usize, const C: usize> {
+    solver: Solver<R, V, S, C>,
     state: Option<State<R>>,
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Ride<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Ride<R, V, S, C> {
     /// One frame. Inlined, so that the stack is measured from the caller.
     #[inline(always)]
     fn frame(&mut self, hand: Hand<f32>, instruments: &mut impl Instruments) -> (u32, Output<f32>) {
@@ -260,8 +258,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Ride<R, V, S, 
 
 /// [`Solver::start`] as a call of its own, so that nothing else is counted with it.
 #[inline(never)]
-fn start<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
-    solver: &Solver<R, V, S, M>,
+fn start<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
+    solver: &Solver<R, V, S, C>,
     hand: Hand<f32>,
 ) -> (State<R>, Output<f32>) {
     solver.start(hand)
@@ -269,8 +267,8 @@ fn start<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
 
 /// [`Solver::step`], likewise.
 #[inline(never)]
-fn step<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
-    solver: &Solver<R, V, S, M>,
+fn step<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
+    solver: &Solver<R, V, S, C>,
     state: &mut State<R>,
     hand: Hand<f32>,
 ) -> Output<f32> {

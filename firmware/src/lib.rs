@@ -16,7 +16,7 @@
 //! bits.rs   a walk of the hand through the solver, to one number that depends on every bit of its answers
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
 //!
-//! model.rs       how a board with room for obstacles differs from others
+//! obstacles.rs   obstacles as they were given, stored so that they can be changed
 //! device.rs      the servo loop: hand measured -> safety -> force; the turns of the solver at a lower priority; changes while they run
 //! safety.rs      the limits of the force on the hand, and when it is zero
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
@@ -45,7 +45,7 @@ pub mod devices;
 pub mod knob;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod line;
-pub mod model;
+mod obstacles;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod pace;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]

@@ -35,7 +35,6 @@ pub use setup::{BoardNumber, SLOWEST_TICK, SceneType, Setup};
 pub use watch::{Log, News, Seen, Watch};
 
 use crate::device::{Actuators, Begun, Controller, LockServo, Refusal, Sample, Servo, Source};
-use crate::model::BoardModel;
 use crate::safety::Flags;
 use command::Next;
 use intake::Intake;
@@ -46,19 +45,19 @@ use stiction_wire::{
     Command, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping, frame_bytes, scene_bytes,
 };
 
-/// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it accepts.
+/// The program of a board: R, V, S and C are those of its scene, N the bytes of the longest frame that it accepts.
 #[derive(Debug)]
-pub struct Station<R: Real, const V: usize, const S: usize, M: BoardModel, const N: usize> {
+pub struct Station<R: Real, const V: usize, const S: usize, const C: usize, const N: usize> {
     decoder: Decoder<N>,
-    desk: Desk<R, V, S, M>,
+    desk: Desk<R, V, S, C>,
 }
 
 /// Everything except the decoder, in whose buffer commands are while they are carried out.
 #[derive(Debug)]
-struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
+struct Desk<R: Real, const V: usize, const S: usize, const C: usize> {
     setup: &'static Setup,
     longest_frame: usize,
-    controller: Controller<R, V, S, M>,
+    controller: Controller<R, V, S, C>,
     mode: Mode,
     bytes_per_turn: u32,
     intake: Intake,
@@ -74,10 +73,9 @@ struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     worst_tick: u32,
 }
 
-impl<R, const V: usize, const S: usize, M, const N: usize> Station<R, V, S, M, N>
+impl<R, const V: usize, const S: usize, const C: usize, const N: usize> Station<R, V, S, C, N>
 where
     R: Real<Si = f32>,
-    M: BoardModel,
 {
     /// As after power-up.
     ///
@@ -85,7 +83,7 @@ where
     /// [`Refusal`] of the setup's scene or limits. A mode for which the board has no time or no line is not detected here.
     pub fn new(setup: &'static Setup) -> Result<Self, Refusal> {
         const {
-            let longest = scene_bytes([V, S, M::OBSTACLES, M::CORNERS]);
+            let longest = scene_bytes([V, S, C, C]);
             assert!(N >= frame_bytes(longest), "no room for a scene");
         };
         let mode = setup.mode;
@@ -171,7 +169,7 @@ where
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, V, S, C> {
     /// Handles a frame that arrived, or something that is none.
     fn receive<D: Source>(
         &mut self,

@@ -2,14 +2,11 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 /// The capacities for other scenes, which come over the line.
 const ROOM: SceneModel = SceneModel {
-    obstacles: ObstacleRoom {
-        count: 0,
-        corners: 0,
-    },
+    corners: 0,
     ..SceneModel::BOARD
 };
 

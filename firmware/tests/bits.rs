@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 use stiction_core::{Evolution, Fixed, Full, Real, SiFloat, StateKind, Status, Touch};
-use stiction_firmware::bits::{Among, Place, follow, of_walk};
+use stiction_firmware::bits::{CORNERS, Place, follow, of_walk};
 
 const FRAMES: u32 = 10_000;
 
 /// How often each state was held, after checking what must hold for every answer.
 fn held_states<R: Real<Si: SiFloat>, M: Place>(evolution: Evolution) -> HashMap<StateKind, u32> {
     let (mut seen, mut limited, mut states) = (0, 0, HashMap::new());
-    follow::<R, M>(evolution, FRAMES, |answer| {
+    follow::<R, C>(evolution, FRAMES, |answer| {
         let output = &answer.output;
         seen += 1;
         limited += u32::from(output.status != Status::Ok);
@@ -28,10 +28,10 @@ fn held_states<R: Real<Si: SiFloat>, M: Place>(evolution: Evolution) -> HashMap<
 fn the_walk_visits_every_state() {
     for evolution in [Evolution::Path, Evolution::Frame] {
         for states in [
-            held_states::<f32, Full>(evolution),
-            held_states::<Fixed, Full>(evolution),
-            held_states::<f32, Among>(evolution),
-            held_states::<Fixed, Among>(evolution),
+            held_states::<f32, 0>(evolution),
+            held_states::<Fixed, 0>(evolution),
+            held_states::<f32, CORNERS>(evolution),
+            held_states::<Fixed, CORNERS>(evolution),
         ] {
             for state in StateKind::ALL {
                 let visits = states.get(&state).copied().unwrap_or(0);
@@ -43,17 +43,17 @@ fn the_walk_visits_every_state() {
 
 #[test]
 fn the_hash_is_that_of_the_answers() {
-    let of_2000 = of_walk::<f32, Full>(2_000);
-    assert_eq!(of_2000, of_walk::<f32, Full>(2_000));
-    assert_ne!(of_2000, of_walk::<f32, Full>(1_999));
-    assert_ne!(of_2000, of_walk::<Fixed, Full>(2_000));
-    assert_ne!(of_2000, of_walk::<f32, Among>(2_000));
+    let of_2000 = of_walk::<f32, 0>(2_000);
+    assert_eq!(of_2000, of_walk::<f32, 0>(2_000));
+    assert_ne!(of_2000, of_walk::<f32, 0>(1_999));
+    assert_ne!(of_2000, of_walk::<Fixed, 0>(2_000));
+    assert_ne!(of_2000, of_walk::<f32, CORNERS>(2_000));
 }
 
 #[test]
 fn the_walk_among_obstacles_touches_sides_and_corners_of_each() {
     let (mut sides, mut corners) = ([0; 3], [0; 3]);
-    follow::<f32, Among>(Evolution::Path, FRAMES, |answer| {
+    follow::<f32, CORNERS>(Evolution::Path, FRAMES, |answer| {
         for touching in answer.contacts.iter() {
             match touching.touch {
                 Touch::Side { obstacle, .. } => sides[obstacle] += 1,

@@ -35,7 +35,7 @@ struct Memory {
 }
 
 /// Does a job with files in memory.
-fn done<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+fn done<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
     evolution: Option<Evolution>,
     job: Vec<u8>,
 ) -> Result<(Totals, Vec<u8>), Failure> {
@@ -44,7 +44,7 @@ fn done<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
         taken: 0,
         results: Vec::new(),
     };
-    let totals = run::<R, V, S, M>(evolution, u32::MAX, &mut files, &mut Calls(0))?;
+    let totals = run::<R, V, S, C>(evolution, u32::MAX, &mut files, &mut Calls(0))?;
     Ok((totals, files.results))
 }
 

@@ -227,8 +227,6 @@ fn maker(about: &About) -> Maker {
     let [major, minor, patch] = about.version;
     Maker {
         build: format!("{} {major}.{minor}.{patch}", about.name),
-        friction: about.friction,
-        weight: about.weight,
         budget: (about.budget < u32::MAX).then_some(about.budget),
     }
 }

@@ -44,8 +44,8 @@ fn parse_name(text: &str) -> Result<String, String> {
 pub(crate) fn code(args: &CodeArgs) -> Result<(), InputError> {
     let scene = open_scene(&args.scene, args.number.into())?;
     match args.number {
-        NumberType::F32 => scene.check_scene::<f32>()?,
-        NumberType::Fixed => scene.check_scene::<Fixed>()?,
+        NumberType::F32 => scene.scene::<f32>().map(drop)?,
+        NumberType::Fixed => scene.scene::<Fixed>().map(drop)?,
     }
     let code = c_source(&scene, args.number, &args.name);
     report::printed(io::stdout().write_all(code.as_bytes()));

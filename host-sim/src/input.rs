@@ -25,7 +25,7 @@ pub(crate) fn source(name: &Path) -> Result<Source, InputError> {
 
 /// Checks that a board supports a scene: errors are reported with the key and the line, which the board does not know.
 pub(crate) fn suits_boards(scene: &SceneFile) -> Result<(), InputError> {
-    scene.check_scene::<f32>()
+    scene.scene::<f32>().map(drop)
 }
 
 /// The input files, which no output may replace: those that are read, and the scene's path if another one replaces it.

@@ -3,14 +3,13 @@
 //! the same value:
 //!
 //! ```text
-//! {"recording":2,"build":"...","number":"f32","evolution":"path",
-//!  "friction":true,"weight":true,"name":"box.toml","scene":"[body]\n..."}
+//! {"recording":3,"build":"...","number":"f32","evolution":"path",
+//!  "name":"box.toml","scene":"[body]\n..."}
 //! {"sample":{"t":0.0,"position":[x,y],"turns":0,"rest":0.1,"depth":0.0,"held":true},"answer":{record of the trace}}
 //! {"samples":1}
 //! ```
 //!
-//! A number that is not finite is null in a sample. A missing answer is null. `friction` and `weight` indicate which parts the
-//! solver has. A `budget` follows the evolution if a frame had one (units of work). The first sample starts the scene. The last
+//! A number that is not finite is null in a sample. A missing answer is null. A `budget` follows the evolution if a frame had one (units of work). The first sample starts the scene. The last
 //! line counts the samples; a recording without it was cut.
 //!
 //! Between two samples there may be a change: from there on, the body continues where it is, under another setting.
@@ -37,7 +36,7 @@ use stiction_live::number::{Number, parse_kind};
 pub(crate) use reader::{Recording, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 /// Size of the buffer for a line that is being written (bytes); a longer one is written in pieces.
 const PIECE: usize = 64 << 10;
 
@@ -54,10 +53,6 @@ pub(crate) struct Head {
     /// The units of work that a frame may use; absent: unlimited.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) budget: Option<u32>,
-    /// The solver has friction.
-    pub(crate) friction: bool,
-    /// The solver has weight.
-    pub(crate) weight: bool,
     /// The name of the scene file.
     pub(crate) name: String,
     /// Its text.
@@ -74,19 +69,15 @@ pub(crate) fn this_build() -> String {
 #[derive(Clone, Debug)]
 pub(crate) struct Maker {
     pub(crate) build: String,
-    pub(crate) friction: bool,
-    pub(crate) weight: bool,
     /// The units of work that a frame may use, if they are limited.
     pub(crate) budget: Option<u32>,
 }
 
 impl Maker {
-    /// This program, whose solver has all parts.
+    /// This program.
     pub(crate) fn this_program() -> Self {
         Self {
             build: this_build(),
-            friction: true,
-            weight: true,
             budget: None,
         }
     }
@@ -115,8 +106,6 @@ impl Head {
             number: number.name().to_owned(),
             evolution: evolution.name().to_owned(),
             budget: maker.budget,
-            friction: maker.friction,
-            weight: maker.weight,
             name: file
                 .file_name()
                 .unwrap_or_default()

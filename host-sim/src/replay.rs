@@ -6,13 +6,11 @@ use std::sync::Arc;
 
 use clap::Args;
 use serde_json::Value;
-use stiction_core::{Evolution, Fixed, Parts};
 use stiction_live::body::{Body, Setting};
-use stiction_live::number::{Number, parse_kind};
+use stiction_live::number::parse_kind;
 use stiction_live::record::{Frame, Run};
 use stiction_live::session::Session;
-use stiction_live::simulate::{Running, Shared};
-use stiction_scene::{HostSolver, InputError, Sample, SceneFile, Source};
+use stiction_scene::{Sample, SceneFile, Source};
 
 use crate::files::{self, Files};
 use crate::options::trace_parser;
@@ -158,7 +156,7 @@ impl Comparison {
     }
 }
 
-/// The solver of a recording, in its number type and with the parts that it had, and the settings of the run.
+/// The solver of a recording, in its number type, and the settings of the run.
 fn read(recording: &Recording) -> Result<(Stepper, Run), Box<dyn Error>> {
     let head = &recording.head;
     let kind = parse_kind(&head.number, &head.evolution);
@@ -166,22 +164,13 @@ fn read(recording: &Recording) -> Result<(Stepper, Run), Box<dyn Error>> {
     let source = Source::new(recording.scene_name(), head.scene.as_str());
     let scene = SceneFile::parse(source, number.limit())?;
     let run = Run::of(&scene, number, evolution);
-    // Parts are missing on boards alone, of which none computes in f64.
-    let lacks_parts = !(head.friction && head.weight);
-    let session = match number {
-        Number::F32 if lacks_parts => with_parts::<f32>(head, evolution, &scene)?,
-        Number::Fixed if lacks_parts => with_parts::<Fixed>(head, evolution, &scene)?,
-        Number::F32 | Number::F64 | Number::Fixed => {
-            Session::new(&scene, number, evolution, budget(head))?
-        }
-    };
-    let has_all = head.budget.is_none() && (number == Number::F64 || !lacks_parts);
+    let session = Session::new(&scene, number, evolution, budget(head))?;
     let setting = Setting {
         scene: Arc::new(scene),
         number,
         evolution,
     };
-    let solver = match has_all {
+    let solver = match head.budget.is_none() {
         true => Stepper::Whole(setting, None),
         false => Stepper::Fixed(session),
     };
@@ -192,36 +181,11 @@ fn budget(head: &Head) -> u32 {
     head.budget.unwrap_or(u32::MAX)
 }
 
-/// A session of a solver that lacks friction, weight or both.
-fn with_parts<R: Shared>(
-    head: &Head,
-    evolution: Evolution,
-    scene: &SceneFile,
-) -> Result<Session, InputError>
-where
-    HostSolver<R, Parts<true, false>>: Send + Sync,
-    HostSolver<R, Parts<false, true>>: Send + Sync,
-    HostSolver<R, Parts<false, false>>: Send + Sync,
-{
-    let budget = budget(head);
-    Ok(match (head.friction, head.weight) {
-        (true, _) => Session::of(Running::<R, Parts<true, false>>::of(
-            scene, evolution, budget,
-        )?),
-        (false, true) => Session::of(Running::<R, Parts<false, true>>::of(
-            scene, evolution, budget,
-        )?),
-        (false, false) => Session::of(Running::<R, Parts<false, false>>::of(
-            scene, evolution, budget,
-        )?),
-    })
-}
-
 /// A solver with its state.
 enum Stepper {
-    /// With a budget, or without some parts: its setting stays.
+    /// With a budget: its setting stays.
     Fixed(Session),
-    /// With all parts and an unlimited budget: its setting may change.
+    /// With an unlimited budget: its setting may change.
     Whole(Setting, Option<Box<dyn Body>>),
 }
 
@@ -244,9 +208,11 @@ impl Stepper {
     /// Continues with the body under another setting.
     fn change(&mut self, to: &Setting) -> Result<(), String> {
         let Self::Whole(setting, body) = self else {
-            return Err("the setting changes in a recording with a budget, or of a solver without friction or weight, which this \
+            return Err(
+                "the setting changes in a recording with a budget, which this \
                  program cannot follow; allowed: a change where there are all parts and no budget"
-                .to_owned());
+                    .to_owned(),
+            );
         };
         if let Some(body) = body {
             *body = to.carry(&body.present())?;

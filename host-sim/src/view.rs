@@ -47,7 +47,7 @@ use std::time::Duration;
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_live::body::{Setting, check, without_obstacles};
+use stiction_live::body::{Setting, without_obstacles};
 use stiction_live::number::Number;
 use stiction_live::replay::Way;
 use stiction_live::scenes;
@@ -242,7 +242,7 @@ fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewE
     // This error names the key and the line.
     match args.connect.is_wanted() {
         true => without_obstacles(&stage.scene)?,
-        false => check(&stage.scene)?,
+        false => stage.scene.scene::<f64>().map(drop)?,
     }
     let board = match args.connect.is_wanted() {
         true => {

@@ -38,8 +38,8 @@ pub struct Frame {
 
 impl Frame {
     /// From the output of a number type.
-    pub fn new<R: Number, const V: usize, const S: usize, M: Model>(
-        solver: &Solver<R, V, S, M>,
+    pub fn new<R: Number, const V: usize, const S: usize, const C: usize>(
+        solver: &Solver<R, V, S, C>,
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
@@ -89,9 +89,9 @@ impl Frame {
 pub type Run<R> = RunOf<R, VERTICES, SURFACES, Full>;
 
 /// A solver with its state and its last answer.
-pub struct RunOf<R: Number, const V: usize, const S: usize, M: Model> {
+pub struct RunOf<R: Number, const V: usize, const S: usize, const C: usize> {
     /// The solver.
-    pub solver: Solver<R, V, S, M>,
+    pub solver: Solver<R, V, S, C>,
     /// Its state after [`Self::frame`].
     pub state: State<R>,
     /// The last answer.
@@ -107,7 +107,7 @@ pub struct Onset {
     pub before: Frame,
 }
 
-impl<R: Number, const V: usize, const S: usize, M: Model> RunOf<R, V, S, M> {
+impl<R: Number, const V: usize, const S: usize, const C: usize> RunOf<R, V, S, M> {
     /// Starts a scene with the hand at x, y (m), phi (rad).
     ///
     /// # Panics

@@ -185,9 +185,9 @@ impl Setup {
     ///
     /// # Errors
     /// The scene is refused by [`Scene::new`].
-    pub fn scene_of<R: Number, const V: usize, const S: usize, M: Model>(
+    pub fn scene_of<R: Number, const V: usize, const S: usize, const C: usize>(
         &self,
-    ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {
+    ) -> Result<Scene<R, V, S, C>, SceneError<R::Si>> {
         self.described::<R, _>(|description| Scene::new(description))
     }
     /// The description in the float of a number type.

@@ -1,7 +1,7 @@
 //! What a board is, on the wire (FRAME 5.5).
 
 use crate::fault::FaultKind;
-use crate::field::{Field, Fields, Sink, require};
+use crate::field::{Field, Fields, Sink};
 use crate::layout::coded;
 use crate::list::Text;
 use crate::mode::Mode;
@@ -31,10 +31,6 @@ pub struct Info<'a> {
     pub surfaces: u8,
     /// The maximum number of corners of all obstacles together.
     pub corners: u8,
-    /// Its solver has friction.
-    pub friction: bool,
-    /// Its solver has weight.
-    pub weight: bool,
     /// It outputs forces to the hand.
     pub actuators: bool,
     /// The longest frame that it accepts, in bytes before COBS.
@@ -57,10 +53,6 @@ pub struct Info<'a> {
     pub name: Text<'a>,
 }
 
-const FRICTION: u8 = 1;
-const WEIGHT: u8 = 1 << 1;
-const ACTUATORS: u8 = 1 << 2;
-
 impl<'a> Info<'a> {
     const HEAD_BYTES: usize = 45 + Mode::BYTES;
     /// With the longest name.
@@ -70,9 +62,7 @@ impl<'a> Info<'a> {
         self.version.put(sink);
         self.number.put(sink);
         [self.vertices, self.surfaces, self.corners].put(sink);
-        let bit = |has: bool, bit| if has { bit } else { 0 };
-        let has = bit(self.friction, FRICTION) | bit(self.weight, WEIGHT);
-        (has | bit(self.actuators, ACTUATORS)).put(sink);
+        self.actuators.put(sink);
         [self.longest_frame, self.fastest_tick].put(sink);
         self.budget.put(sink);
         [self.stiffest, self.stiffness, self.friction_now].put(sink);
@@ -85,17 +75,14 @@ impl<'a> Info<'a> {
     pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let (version, number) = (fields.get()?, fields.get()?);
-        let [vertices, surfaces, corners, has] = fields.take();
-        require(has <= FRICTION | WEIGHT | ACTUATORS, FaultKind::Value)?;
+        let [vertices, surfaces, corners] = fields.take();
         Ok(Self {
             version,
             number,
             vertices,
             surfaces,
             corners,
-            friction: has & FRICTION != 0,
-            weight: has & WEIGHT != 0,
-            actuators: has & ACTUATORS != 0,
+            actuators: fields.get()?,
             longest_frame: fields.get()?,
             fastest_tick: fields.get()?,
             budget: fields.get()?,

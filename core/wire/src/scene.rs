@@ -22,7 +22,7 @@ pub const fn scene_bytes([vertices, surfaces, obstacles, corners]: [usize; 4]) -
 /// A scene in SI units; the fields are those of [`Description`].
 ///
 /// ```
-/// use stiction_core::{Description, ObstacleDescription, Scene, SurfaceDescription, WithObstacles};
+/// use stiction_core::{Description, ObstacleDescription, Scene, SurfaceDescription};
 /// use stiction_wire::SceneCommand;
 ///
 /// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: -0.5, friction_static: 0.5, friction_dynamic: 0.3, memory: None };
@@ -48,7 +48,7 @@ pub const fn scene_bytes([vertices, surfaces, obstacles, corners]: [usize; 4]) -
 /// let (mut vertices, mut corners) = ([[0.0; 2]; 4], [[0.0; 2]; 8]);
 /// let (mut surfaces, mut obstacles) = ([floor], [ObstacleDescription { vertices: &[], ..table }; 2]);
 /// let received = sent.description([&mut vertices, &mut corners], &mut surfaces, &mut obstacles)?;
-/// let scene: Scene<f32, 4, 1, WithObstacles<2, 8>> = Scene::new(&received)?;
+/// let scene: Scene<f32, 4, 1, 8> = Scene::new(&received)?;
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

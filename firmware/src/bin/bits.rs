@@ -1,8 +1,8 @@
 //! Prints the result of the walk of the hand, or of the one among obstacles, on this machine: `cargo run --features hosted --bin bits -- f32 100000`.
 
 use std::process::ExitCode;
-use stiction_core::{Fixed, Full};
-use stiction_firmware::bits::{Among, of_walk};
+use stiction_core::Fixed;
+use stiction_firmware::bits::{CORNERS, of_walk};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -20,10 +20,10 @@ fn main() -> ExitCode {
 
 fn hash(number: &str, frames: u32) -> Option<u64> {
     match number {
-        "f32" => Some(of_walk::<f32, Full>(frames)),
-        "fixed" => Some(of_walk::<Fixed, Full>(frames)),
-        "among_f32" => Some(of_walk::<f32, Among>(frames)),
-        "among_fixed" => Some(of_walk::<Fixed, Among>(frames)),
+        "f32" => Some(of_walk::<f32, 0>(frames)),
+        "fixed" => Some(of_walk::<Fixed, 0>(frames)),
+        "among_f32" => Some(of_walk::<f32, CORNERS>(frames)),
+        "among_fixed" => Some(of_walk::<Fixed, CORNERS>(frames)),
         _ => None,
     }
 }

@@ -2,10 +2,10 @@
 #![no_std]
 #![no_main]
 
-use stiction_firmware::bits::Among;
+use stiction_firmware::bits::CORNERS;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::print_bits::<f32, Among>()
+    board::print_bits::<f32, CORNERS>()
 }

@@ -3,10 +3,10 @@
 #![no_main]
 
 use stiction_core::Fixed;
-use stiction_firmware::bits::Among;
+use stiction_firmware::bits::CORNERS;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::print_bits::<Fixed, Among>()
+    board::print_bits::<Fixed, CORNERS>()
 }

@@ -2,10 +2,9 @@
 #![no_std]
 #![no_main]
 
-use stiction_core::Full;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::print_bits::<f32, Full>()
+    board::print_bits::<f32, 0>()
 }

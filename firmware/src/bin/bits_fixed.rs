@@ -2,10 +2,10 @@
 #![no_std]
 #![no_main]
 
-use stiction_core::{Fixed, Full};
+use stiction_core::Fixed;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::print_bits::<Fixed, Full>()
+    board::print_bits::<Fixed, 0>()
 }

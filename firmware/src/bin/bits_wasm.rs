@@ -2,29 +2,29 @@
 #![no_main]
 #![allow(unsafe_code)]
 
-use stiction_core::{Fixed, Full};
-use stiction_firmware::bits::{Among, of_walk};
+use stiction_core::Fixed;
+use stiction_firmware::bits::{CORNERS, of_walk};
 
 /// The hash of a walk of this many frames with `f32`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_f32(frames: u32) -> u64 {
-    of_walk::<f32, Full>(frames)
+    of_walk::<f32, 0>(frames)
 }
 
 /// The hash of a walk of this many frames with `Fixed`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_fixed(frames: u32) -> u64 {
-    of_walk::<Fixed, Full>(frames)
+    of_walk::<Fixed, 0>(frames)
 }
 
 /// The hash of a walk of this many frames among obstacles with `f32`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_among_f32(frames: u32) -> u64 {
-    of_walk::<f32, Among>(frames)
+    of_walk::<f32, CORNERS>(frames)
 }
 
 /// The hash of a walk of this many frames among obstacles with `Fixed`.
 #[unsafe(no_mangle)]
 pub extern "C" fn bits_among_fixed(frames: u32) -> u64 {
-    of_walk::<Fixed, Among>(frames)
+    of_walk::<Fixed, CORNERS>(frames)
 }

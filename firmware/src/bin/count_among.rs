@@ -2,10 +2,9 @@
 #![no_std]
 #![no_main]
 
-use stiction_core::WithObstacles;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::count::<f32, 4, 1, WithObstacles<17, 68>>()
+    board::count::<f32, 4, 1, 68>()
 }

@@ -2,10 +2,9 @@
 #![no_std]
 #![no_main]
 
-use stiction_core::Full;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::count::<f32, 8, 4, Full>()
+    board::count::<f32, 8, 4, 0>()
 }

@@ -1,9 +1,6 @@
-//! The surroundings of the walk: the box of the benchmarks, with weight by a floor and a wall, without weight among obstacles.
+//! The surroundings of the walk: the box of the benchmarks by a floor and a wall, or among obstacles.
 
-use stiction_core::{
-    Description, Full, Model, ObstacleDescription, Real, Scene, SiFloat, SurfaceDescription,
-    Weightless, WithObstacles,
-};
+use stiction_core::{Description, ObstacleDescription, Real, Scene, SiFloat, SurfaceDescription};
 
 /// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
 const WALL: ([f64; 2], f64) = ([-0.8, 0.6], -0.096);
@@ -13,54 +10,40 @@ const TABLE: [[f64; 2]; 4] = [[-0.06, -0.1], [0.12, -0.1], [0.12, 0.0], [-0.06, 
 const BLOCK: [[f64; 2]; 4] = [[0.08, -0.1], [0.4, -0.1], [0.4, 0.05], [0.14, 0.05]];
 const PIN: [[f64; 2]; 1] = [[-0.12, 0.03]];
 
-/// A model with surroundings for the walk.
-pub trait Place: Model {
-    /// The scene, which is sound.
-    fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2, Self>>
-    where
-        Self: Sized;
-}
+/// The corners of the obstacles.
+pub const CORNERS: usize = TABLE.len() + BLOCK.len() + PIN.len();
 
-/// The model of the walk among obstacles, without weight: with weight, it does not fit into the flash of the smallest chip.
-pub type Among = WithObstacles<3, 9, Weightless>;
-
-impl Place for Full {
-    fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
+/// The scene of the walk, which is sound: by the walls, or, with room for corners, among the obstacles.
+pub(super) fn scene<R: Real<Si: SiFloat>, const C: usize>() -> Option<Scene<R, 4, 2, C>> {
+    let narrow = |[x, y]: [f64; 2]| [R::Si::narrow(x), R::Si::narrow(y)];
+    let [friction_static, friction_dynamic] = narrow([0.5, 0.3]);
+    if C == 0 {
         let surface = |normal: [f64; 2], offset: f64| SurfaceDescription {
-            normal: normal.map(R::Si::narrow),
+            normal: narrow(normal),
             offset: R::Si::narrow(offset),
-            friction_static: R::Si::narrow(0.5),
-            friction_dynamic: R::Si::narrow(0.3),
+            friction_static,
+            friction_dynamic,
             memory: None,
         };
         let surfaces = [surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)];
-        with_box((&surfaces, &[]), 1.0, |description| {
-            Scene::new(description).ok()
-        })
+        return with_box((&surfaces, &[]), |description| Scene::new(description).ok());
     }
+    let (table, block, pin) = (TABLE.map(narrow), BLOCK.map(narrow), PIN.map(narrow));
+    let of_wood = |vertices| ObstacleDescription {
+        vertices,
+        friction_static,
+        friction_dynamic,
+        memory: None,
+    };
+    let obstacles = [of_wood(&table), of_wood(&block), of_wood(&pin)];
+    with_box((&[], &obstacles), |description| {
+        Scene::new(description).ok()
+    })
 }
 
-impl Place for Among {
-    fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2, Self>> {
-        let narrow = |[x, y]: [f64; 2]| [R::Si::narrow(x), R::Si::narrow(y)];
-        let (table, block, pin) = (TABLE.map(narrow), BLOCK.map(narrow), PIN.map(narrow));
-        let of_wood = |vertices| ObstacleDescription {
-            vertices,
-            friction_static: R::Si::narrow(0.5),
-            friction_dynamic: R::Si::narrow(0.3),
-            memory: None,
-        };
-        let obstacles = [of_wood(&table), of_wood(&block), of_wood(&pin)];
-        with_box((&[], &obstacles), 0.0, |description| {
-            Scene::new(description).ok()
-        })
-    }
-}
-
-/// The box among these surfaces and obstacles, with a weight (N).
+/// The box among these surfaces and obstacles.
 fn with_box<F: SiFloat, T>(
     (surfaces, obstacles): (&[SurfaceDescription<F>], &[ObstacleDescription<'_, F>]),
-    weight: f64,
     take: impl FnOnce(&Description<'_, F>) -> T,
 ) -> T {
     let narrow = F::narrow;
@@ -68,7 +51,7 @@ fn with_box<F: SiFloat, T>(
     take(&Description {
         vertices: &vertices.map(|vertex| vertex.map(narrow)),
         start: [-0.03, 0.08, 0.0].map(narrow),
-        weight: narrow(weight),
+        weight: narrow(1.0),
         holding_point: Some([0.0, 0.02].map(narrow)),
         reach: narrow(0.0),
         stiffness_translation: narrow(500.0),

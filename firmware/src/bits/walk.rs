@@ -1,7 +1,7 @@
 //! A random walk of the hand in whole numbers, so that it is the same on every machine: straight legs between random poses around a corner
 //! of floor and wall, or among obstacles, which push the body of the benchmarks into all contact states.
 
-use super::place::Place;
+use super::place;
 use stiction_core::{
     Angle, Contacts, Evolution, Hand, Output, Real, SiFloat, Solver, State, Wrench,
 };
@@ -109,12 +109,14 @@ pub struct Answer<F> {
 }
 
 /// Moves the body along the walk, for at least one frame, and passes every answer to a function.
-pub fn follow<R: Real<Si: SiFloat>, M: Place>(
+pub fn follow<R: Real<Si: SiFloat>, const C: usize>(
     evolution: Evolution,
     frames: u32,
     mut seen: impl FnMut(&Answer<R::Si>),
 ) {
-    let Some(scene) = M::scene::<R>() else { return };
+    let Some(scene) = place::scene::<R, C>() else {
+        return;
+    };
     let solver = Solver::new(scene, evolution);
     let mut walk = Walk::new();
     let mut see = |state: &State<R>, output| {

@@ -5,7 +5,6 @@
 use super::controller::{Controller, Run, solver};
 use super::refusal::Refusal;
 use super::settings::Settings;
-use crate::model::{BoardModel, StoreObstacles};
 use stiction_core::{Carried, Description, Output, Present, Real, Solver, State};
 use stiction_wire::Parameters;
 
@@ -19,7 +18,7 @@ pub enum Placement {
     Present,
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controller<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controller<R, V, S, C> {
     /// New stiffnesses, and the friction and memory length of every surface and obstacle. Returns the answer of the settling, if there was
     /// a body to settle.
     ///
@@ -83,14 +82,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Run<R, V, S, C> {
     /// The body at its present pose, without whole turns, in another scene.
     fn carried(
         &self,
         state: &State<R>,
         description: &Description<'_, f32>,
         settings: &Settings,
-    ) -> Result<Carried<R, V, S, M>, Refusal> {
+    ) -> Result<Carried<R, V, S, C>, Refusal> {
         let (pose, store) = (self.pose, &self.store);
         let own_turns = pose.angle.turns.saturating_sub(self.turns);
         let present = Present {

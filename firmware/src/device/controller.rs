@@ -5,10 +5,9 @@ use super::refusal::Refusal;
 use super::servo::{Demand, LockServo};
 use super::settings::Settings;
 use super::store::Store;
-use crate::model::BoardModel;
 use crate::safety::{Arrival, Arrivals, Flags, Health};
 use stiction_core::{
-    Angle, Description, Full, Hand, Output, Real, Scene, Solver, State, StateKind, Status, Wrench,
+    Angle, Description, Hand, Output, Real, Scene, Solver, State, StateKind, Status, Wrench,
 };
 
 /// The pose of the body.
@@ -55,9 +54,9 @@ pub struct Turn {
 
 /// A run: the solver, its state after the first sample, and the last pose of the body.
 #[derive(Clone, Debug)]
-pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
-    pub(super) store: Store<V, S, M>,
-    pub(super) solver: Solver<R, V, S, M>,
+pub(super) struct Run<R: Real, const V: usize, const S: usize, const C: usize> {
+    pub(super) store: Store<V, S, C>,
+    pub(super) solver: Solver<R, V, S, C>,
     pub(super) state: Option<State<R>>,
     /// Whole turns by which the solver's angles are less than those outside.
     pub(super) turns: i32,
@@ -68,9 +67,9 @@ pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
 
 /// The solver of a device, and its demands on the servo loop: plain data, no hardware. V, S and M are those of the scene.
 #[derive(Clone, Debug)]
-pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = Full> {
+pub struct Controller<R: Real, const V: usize, const S: usize, const C: usize = 0> {
     pub(super) settings: Settings,
-    pub(super) run: Run<R, V, S, M>,
+    pub(super) run: Run<R, V, S, C>,
     pub(super) demand: Demand,
     arrivals: Arrivals,
     /// At the end of the last turn.
@@ -78,7 +77,7 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = F
     health: Health,
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Run<R, V, S, C> {
     pub(super) fn new(
         description: &Description<'_, f32>,
         settings: &Settings,
@@ -138,10 +137,10 @@ pub(crate) const NO_HAND: Hand<f32> = Hand {
     tilted: false,
 };
 
-pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
     description: &Description<'_, f32>,
     settings: &Settings,
-) -> Result<Solver<R, V, S, M>, Refusal> {
+) -> Result<Solver<R, V, S, C>, Refusal> {
     let scene = Scene::new(description)?;
     settings.admit(description)?;
     Ok(settings.apply(Solver::new(scene, settings.evolution)))
@@ -152,7 +151,7 @@ fn is_held_last(status: Status) -> bool {
     matches!(status, Status::Saturated | Status::HeldLast)
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controller<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controller<R, V, S, C> {
     /// A device with a scene. The body starts with the first sample, at its start pose.
     ///
     /// # Errors
@@ -256,12 +255,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     }
 
     /// The scene as it was given, with the present parameters.
-    pub(crate) fn store(&self) -> &Store<V, S, M> {
+    pub(crate) fn store(&self) -> &Store<V, S, C> {
         &self.run.store
     }
 
     /// The solver of the scene.
-    pub fn solver(&self) -> &Solver<R, V, S, M> {
+    pub fn solver(&self) -> &Solver<R, V, S, C> {
         &self.run.solver
     }
 

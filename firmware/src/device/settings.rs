@@ -1,7 +1,7 @@
 //! How a device runs: the settings of its solver, its limits, and the stiffnesses that they permit.
 
 use crate::safety::{LimitError, Limits, Passivity};
-use stiction_core::{Description, Evolution, Model, Real, Solver};
+use stiction_core::{Description, Evolution, Real, Solver};
 
 /// How a device runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,10 +50,10 @@ impl Settings {
         }
     }
 
-    pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
+    pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize>(
         &self,
-        solver: Solver<R, V, S, M>,
-    ) -> Solver<R, V, S, M> {
+        solver: Solver<R, V, S, C>,
+    ) -> Solver<R, V, S, C> {
         solver
             .with_evolution(self.evolution)
             .with_budget(self.budget)

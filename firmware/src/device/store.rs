@@ -3,11 +3,11 @@
 use heapless::Vec;
 use stiction_core::{Description, SurfaceDescription};
 
-use crate::model::{BoardModel, StoreObstacles};
+use crate::obstacles::StoredObstacles;
 
 /// A scene with room for V vertices and S surfaces, SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Store<const V: usize, const S: usize, M: BoardModel> {
+pub(crate) struct Store<const V: usize, const S: usize, const C: usize> {
     vertices: Vec<[f32; 2], V>,
     pub(super) surfaces: Vec<SurfaceDescription<f32>, S>,
     pub(super) start: [f32; 3],
@@ -16,10 +16,10 @@ pub(crate) struct Store<const V: usize, const S: usize, M: BoardModel> {
     pub(super) reach: f32,
     pub(super) stiffness_translation: f32,
     pub(super) stiffness_rotation: f32,
-    pub(super) obstacles: M::Stored,
+    pub(super) obstacles: StoredObstacles<C>,
 }
 
-impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
+impl<const V: usize, const S: usize, const C: usize> Store<V, S, C> {
     /// Stores a scene; `None` if it has more than there is room for.
     pub(super) fn new(d: &Description<'_, f32>) -> Option<Self> {
         Some(Self {
@@ -31,7 +31,7 @@ impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
             reach: d.reach,
             stiffness_translation: d.stiffness_translation,
             stiffness_rotation: d.stiffness_rotation,
-            obstacles: M::Stored::new(d.obstacles)?,
+            obstacles: StoredObstacles::<C>::new(d.obstacles)?,
         })
     }
 

@@ -4,7 +4,7 @@ use super::intake::Intake;
 use super::refusal::Trouble;
 use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
-use crate::model::{BoardModel, NOWHERE, StoreObstacles};
+use crate::obstacles::{NOWHERE, StoredObstacles};
 use stiction_core::{Output, Real};
 use stiction_wire::{
     Command, Frame, Mode, Parameters, Pong, Reason, Reply, Report, Reset, SceneCommand,
@@ -27,7 +27,7 @@ const STOPPED: Trouble = Trouble::whole(
     "hello, ping, and reset of everything: the board is stopped by a fault",
 );
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, V, S, C> {
     /// Handles a command that is not a sample.
     #[inline(never)]
     pub(super) fn command(
@@ -104,14 +104,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
 
     fn parameters(&mut self, new: &Parameters) -> Result<Option<Output<f32>>, Trouble> {
         let settled = self.controller.set_parameters(new);
-        settled.map_err(|refusal| Trouble::of::<V, S, M>(&refusal))
+        settled.map_err(|refusal| Trouble::of::<V, S, C>(&refusal))
     }
 
     fn scene(&mut self, scene: &SceneCommand<'_>) -> Result<(), Trouble> {
         let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
-        let refused = |refusal| Trouble::of::<V, S, M>(&refusal);
+        let refused = |refusal| Trouble::of::<V, S, C>(&refusal);
         let controller = &mut self.controller;
-        M::Stored::with_received(scene, &mut vertices, &mut surfaces, |description| {
+        StoredObstacles::<C>::with_received(scene, &mut vertices, &mut surfaces, |description| {
             controller.set_scene(description, Placement::Start)
         })
         .map_err(|error| refused(error.into()))?
@@ -124,7 +124,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.setup.check(mode)?;
         self.controller
             .set_settings(&self.setup.settings(mode))
-            .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
+            .map_err(|refusal| Trouble::of::<V, S, C>(&refusal))?;
         self.mode = *mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(mode);
         self.intake.look_at(mode.plane);
@@ -137,7 +137,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         let mode = self.setup.mode;
         let settings = self.setup.settings(&mode);
         self.controller = Controller::new(&self.setup.scene, &settings)
-            .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
+            .map_err(|refusal| Trouble::of::<V, S, C>(&refusal))?;
         self.mode = mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(&mode);
         self.intake = Intake::new(&mode);

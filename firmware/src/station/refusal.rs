@@ -1,7 +1,6 @@
 //! Why a command is refused (FRAME 5.4): converts the errors of the control loop to reason, subject, value, limit and words.
 
 use crate::device::Refusal;
-use crate::model::BoardModel;
 use crate::safety::{Allowed, LimitError, LimitParameter};
 use stiction_core::{Parameter, SceneError};
 use stiction_wire::{Reason, Reference, Reply, Subject, Text};
@@ -40,10 +39,10 @@ impl Trouble {
         }
     }
 
-    /// For a board with room for V vertices and S surfaces and the model M.
-    pub(super) fn of<const V: usize, const S: usize, M: BoardModel>(refusal: &Refusal) -> Self {
+    /// For a board with room for V vertices and S surfaces and C corners of obstacles.
+    pub(super) fn of<const V: usize, const S: usize, const C: usize>(refusal: &Refusal) -> Self {
         match refusal {
-            Refusal::Scene(error) => scene::<V, S, M>(error),
+            Refusal::Scene(error) => scene::<V, S, C>(error),
             Refusal::Limit(error) => limit(error),
             Refusal::Unsettled(_) => Self::whole(
                 Reason::NotNow,
@@ -58,15 +57,12 @@ impl Trouble {
 }
 
 /// A scene that is wrong, or right but too large for the board.
-fn scene<const V: usize, const S: usize, M: BoardModel>(error: &SceneError<f32>) -> Trouble {
+fn scene<const V: usize, const S: usize, const C: usize>(error: &SceneError<f32>) -> Trouble {
     let value = error.value;
     let room = match error.parameter {
         Parameter::VertexCount => Some(V as f32),
         Parameter::SurfaceCount => Some(S as f32),
-        Parameter::ObstacleCount => Some(M::OBSTACLES as f32),
-        Parameter::CornerCount => Some(M::CORNERS as f32),
-        Parameter::Weight if !M::WEIGHT => Some(0.0),
-        Parameter::FrictionStatic(_) if !M::FRICTION => Some(0.0),
+        Parameter::ObstacleCount | Parameter::CornerCount => Some(C as f32),
         _ => None,
     };
     let beyond = room.filter(|room| value > *room);

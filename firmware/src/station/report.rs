@@ -3,7 +3,6 @@
 
 use super::{Desk, Link};
 use crate::device::Turn;
-use crate::model::BoardModel;
 use stiction_core::{Output, Real, Status};
 use stiction_wire::{
     Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
@@ -81,7 +80,7 @@ fn due(since: &mut u16, every: u16) -> bool {
     is_due
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, V, S, C> {
     /// Sends a report that every board has; see [`Outbox::send`](super::Outbox::send).
     pub(super) fn say(&mut self, now_us: u32, report: Report<'_>, link: &mut impl Link) -> bool {
         self.outbox.send(now_us, report, link)
@@ -199,9 +198,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             number: self.setup.number,
             vertices: u8::try_from(V).unwrap_or(u8::MAX),
             surfaces: u8::try_from(S).unwrap_or(u8::MAX),
-            friction: M::FRICTION,
-            weight: M::WEIGHT,
-            corners: u8::try_from(M::CORNERS).unwrap_or(u8::MAX),
+            corners: u8::try_from(C).unwrap_or(u8::MAX),
             actuators: passivity.is_some(),
             longest_frame: u16::try_from(longest_frame).unwrap_or(u16::MAX),
             fastest_tick: self.setup.fastest_tick,

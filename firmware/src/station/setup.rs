@@ -2,7 +2,6 @@
 
 use super::refusal::Trouble;
 use crate::device::Settings;
-use crate::model::BoardModel;
 use crate::safety::{Limits, Passivity};
 use stiction_core::{Description, Fixed, Real, Scene};
 use stiction_wire::{
@@ -50,30 +49,30 @@ impl BoardNumber for Fixed {
 pub trait SceneType {
     /// The number type of its solver.
     type Number: BoardNumber;
-    /// Its model.
-    type Model: BoardModel;
     /// The maximum number of vertices.
     const VERTICES: usize;
     /// The maximum number of surfaces.
     const SURFACES: usize;
+    /// The maximum number of corners of all obstacles together.
+    const CORNERS: usize;
     /// The name of its number type on the wire.
     const NUMBER: NumberType = Self::Number::NUMBER;
     /// Bytes of the longest frame that contains a scene.
     const FRAME: usize = frame_bytes(scene_bytes([
         Self::VERTICES,
         Self::SURFACES,
-        Self::Model::OBSTACLES,
-        Self::Model::CORNERS,
+        Self::CORNERS,
+        Self::CORNERS,
     ]));
 }
 
-impl<R: BoardNumber, const V: usize, const S: usize, M: BoardModel> SceneType
-    for Scene<R, V, S, M>
+impl<R: BoardNumber, const V: usize, const S: usize, const C: usize> SceneType
+    for Scene<R, V, S, C>
 {
     type Number = R;
-    type Model = M;
     const VERTICES: usize = V;
     const SURFACES: usize = S;
+    const CORNERS: usize = C;
 }
 
 /// The type of the program of a board with a compiled-in scene, a [`SceneType`]: a [`Station`](crate::station::Station).
@@ -84,7 +83,7 @@ macro_rules! station_of {
             <$scene as $crate::station::SceneType>::Number,
             { <$scene as $crate::station::SceneType>::VERTICES },
             { <$scene as $crate::station::SceneType>::SURFACES },
-            <$scene as $crate::station::SceneType>::Model,
+            { <$scene as $crate::station::SceneType>::CORNERS },
             { <$scene as $crate::station::SceneType>::FRAME },
         >
     };

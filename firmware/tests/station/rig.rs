@@ -76,8 +76,8 @@ impl Link for Line {
 
 pub(crate) type Nothing = (FromLine, NoActuators);
 
-pub(crate) struct Rig<R: Real = f32, M: BoardModel = Full, D = Nothing, const N: usize = LONGEST> {
-    pub(crate) station: Station<R, V, S, M, N>,
+pub(crate) struct Rig<R: Real = f32, const C: usize = 0, D = Nothing, const N: usize = LONGEST> {
+    pub(crate) station: Station<R, V, S, C, N>,
     pub(crate) client: Client,
     pub(crate) line: Line,
     pub(crate) servo: Servo<D>,
@@ -85,7 +85,7 @@ pub(crate) struct Rig<R: Real = f32, M: BoardModel = Full, D = Nothing, const N:
     pub(crate) force: Wrench<f32>,
 }
 
-impl<R: Real<Si = f32>, M: BoardModel, const N: usize> Rig<R, M, Nothing, N> {
+impl<R: Real<Si = f32>, const C: usize, const N: usize> Rig<R, M, Nothing, N> {
     pub(crate) fn of(setup: Setup) -> Self {
         Self::with(setup, (FromLine, NoActuators))
     }
@@ -95,7 +95,7 @@ impl<R: Real<Si = f32>, M: BoardModel, const N: usize> Rig<R, M, Nothing, N> {
     }
 }
 
-impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Rig<R, M, D, N> {
+impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> Rig<R, M, D, N> {
     pub(crate) fn with(setup: Setup, device: D) -> Self {
         Self {
             station: Station::new(Box::leak(Box::new(setup))).unwrap(),

@@ -2,7 +2,7 @@
 //! that installs it; with CI=true it must be there.
 
 use stiction_core::{Evolution, Fixed, Full, Hand, Output, Real, Solver, narrow_hand};
-use stiction_firmware::bits::{Among, Walk, of_walk};
+use stiction_firmware::bits::{CORNERS, Walk, of_walk};
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_host_sim::trade::chip::Chip;
 use stiction_host_sim::trade::counts::counted;
@@ -75,10 +75,10 @@ fn a_board_gives_the_answers_of_this_machine_and_its_count() {
 
 fn same_bits(number: NumberType) {
     let of = |place, frames| match (number, place) {
-        (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(frames),
-        (NumberType::F32, Place::AmongObstacles) => of_walk::<f32, Among>(frames),
-        (NumberType::Fixed, Place::ByWalls) => of_walk::<Fixed, Full>(frames),
-        (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, Among>(frames),
+        (NumberType::F32, Place::ByWalls) => of_walk::<f32, 0>(frames),
+        (NumberType::F32, Place::AmongObstacles) => of_walk::<f32, CORNERS>(frames),
+        (NumberType::Fixed, Place::ByWalls) => of_walk::<Fixed, 0>(frames),
+        (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, CORNERS>(frames),
     };
     // Among obstacles a frame takes so much more, on a machine that is itself computed.
     for (place, frames) in [(Place::ByWalls, 5_000), (Place::AmongObstacles, 500)] {

@@ -5,14 +5,13 @@ mod carry;
 use std::sync::Arc;
 
 use stiction_core::{
-    Angle, Evolution, Fixed, Full, Hand, Model, Output, Present, Real, SiFloat, Solver, State,
-    Wrench, narrow_hand,
+    Angle, Evolution, Fixed, Hand, Output, Present, Real, SiFloat, Solver, State, Wrench,
+    narrow_hand,
 };
-use stiction_scene::{Among, HostSolver, Indices, InputError, SceneFile};
+use stiction_scene::{HostSolver, Indices, InputError, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
-use crate::simulate::{OBSTACLES, has_solver};
 use carry::{Begun, carried};
 
 /// A body that can be held by a hand.
@@ -64,17 +63,11 @@ impl Setting {
         self.solved(&Start::Present(present))
     }
 
-    /// Chooses the solver that the scene needs: with obstacles only if the scene has some.
     fn solved(&self, way: &Start<'_>) -> Result<Box<dyn Body>, String> {
-        has_solver(&self.scene).map_err(|error| error.to_string())?;
-        let has_obstacles = OBSTACLES && !self.scene.obstacles.is_empty();
-        Ok(match (self.number, has_obstacles) {
-            (Number::F32, false) => Box::new(Solved::<f32, Full>::new(self, way)?),
-            (Number::F64, false) => Box::new(Solved::<f64, Full>::new(self, way)?),
-            (Number::Fixed, false) => Box::new(Solved::<Fixed, Full>::new(self, way)?),
-            (Number::F32, true) => Box::new(Solved::<f32, Among>::new(self, way)?),
-            (Number::F64, true) => Box::new(Solved::<f64, Among>::new(self, way)?),
-            (Number::Fixed, true) => Box::new(Solved::<Fixed, Among>::new(self, way)?),
+        Ok(match self.number {
+            Number::F32 => Box::new(Solved::<f32>::new(self, way)?),
+            Number::F64 => Box::new(Solved::<f64>::new(self, way)?),
+            Number::Fixed => Box::new(Solved::<Fixed>::new(self, way)?),
         })
     }
 }
@@ -86,29 +79,17 @@ enum Start<'a> {
     Present(&'a Present<f64>),
 }
 
-/// Checks that a scene is accepted by the solver that it needs, in f64.
-///
-/// # Errors
-/// The key and the line if it does not; or the solver is not built in.
-pub fn check(scene: &SceneFile) -> Result<(), InputError> {
-    has_solver(scene)?;
-    if OBSTACLES && !scene.obstacles.is_empty() {
-        scene.check_scene::<f64>()
-    } else {
-        scene.scene::<f64>().map(drop)
-    }
-}
-
 /// Checks that a scene suits a board, which takes no obstacles.
 ///
 /// # Errors
 /// The key and the line if it does not.
 pub fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
-    scene.scene::<f64>().map(|_| ())
+    scene.check_half_planes()?;
+    scene.scene::<f64>().map(drop)
 }
 
-struct Solved<R: Real, M: Model> {
-    solver: Arc<HostSolver<R, M>>,
+struct Solved<R: Real> {
+    solver: Arc<HostSolver<R>>,
     /// Indices of the solver's obstacles in the scene file, if they differ.
     indices: Option<Arc<Indices>>,
     state: State<R>,
@@ -120,7 +101,7 @@ struct Solved<R: Real, M: Model> {
     holding_point: Option<[f64; 2]>,
 }
 
-impl<R: Real<Si: SiFloat>, M: Model> Solved<R, M> {
+impl<R: Real<Si: SiFloat>> Solved<R> {
     fn new(setting: &Setting, way: &Start<'_>) -> Result<Self, String> {
         let scene = &setting.scene;
         let (begun, turns) = match way {
@@ -141,7 +122,7 @@ impl<R: Real<Si: SiFloat>, M: Model> Solved<R, M> {
         })
     }
 
-    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Begun<R, M>, String> {
+    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Begun<R>, String> {
         let scene = setting.scene.written.scene_in();
         let (scene, indices) = scene.map_err(|error| error.to_string())?;
         let solver = Solver::new(scene, setting.evolution);
@@ -155,11 +136,11 @@ impl<R: Real<Si: SiFloat>, M: Model> Solved<R, M> {
     }
 }
 
-impl<R: Real<Si: SiFloat>, M: Model + 'static> Body for Solved<R, M>
+impl<R: Real<Si: SiFloat>> Body for Solved<R>
 where
     R: Send + Sync,
     R::Si: Send + Sync,
-    HostSolver<R, M>: Send + Sync,
+    HostSolver<R>: Send + Sync,
 {
     fn step(&mut self, hand: &Hand<f64>) {
         let hand = hand.turned(self.turns.saturating_neg());

@@ -7,7 +7,6 @@ use serde::Deserialize;
 use stiction_core::Hand;
 use stiction_scene::{InputError, Motion, ObstacleInfo, SceneFile, Source, SurfaceInfo};
 
-use crate::body::check;
 use crate::scenes;
 use crate::stage::{Stage, at_start, written};
 
@@ -42,7 +41,7 @@ pub fn file_of(name: &str) -> PathBuf {
 pub fn parse(name: &str, text: Vec<u8>, limit: f64) -> Result<Stage, InputError> {
     let source = Source::of_bytes(&file_of(name), text)?;
     let scene = SceneFile::parse(source, limit)?;
-    check(&scene)?;
+    scene.scene::<f64>().map(drop)?;
     Stage::unopened(scene)
 }
 
@@ -93,7 +92,7 @@ pub fn edited(base: &Stage, name: &str, json: &[u8], limit: f64) -> Result<Stage
     let file = base.scene.source().file().with_file_name(file_of(name));
     let scene = SceneFile::parse(Source::new(file, text), limit);
     let stage = scene.and_then(|scene| {
-        check(&scene)?;
+        scene.scene::<f64>().map(drop)?;
         match base.path.is_some() {
             true => Stage::new(scene),
             false => Stage::unopened(scene),

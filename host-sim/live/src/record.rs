@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use stiction_core::{
-    Contact, Event, Evolution, Model, Output, Real, SiFloat, State, StateKind, Status, Touch,
+    Contact, Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch,
 };
 use stiction_judge::insertion::Meter;
 use stiction_scene::{HostSolver, Indices, ObstacleInfo, SurfaceInfo, WrittenScene};
@@ -127,9 +127,9 @@ pub struct ContactRecord {
 
 impl Frame {
     /// Returns the frame at time `t` (s) with the solver's answer and the state after it.
-    pub fn new<R: Real<Si: SiFloat>, M: Model>(
+    pub fn new<R: Real<Si: SiFloat>>(
         t: f64,
-        solver: &HostSolver<R, M>,
+        solver: &HostSolver<R>,
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
@@ -139,10 +139,10 @@ impl Frame {
     }
 
     /// Does the same without contacts and reuses the memory of another frame.
-    pub(crate) fn renewed<R: Real<Si: SiFloat>, M: Model>(
+    pub(crate) fn renewed<R: Real<Si: SiFloat>>(
         self,
         t: f64,
-        solver: &HostSolver<R, M>,
+        solver: &HostSolver<R>,
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
@@ -182,9 +182,9 @@ impl Frame {
 }
 
 /// Replaces the contacts with those of a state.
-pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: Model>(
+pub(crate) fn set_contacts<R: Real<Si: SiFloat>>(
     contacts: &mut Vec<ContactRecord>,
-    solver: &HostSolver<R, M>,
+    solver: &HostSolver<R>,
     state: &State<R>,
 ) {
     let contact = |contact: &Contact<R::Si>| ContactRecord {

@@ -1,6 +1,6 @@
 //! A scene that is run sample by sample, whatever the type of its solver: the object behind the bindings for other languages.
 
-use stiction_core::{Evolution, Model};
+use stiction_core::Evolution;
 use stiction_scene::{HostSolver, InputError, Sample, SceneFile};
 
 use crate::number::Number;
@@ -31,9 +31,9 @@ impl Session {
     }
 
     /// Creates a session of a solver of any type, before its first sample.
-    pub fn of<R: Shared, M: Model>(running: Running<R, M>) -> Self
+    pub fn of<R: Shared>(running: Running<R>) -> Self
     where
-        HostSolver<R, M>: Send + Sync,
+        HostSolver<R>: Send + Sync,
     {
         Self(Box::new(running))
     }
@@ -69,9 +69,9 @@ trait Steps: Send + Sync {
     fn copy(&self) -> Box<dyn Steps>;
 }
 
-impl<R: Shared, M: Model> Steps for Running<R, M>
+impl<R: Shared> Steps for Running<R>
 where
-    HostSolver<R, M>: Send + Sync,
+    HostSolver<R>: Send + Sync,
 {
     fn step(&mut self, sample: &Sample) -> Frame {
         self.frame(sample)
@@ -95,9 +95,9 @@ struct Boxed;
 impl Task for Boxed {
     type Done = Session;
 
-    fn with<R: Shared, M: Model>(self, running: Running<R, M>) -> Session
+    fn with<R: Shared>(self, running: Running<R>) -> Session
     where
-        HostSolver<R, M>: Send + Sync,
+        HostSolver<R>: Send + Sync,
     {
         Session::of(running)
     }

@@ -4,10 +4,8 @@
 mod again;
 pub use again::Contacts;
 
-use stiction_core::{
-    Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,
-};
-use stiction_scene::{Among, HostSolver, Indices, InputError, Sample, SceneFile};
+use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, State, narrow_hand};
+use stiction_scene::{HostSolver, Indices, InputError, Sample, SceneFile};
 use web_time::{Duration, Instant};
 
 use crate::number::Number;
@@ -15,15 +13,15 @@ use crate::record::Frame;
 
 /// A solver with the state of its run.
 #[derive(Clone)]
-pub struct Running<R: Real, M: Model = Full> {
-    solver: HostSolver<R, M>,
+pub struct Running<R: Real> {
+    solver: HostSolver<R>,
     state: Option<State<R>>,
     indices: Option<Indices>,
 }
 
-impl<R: Real, M: Model> Running<R, M> {
+impl<R: Real> Running<R> {
     /// Creates a run before its first hand.
-    pub const fn new(solver: HostSolver<R, M>) -> Self {
+    pub const fn new(solver: HostSolver<R>) -> Self {
         Self {
             solver,
             state: None,
@@ -32,7 +30,7 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 
     /// Returns the answer to the next hand, with the solver and the state after it; the first hand starts the scene.
-    pub fn step(&mut self, hand: Hand<R::Si>) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
+    pub fn step(&mut self, hand: Hand<R::Si>) -> (&HostSolver<R>, &State<R>, Output<R::Si>) {
         let solver = &self.solver;
         let mut started = None;
         let state = self.state.get_or_insert_with(|| {
@@ -45,7 +43,7 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 }
 
-impl<R: Real<Si: SiFloat>, M: Model> Running<R, M> {
+impl<R: Real<Si: SiFloat>> Running<R> {
     /// Creates a run of a scene, with the budget of a frame (units of work).
     ///
     /// # Errors
@@ -105,9 +103,9 @@ pub trait Task {
     /// Result of the task.
     type Done;
     /// Runs the task.
-    fn with<R: Shared, M: Model>(self, running: Running<R, M>) -> Self::Done
+    fn with<R: Shared>(self, running: Running<R>) -> Self::Done
     where
-        HostSolver<R, M>: Send + Sync;
+        HostSolver<R>: Send + Sync;
 }
 
 /// A number type of the solver that threads can share.
@@ -126,49 +124,17 @@ pub struct Kind {
     pub budget: u32,
 }
 
-/// Runs a task with the solver that a scene needs: with obstacles only if the scene has some.
+/// Runs a task with the solver of a scene.
 ///
 /// # Errors
 /// The scene is refused.
 pub fn with_solver<T: Task>(scene: &SceneFile, kind: Kind, task: T) -> Result<T::Done, InputError> {
-    match kind.number {
-        Number::F32 => with_model::<f32, T>(scene, kind, task),
-        Number::F64 => with_model::<f64, T>(scene, kind, task),
-        Number::Fixed => with_model::<Fixed, T>(scene, kind, task),
-    }
-}
-
-/// Whether the solver with obstacles is built in.
-pub const OBSTACLES: bool = cfg!(feature = "obstacles");
-
-/// Checks that the solver of a scene is built in.
-///
-/// # Errors
-/// It has obstacles, and the feature `obstacles` is off.
-pub fn has_solver(scene: &SceneFile) -> Result<(), InputError> {
-    if OBSTACLES || scene.obstacles.is_empty() {
-        return Ok(());
-    }
-    let problem = "a scene with obstacles, allowed in this build: one without";
-    Err(scene.source().error(problem))
-}
-
-fn with_model<R: Shared, T: Task>(
-    scene: &SceneFile,
-    kind: Kind,
-    task: T,
-) -> Result<T::Done, InputError>
-where
-    Running<R, Full>: Send + Sync,
-    Running<R, Among>: Send + Sync,
-{
-    has_solver(scene)?;
     let Kind {
         evolution, budget, ..
     } = kind;
-    Ok(if !OBSTACLES || scene.obstacles.is_empty() {
-        task.with(Running::<R, Full>::of(scene, evolution, budget)?)
-    } else {
-        task.with(Running::<R, Among>::of(scene, evolution, budget)?)
+    Ok(match kind.number {
+        Number::F32 => task.with(Running::<f32>::of(scene, evolution, budget)?),
+        Number::F64 => task.with(Running::<f64>::of(scene, evolution, budget)?),
+        Number::Fixed => task.with(Running::<Fixed>::of(scene, evolution, budget)?),
     })
 }

@@ -196,7 +196,6 @@ fn number(value: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::scenes;
-    use crate::simulate::OBSTACLES;
 
     /// Size limit of a gallery card (bytes), so that all of them together are smaller than the page.
     const LARGEST: usize = 2000;
@@ -217,8 +216,7 @@ mod tests {
 
     #[test]
     fn every_bundled_scene_has_a_small_picture_with_the_body_in_sight() {
-        let all = scenes::ALL.iter();
-        for &(name, text) in all.filter(|scene| OBSTACLES || !scenes::has_obstacles(scene)) {
+        for &(name, text) in scenes::ALL {
             let svg = thumbnail(&source(text)).expect(name);
             assert!(svg.len() <= LARGEST, "{name}: {} bytes", svg.len());
             for place in outline(&svg).chunks_exact(2) {

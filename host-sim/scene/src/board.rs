@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use stiction_wire::NumberType;
 
 use crate::compile::compile;
-use crate::model::{ObstacleRoom, SceneModel};
+use crate::model::SceneModel;
 use crate::source::InputError;
 
 /// The properties in which boards differ.
@@ -45,7 +45,7 @@ impl BoardBuild {
         match env::var_os("CARGO_FEATURE_OBSTACLES") {
             Some(_) => self.room,
             None => SceneModel {
-                obstacles: ObstacleRoom::default(),
+                corners: 0,
                 ..self.room
             },
         }

@@ -1,10 +1,9 @@
-//! A scene as the Rust code that is compiled into an image: the number type, the capacity for its vertices and surfaces,
-//! and the parts of the solver.
+//! A scene as the Rust code that is compiled into an image: the number type, the capacities for its vertices, surfaces and corners.
 
 use stiction_core::{Description, Evolution, Fixed, ObstacleDescription, SurfaceDescription};
 use stiction_wire::NumberType;
 
-use crate::model::{ObstacleRoom, SceneModel};
+use crate::model::SceneModel;
 use crate::written::WrittenScene;
 
 /// The type of the solver's numbers in the code of an image.
@@ -34,25 +33,16 @@ pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: Number
     let SceneModel {
         vertices,
         surfaces,
-        friction,
-        weight,
-        obstacles: room,
+        corners,
     } = model;
     let (description, _) = match number {
         NumberType::F32 => scene.described::<f32, _>(description),
         NumberType::Fixed => scene.described::<Fixed, _>(description),
     };
     let number = path(number);
-    let parts = format!("stiction_core::Parts<{friction}, {weight}>");
-    let ObstacleRoom { count, corners } = room;
-    let model = if room.is_empty() {
-        parts
-    } else {
-        format!("stiction_core::WithObstacles<{count}, {corners}, {parts}>")
-    };
     format!(
         "pub(crate) type CompiledScene =
-    stiction_core::Scene<{number}, {vertices}, {surfaces}, {model}>;
+    stiction_core::Scene<{number}, {vertices}, {surfaces}, {corners}>;
 pub(crate) const SCENE: stiction_core::Description<'static, f32> = {description};
 "
     )

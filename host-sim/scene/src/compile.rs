@@ -7,7 +7,7 @@ use stiction_core::{Fixed, Real};
 use stiction_wire::NumberType;
 
 use crate::code::scene_code;
-use crate::model::{ObstacleRoom, SceneModel};
+use crate::model::SceneModel;
 use crate::source::InputError;
 use crate::written::WrittenScene;
 
@@ -45,25 +45,25 @@ pub fn code(
     room: Option<SceneModel>,
 ) -> Result<String, InputError> {
     let scene = WrittenScene::read(file, f64::from(f32::MAX))?;
-    let obstacles = match number {
+    let corners = match number {
         NumberType::F32 => check::<f32>(&scene)?,
         NumberType::Fixed => check::<Fixed>(&scene)?,
     };
     let smallest = SceneModel {
-        obstacles,
+        corners,
         ..SceneModel::smallest(&scene)
     };
     let model = room.map_or(smallest, |room| room.with(smallest));
     Ok(scene_code(&scene, model, number))
 }
 
-/// Checks that the numbers make a scene. Returns the capacity that its obstacles need, as far as they are within the
-/// range of the number type.
-fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<ObstacleRoom, InputError> {
-    scene.check_scene::<R>()?;
-    let (room, _) = scene.described::<R, _>(|description| ObstacleRoom {
-        count: description.obstacles.len(),
-        corners: description.obstacles.iter().map(|o| o.vertices.len()).sum(),
+/// Checks that the numbers make a scene. Returns the capacity for corners that its obstacles need, as far as they are within the range of the
+/// number type.
+fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<usize, InputError> {
+    scene.scene::<R>()?;
+    let (corners, _) = scene.described::<R, _>(|description| {
+        let counts = description.obstacles.iter().map(|o| o.vertices.len());
+        counts.sum()
     });
-    Ok(room)
+    Ok(corners)
 }

@@ -15,11 +15,11 @@ fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -
     (key.into(), given.span().start, value)
 }
 
-/// The allowed number of items, for a solver with capacity for this many vertices and surfaces.
-fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Option<String> {
+/// The allowed number of items.
+fn allowed_count(parameter: Parameter) -> Option<String> {
     match parameter {
-        Parameter::VertexCount => Some(format!("1 to {vertices}")),
-        Parameter::SurfaceCount => Some(format!("0 to {surfaces}")),
+        Parameter::VertexCount => Some(format!("1 to {VERTICES}")),
+        Parameter::SurfaceCount => Some(format!("0 to {SURFACES}")),
         Parameter::ObstacleCount => Some(format!("0 to {OBSTACLES}")),
         Parameter::CornerCount => Some(format!("at most {CORNERS}")),
         _ => None,
@@ -41,7 +41,7 @@ impl Document {
             (Parameter::CornerCount, self.corner_count(), CORNERS),
         ] {
             let place = self.place_of_count(parameter).filter(|_| count > most);
-            let allowed = allowed_count(parameter, [VERTICES, SURFACES]);
+            let allowed = allowed_count(parameter);
             if let (Some((key, offset, value)), Some(allowed)) = (place, allowed) {
                 let problem = format!("`{key}` is {value}, allowed: {allowed}");
                 return Err(source.error_at(offset, problem));
@@ -81,8 +81,11 @@ impl Document {
 }
 
 impl WrittenScene {
-    /// Checks that there are no obstacles, for a solver without them.
-    pub(crate) fn check_half_planes(&self) -> Result<(), InputError> {
+    /// Checks that there are no obstacles, for a board.
+    ///
+    /// # Errors
+    /// The first one.
+    pub fn check_half_planes(&self) -> Result<(), InputError> {
         let Some(first) = self.document.obstacle.first() else {
             return Ok(());
         };
@@ -90,16 +93,14 @@ impl WrittenScene {
         Err(self.source.error_at(first.span().start, problem))
     }
 
-    /// The error of a solver with capacity for this many vertices and surfaces, in the terms of the file. `indices`: the meaning of its
-    /// obstacle indices if they differ from those of the file.
+    /// The error of a solver in the terms of the file. `indices`: the meaning of its obstacle indices if they differ from those of the file.
     pub(crate) fn explain<F: SiFloat>(
         &self,
         error: &SceneError<F>,
         indices: Option<&Indices>,
-        [vertices, surfaces]: [usize; 2],
     ) -> InputError {
         let error = indices.map_or(*error, |indices| indices.error(*error));
-        let allowed = allowed_count(error.parameter, [vertices, surfaces]);
+        let allowed = allowed_count(error.parameter);
         let allowed = allowed.unwrap_or_else(|| error.allowed.to_owned());
         if let Parameter::Penetration { surface, vertex } = error.parameter {
             let (key, offset, _) = place("body.start", &self.document.body.start);

@@ -3,22 +3,19 @@
 use std::ops::Deref;
 use std::path::Path;
 
-use stiction_core::{Full, Model, Real, Scene, SiFloat, Solver, WithObstacles};
+use stiction_core::{Scene, Solver};
 use toml::Spanned;
 
 use crate::check::Check;
 use crate::hand_section::HandSection;
 use crate::source::{InputError, Source};
-use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
-
-/// A model with obstacles, with the capacities of the host.
-pub type Among<M = Full> = WithObstacles<OBSTACLES, CORNERS, M>;
+use crate::written::{CORNERS, SURFACES, VERTICES, WrittenScene};
 
 /// A scene with the capacities of the host.
-pub type HostScene<R, M = Full> = Scene<R, VERTICES, SURFACES, M>;
+pub type HostScene<R> = Scene<R, VERTICES, SURFACES, CORNERS>;
 
-/// A solver for any scene file without obstacles; with [`Among`] as M, also for one with obstacles.
-pub type HostSolver<R, M = Full> = Solver<R, VERTICES, SURFACES, M>;
+/// A solver for any scene file.
+pub type HostSolver<R> = Solver<R, VERTICES, SURFACES, CORNERS>;
 
 /// A scene file whose numbers, including those of its hand, are finite, in range and complete. [`SceneFile::scene`]
 /// checks whether they make a scene.
@@ -79,28 +76,6 @@ impl SceneFile {
             section += &format!("origin = {origin:?}\n");
         }
         section
-    }
-
-    /// The scene for a solver without obstacles.
-    ///
-    /// # Errors
-    /// The numbers do not make a scene: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) refers to. Or there are obstacles.
-    pub fn scene<R: Real<Si: SiFloat>>(&self) -> Result<HostScene<R>, InputError> {
-        self.scene_in::<R, Full>()
-    }
-
-    /// The scene for a solver that lacks parts.
-    ///
-    /// # Errors
-    /// As for [`SceneFile::scene`]; also if the scene needs a missing part.
-    pub fn scene_in<R, M>(&self) -> Result<HostScene<R, M>, InputError>
-    where
-        R: Real<Si: SiFloat>,
-        M: Model,
-    {
-        self.written.check_half_planes()?;
-        self.written.scene_in().map(|(scene, _)| scene)
     }
 }
 

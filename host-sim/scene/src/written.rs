@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use stiction_core::{
-    Description, Model, ObstacleDescription, Parameter, Real, Scene, SiFloat, SurfaceDescription,
+    Description, ObstacleDescription, Parameter, Real, Scene, SiFloat, SurfaceDescription,
 };
 
 use crate::check::Check;
@@ -13,7 +13,7 @@ use crate::document::{Body, Document};
 use crate::friction::Fallback;
 use crate::name::Names;
 use crate::obstacle::{ObstacleInfo, obstacles};
-use crate::scene_file::{Among, HostScene};
+use crate::scene_file::HostScene;
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
 
@@ -106,12 +106,12 @@ impl WrittenScene {
                 surfaces: &[],
                 ..*description
             };
-            [surfaces, obstacles].map(|given| HostScene::<f64, Among>::new(&given).map(drop))
+            [surfaces, obstacles].map(|given| HostScene::<f64>::new(&given).map(drop))
         });
         for checked in checked {
             match checked {
                 Err(error) if !is_of_start(error.parameter) => {
-                    return Err(self.explain(&error, indices.as_ref(), [VERTICES, SURFACES]));
+                    return Err(self.explain(&error, indices.as_ref()));
                 }
                 Ok(()) | Err(_) => {}
             }
@@ -119,13 +119,12 @@ impl WrittenScene {
         Ok(())
     }
 
-    /// Checks that the numbers make a scene in a number type.
+    /// The scene for a solver.
     ///
     /// # Errors
     /// As for [`WrittenScene::scene_in`].
-    pub fn check_scene<R: Real<Si: SiFloat>>(&self) -> Result<(), InputError> {
-        let _: (HostScene<R, Among>, _) = self.scene_in()?;
-        Ok(())
+    pub fn scene<R: Real<Si: SiFloat>>(&self) -> Result<HostScene<R>, InputError> {
+        self.scene_in().map(|(scene, _)| scene)
     }
 
     /// The scene for a solver, and the meaning of its obstacle indices if they differ from those of the file.
@@ -133,17 +132,13 @@ impl WrittenScene {
     /// # Errors
     /// The numbers do not make a scene, or it does not fit: the message names the key that the solver's
     /// [`SceneError`](stiction_core::SceneError) refers to.
-    pub fn scene_in<R, const V: usize, const S: usize, M>(
+    pub fn scene_in<R: Real<Si: SiFloat>>(
         &self,
-    ) -> Result<(Scene<R, V, S, M>, Option<Indices>), InputError>
-    where
-        R: Real<Si: SiFloat>,
-        M: Model,
-    {
+    ) -> Result<(HostScene<R>, Option<Indices>), InputError> {
         let (scene, indices) = self.described::<R, _>(|description| Scene::new(description));
         match scene {
             Ok(scene) => Ok((scene, indices)),
-            Err(error) => Err(self.explain(&error, indices.as_ref(), [V, S])),
+            Err(error) => Err(self.explain(&error, indices.as_ref())),
         }
     }
 

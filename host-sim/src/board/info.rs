@@ -1,6 +1,6 @@
 //! A board's description of itself, as a table.
 
-use stiction_core::{Axis, Solver};
+use stiction_core::Axis;
 use stiction_wire::{FaultKind, Health, Mode};
 
 use super::message::About;
@@ -9,16 +9,10 @@ use super::print::table;
 /// The board's identity and settings.
 pub(super) fn about(about: &About) -> String {
     let [major, minor, patch] = about.version;
-    let parts = match (about.friction, about.weight) {
-        (true, true) => "friction and weight",
-        (true, false) => "friction, no weight",
-        (false, true) => "weight, no friction",
-        (false, false) => "neither friction nor weight",
-    };
     let mode = &about.mode;
     let mut rows = vec![
         ("firmware", format!("{major}.{minor}.{patch}")),
-        ("solver", format!("{}, {parts}", about.number.name())),
+        ("solver", about.number.name().to_owned()),
         (
             "room for",
             format!(
@@ -66,17 +60,9 @@ fn obstacles(about: &About) -> String {
     }
 }
 
-/// A note if the budget is too small for the largest piece of work. That piece is the same in every number type.
 fn budget(about: &About) -> String {
-    let least = match about.surfaces {
-        0 | 1 if about.corners == 0 => Solver::<f32, 1, 1>::LEAST_BUDGET,
-        _ => Solver::<f32, 1, 2>::LEAST_BUDGET,
-    };
     match about.budget {
         u32::MAX => "none".to_owned(),
-        units if units < least => format!(
-            "{units} units of work in a step; a piece may take up to {least}, and a step then overruns"
-        ),
         units => format!("{units} units of work in a step"),
     }
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use stiction_core::{Contacts, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Wrench};
-use stiction_scene::{Among, HostSolver, InputError, SceneFile};
+use stiction_core::{Contacts, Fixed, Hand, Output, Real, Wrench};
+use stiction_scene::{HostSolver, InputError, SceneFile};
 use stiction_wire::{EventSet, NumberType};
 
 use super::message::About;
@@ -31,9 +31,9 @@ pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
-impl<R: Real<Si = f32> + Send, M: Model> Twin for Running<R, M>
+impl<R: Real<Si = f32> + Send> Twin for Running<R>
 where
-    HostSolver<R, M>: Send,
+    HostSolver<R>: Send,
 {
     fn step(&mut self, hand: Hand<f32>) -> Expected {
         let (solver, state, output) = Self::step(self, hand);
@@ -49,49 +49,19 @@ where
 /// The twin of a board, before its first sample: with its evolution and its budget.
 pub(super) fn twin(about: &About, scene: &SceneFile) -> Result<Box<dyn Twin>, InputError> {
     match about.number {
-        NumberType::F32 => with_model::<f32>(about, scene),
-        NumberType::Fixed => with_model::<Fixed>(about, scene),
+        NumberType::F32 => host::<f32>(about, scene),
+        NumberType::Fixed => host::<Fixed>(about, scene),
     }
 }
 
-fn with_model<R: Real<Si = f32> + Send + 'static>(
+fn host<R: Real<Si = f32> + Send + 'static>(
     about: &About,
     scene: &SceneFile,
 ) -> Result<Box<dyn Twin>, InputError>
 where
-    f32: SiFloat,
+    HostSolver<R>: Send,
 {
-    match (about.friction, about.weight) {
-        (true, true) => in_place::<R, true, true>(about, scene),
-        (true, false) => in_place::<R, true, false>(about, scene),
-        (false, true) => in_place::<R, false, true>(about, scene),
-        (false, false) => in_place::<R, false, false>(about, scene),
-    }
-}
-
-/// With obstacles only if the scene has some.
-fn in_place<R: Real<Si = f32> + Send + 'static, const FRICTION: bool, const WEIGHT: bool>(
-    about: &About,
-    scene: &SceneFile,
-) -> Result<Box<dyn Twin>, InputError>
-where
-    f32: SiFloat,
-{
-    if scene.obstacles.is_empty() {
-        host::<R, Parts<FRICTION, WEIGHT>>(about, scene)
-    } else {
-        host::<R, Among<Parts<FRICTION, WEIGHT>>>(about, scene)
-    }
-}
-
-fn host<R: Real<Si = f32> + Send + 'static, M: Model>(
-    about: &About,
-    scene: &SceneFile,
-) -> Result<Box<dyn Twin>, InputError>
-where
-    HostSolver<R, M>: Send,
-{
-    let running = Running::<R, M>::of(scene, about.mode.evolution, about.budget)?;
+    let running = Running::<R>::of(scene, about.mode.evolution, about.budget)?;
     Ok(Box::new(running))
 }
 

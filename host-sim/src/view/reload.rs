@@ -6,7 +6,7 @@ use std::sync::mpsc::SyncSender;
 use std::thread;
 use std::time::Duration;
 
-use stiction_live::body::{check, without_obstacles};
+use stiction_live::body::without_obstacles;
 use stiction_live::number::Number;
 use stiction_live::stage::Stage;
 use stiction_scene::{InputError, SceneFile, Source};
@@ -80,7 +80,7 @@ impl Watch {
         let scene = SceneFile::parse(source, self.number.limit())?;
         match self.has_board {
             true => without_obstacles(&scene)?,
-            false => check(&scene)?,
+            false => scene.scene::<f64>().map(drop)?,
         }
         Stage::new(scene)
     }

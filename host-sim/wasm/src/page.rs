@@ -85,7 +85,7 @@ impl Page {
             return false;
         };
         let scene = scenes::ALL.iter().find(|(known, _)| *known == name);
-        scene.is_some_and(scenes::has_obstacles) && !simulate::OBSTACLES
+        scene.is_some_and(scenes::has_obstacles) && !cfg!(feature = "obstacles")
     }
 
     /// The messages that bring another page to the state of this one, except for the scene.

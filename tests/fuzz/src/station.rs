@@ -48,7 +48,7 @@ pub(crate) fn receives(traffic: &[u8], is_single: bool, is_among: bool) {
     }
 }
 
-fn follow<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
+fn follow<R: Real<Si = f32>, const C: usize, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
     let station = Station::<R, V, S, M, N>::new(setup);
     let mut station = station.expect("a sound setup");
     let mut line = Line::new(traffic);

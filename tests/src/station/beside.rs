@@ -8,9 +8,9 @@ use stiction_wire::{Mode, Pose};
 use super::BOX;
 
 /// The solver of the board's scene, run in parallel to the board.
-pub struct Beside<R: Real, const V: usize = 8, const S: usize = 4, M: Model = Full> {
+pub struct Beside<R: Real, const V: usize = 8, const S: usize = 4, const C: usize = Full> {
     /// The solver.
-    pub solver: Solver<R, V, S, M>,
+    pub solver: Solver<R, V, S, C>,
     /// Where the body is; `None` before the first sample.
     pub state: Option<State<R>>,
 }
@@ -26,9 +26,9 @@ impl<R: Real<Si = f32>> Beside<R> {
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Beside<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Beside<R, V, S, M> {
     /// For a board with a scene of any size and model.
-    pub fn solving(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
+    pub fn solving(scene: Scene<R, V, S, C>, evolution: Evolution) -> Self {
         Self {
             solver: Solver::new(scene, evolution),
             state: None,

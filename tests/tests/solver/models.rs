@@ -36,7 +36,7 @@ fn keyframes(setup: &Setup) -> [[f64; 3]; 6] {
 
 /// Runs a hand path in a model with its own capacity and, along the exact path in f64, in the full one: every frame obeys
 /// the laws and has the state and the pose of the full model.
-fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
+fn near_full<R: Number, const V: usize, const S: usize, const C: usize>(
     setup: &Setup,
     evolution: Evolution,
 ) {
@@ -57,12 +57,12 @@ fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
 }
 
 /// Runs a hand path in a model with its own capacity and in the full one, frame by frame.
-fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
+fn same_as_full<R: Number, const V: usize, const S: usize, const C: usize>(
     setup: &Setup,
     evolution: Evolution,
 ) {
     let keyframes = keyframes(setup);
-    let small: Scene<R, V, S, M> = setup.scene_of().expect("the scene fits the model");
+    let small: Scene<R, V, S, C> = setup.scene_of().expect("the scene fits the model");
     let full = setup.scene::<R>().expect("the scene is sound");
     let (small, full) = (Solver::new(small, evolution), Solver::new(full, evolution));
     let hands = polyline(&keyframes, 50).into_iter().map(planar::<R>);

@@ -11,7 +11,7 @@ use stiction_tests::{Scenario, scenes};
 const FRAMES_PER_LEG: usize = 250;
 
 /// The cost of every frame of a scene, excluding the start.
-fn steps<const S: usize, M: Model>(
+fn steps<const S: usize, const C: usize>(
     scenario: &Scenario,
     (evolution, frames_per_leg): (Evolution, usize),
 ) -> Vec<u64> {
@@ -25,14 +25,14 @@ fn steps<const S: usize, M: Model>(
 }
 
 /// Mean and worst of a scene's frames.
-fn work<const S: usize, M: Model>(scenario: &Scenario, evolution: Evolution) -> [u64; 2] {
+fn work<const S: usize, const C: usize>(scenario: &Scenario, evolution: Evolution) -> [u64; 2] {
     let steps = steps::<S, M>(scenario, (evolution, FRAMES_PER_LEG));
     let mean = steps.iter().sum::<u64>().div_ceil(steps.len() as u64);
     [mean, steps.into_iter().max().unwrap_or_default()]
 }
 
 /// The scenes that exceed their budget; prints all.
-fn exceeding<const S: usize, M: Model>(
+fn exceeding<const S: usize, const C: usize>(
     scenes: impl IntoIterator<Item = (&'static str, Scenario)>,
     budgets: &[(&str, [[u64; 2]; 2])],
 ) -> Vec<String> {

@@ -102,7 +102,7 @@ impl Hash {
     }
 }
 
-pub(crate) fn hashes<R: Real<Si = f32>, M: Model>(library: &Library, frames: u32) -> Vec<u32> {
+pub(crate) fn hashes<R: Real<Si = f32>>(library: &Library, frames: u32) -> Vec<u32> {
     let names = library.scenes().iter().enumerate();
     names
         .map(|(i, name)| {
@@ -112,13 +112,13 @@ pub(crate) fn hashes<R: Real<Si = f32>, M: Model>(library: &Library, frames: u32
             let (start, _) = file
                 .written
                 .described::<R, _>(|description| description.start);
-            hash::<R, M>(&solver, start, 2_463_534_242 + i as u32, frames)
+            hash::<R>(&solver, start, 2_463_534_242 + i as u32, frames)
         })
         .collect()
 }
 
-fn hash<R: Real<Si = f32>, M: Model>(
-    solver: &HostSolver<R, M>,
+fn hash<R: Real<Si = f32>>(
+    solver: &HostSolver<R>,
     start: [f32; 3],
     seed: u32,
     frames: u32,

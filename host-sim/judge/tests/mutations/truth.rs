@@ -56,18 +56,18 @@ pub(crate) fn truth(name: &str, text: &str, number: Number, evolution: Evolution
 
 fn of_number<R: Real<Si: SiFloat + Display>>(file: &SceneFile, evolution: Evolution) -> Vec<Frame> {
     if file.obstacles.is_empty() {
-        of_model::<R, Full>(file, evolution)
+        of_model::<R>(file, evolution)
     } else {
-        of_model::<R, Among>(file, evolution)
+        of_model::<R>(file, evolution)
     }
 }
 
-fn of_model<R: Real<Si: SiFloat + Display>, M: Model>(
+fn of_model<R: Real<Si: SiFloat + Display>>(
     file: &SceneFile,
     evolution: Evolution,
 ) -> Vec<Frame> {
     let (scene, indices) = file.written.scene_in().expect("a scene");
-    let solver: HostSolver<R, M> = Solver::new(scene, evolution);
+    let solver: HostSolver<R> = Solver::new(scene, evolution);
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {
         panic!("a scene with keyframes");
     };
@@ -82,7 +82,7 @@ fn of_model<R: Real<Si: SiFloat + Display>, M: Model>(
                 output
             }
         };
-        printed_frame::<R, M>(
+        printed_frame::<R>(
             sample.t,
             (&solver, state.as_ref().expect("one"), &output),
             (indices.as_ref(), !file.obstacles.is_empty()),
@@ -96,9 +96,9 @@ fn printed(x: impl Display) -> f64 {
     x.to_string().parse().expect("a number")
 }
 
-fn printed_frame<R: Real<Si: SiFloat + Display>, M: Model>(
+fn printed_frame<R: Real<Si: SiFloat + Display>>(
     t: f64,
-    (solver, state, output): (&HostSolver<R, M>, &State<R>, &Output<R::Si>),
+    (solver, state, output): (&HostSolver<R>, &State<R>, &Output<R::Si>),
     (indices, has_obstacles): (Option<&Indices>, bool),
 ) -> Frame {
     let placed = |[x, y]: [R::Si; 2], angle: R::Si| [printed(x), printed(y), printed(angle)];

@@ -2,24 +2,24 @@
 //! words of the page. Computes a solver and its state from a [`Present`].
 
 use stiction_core::{
-    CarryError, Description, Evolution, Model, Output, Present, Real, Scene, SiFloat, Solver, State,
+    CarryError, Description, Evolution, Output, Present, Real, Scene, SiFloat, Solver, State,
 };
 use stiction_scene::{HostSolver, Indices, WrittenScene};
 
 /// A solver with the state that continues, and the answer of settling. Its turns count from `Present::angle.turns`.
-pub(super) struct Begun<R: Real, M: Model> {
-    pub(super) solver: HostSolver<R, M>,
+pub(super) struct Begun<R: Real> {
+    pub(super) solver: HostSolver<R>,
     pub(super) indices: Option<Indices>,
     pub(super) state: State<R>,
     pub(super) output: Output<R::Si>,
 }
 
 /// Returns the body of `present` in a scene.
-pub(super) fn carried<R: Real<Si: SiFloat>, M: Model>(
+pub(super) fn carried<R: Real<Si: SiFloat>>(
     written: &WrittenScene,
     evolution: Evolution,
     present: &Present<f64>,
-) -> Result<Begun<R, M>, String> {
+) -> Result<Begun<R>, String> {
     let solver_of = |description: &Description<'_, R::Si>| {
         let scene = Scene::new(description).map_err(|error| error.to_string())?;
         Ok(Solver::new(scene, evolution))

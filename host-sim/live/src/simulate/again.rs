@@ -1,7 +1,7 @@
 //! Contacts of a run. Computing them takes longer than the steps and they are not always needed: the run is repeated to compute
 //! them on demand.
 
-use stiction_core::{Hand, Model, narrow_hand};
+use stiction_core::{Hand, narrow_hand};
 use stiction_scene::{HostSolver, Sample};
 
 use super::{Running, Shared};
@@ -13,14 +13,14 @@ pub trait Contacts: Send + Sync {
     fn each(&self, take: &mut dyn FnMut(&[ContactRecord]));
 }
 
-struct Again<R: Shared, M: Model> {
-    start: Running<R, M>,
+struct Again<R: Shared> {
+    start: Running<R>,
     hands: Vec<Hand<R::Si>>,
 }
 
-impl<R: Shared, M: Model> Contacts for Again<R, M>
+impl<R: Shared> Contacts for Again<R>
 where
-    HostSolver<R, M>: Send + Sync,
+    HostSolver<R>: Send + Sync,
 {
     fn each(&self, take: &mut dyn FnMut(&[ContactRecord])) {
         let mut running = self.start.clone();
@@ -34,9 +34,9 @@ where
     }
 }
 
-impl<R: Shared, M: Model> Running<R, M>
+impl<R: Shared> Running<R>
 where
-    HostSolver<R, M>: Send + Sync,
+    HostSolver<R>: Send + Sync,
 {
     /// Steps through `samples` and passes every frame, without its contacts, to `take`.
     pub(crate) fn without_contacts(
