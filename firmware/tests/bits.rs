@@ -1,7 +1,7 @@
 //! The walk whose bits are compared visits every state and stays within bounds, and its hash is that of its answers.
 
 use std::collections::HashMap;
-use stiction_core::{Evolution, Fixed, Full, Real, SiFloat, StateKind, Status, Touch};
+use stiction_core::{Evolution, Fixed, Real, SiFloat, StateKind, Status, Touch};
 use stiction_firmware::bits::{CORNERS, Place, follow, of_walk};
 
 const FRAMES: u32 = 10_000;

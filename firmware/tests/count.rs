@@ -1,10 +1,7 @@
 //! A job of the instruction bench returns the solver's own answers; bytes that are not a job are refused.
 
 use crate::with;
-use stiction_core::{
-    Description, Evolution, Fixed, Full, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
-    Weightless,
-};
+use stiction_core::{Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription};
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, Totals, run};
 use stiction_firmware::model::BoardModel;
 use stiction_tests::station::{BOX, FLOOR};

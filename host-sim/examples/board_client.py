@@ -43,7 +43,7 @@ LAYOUTS = {
                [("contacts", "contact", "BBBffffffb")]),
     "events": (0x91, "IfB", "slips longest_slip events", [("events", "event", "B")]),
     "reply": (0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", "allowed"),
-    "info": (0x93, "BBBBBBBBHHIff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces corners has"
+    "info": (0x93, "BBBBBBBBHHIff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces corners actuators"
              " longest_frame fastest_tick budget stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
     "health": (0x94, "B" + 15 * "I", "drive ticks missed_ticks samples late_samples lost_frames unsent worst_step"
                " worst_tick too_long cobs crc version unknown_type length value", None),
@@ -169,7 +169,7 @@ def require(holds):
 
 def check_codes(message):
     """Checks that flags and codes are defined."""
-    most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "has": 7, "drive": 2}
+    most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "actuators": 1, "drive": 2}
     if message["type"] in ("hand", "tracker"):
         most["held"] = 1
     for field, limit in most.items():

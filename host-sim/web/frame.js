@@ -63,8 +63,8 @@ const LAYOUTS = {
     [{ count: "contacts", item: "contact", shape: "BBBffffffb" }]),
   events: layout(0x91, "IfB", "slips longest_slip events", [{ count: "events", item: "event", shape: "B" }]),
   reply: layout(0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", [], "allowed"),
-  info: layout(0x93, "BBBBBBBBHHIff" + PARAMETERS_SHAPE + MODE_SHAPE,
-    "major minor patch number vertices surfaces corners has longest_frame fastest_tick budget stiffest_k_h "
+  info: layout(0x93, "BBBBBBBFHHIff" + PARAMETERS_SHAPE + MODE_SHAPE,
+    "major minor patch number vertices surfaces corners actuators longest_frame fastest_tick budget stiffest_k_h "
       + `stiffest_k_theta ${PARAMETERS} ${MODE}`,
     [], "name"),
   health: layout(0x94, "B" + "I".repeat(15),
@@ -74,7 +74,7 @@ const LAYOUTS = {
 
 /** Largest codes of fields, by "type.field". @type {{[key: string]: number}} */
 const CODES = {
-  "mode.evolution": 1, "mode.stepping": 1, "info.evolution": 1, "info.stepping": 1, "info.number": 1, "info.has": 7,
+  "mode.evolution": 1, "mode.stepping": 1, "info.evolution": 1, "info.stepping": 1, "info.number": 1,
   "reset.what": 1, "reply.reason": 8, "health.drive": 2, "events.event": 10, "forces.contacts": 8, "events.events": 16,
   "pose.events": 0x7ff,
 };

@@ -3,8 +3,7 @@
 use crate::number::Number;
 use crate::setup::{SURFACES, Setup, VERTICES};
 use stiction_core::{
-    Angle, Contact, Event, Evolution, Full, Hand, Model, Output, Solver, State, StateKind, Status,
-    Transitions,
+    Angle, Contact, Event, Evolution, Hand, Output, Solver, State, StateKind, Status,
 };
 
 /// One answer of the solver, in f64; see [`Output`].
@@ -32,8 +31,6 @@ pub struct Frame {
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
-    /// The arms of the transition table that were taken.
-    pub transitions: Transitions,
 }
 
 impl Frame {
@@ -68,7 +65,6 @@ impl Frame {
             longest_slip: wide(output.longest_slip),
             events: output.events().to_vec(),
             status: output.status,
-            transitions: output.transitions,
         }
     }
     /// The sum of the normal forces (N).
@@ -86,7 +82,7 @@ impl Frame {
 }
 
 /// A run with the capacities that all scenes of the tests share.
-pub type Run<R> = RunOf<R, VERTICES, SURFACES, Full>;
+pub type Run<R> = RunOf<R, VERTICES, SURFACES, 0>;
 
 /// A solver with its state and its last answer.
 pub struct RunOf<R: Number, const V: usize, const S: usize, const C: usize> {
@@ -107,7 +103,7 @@ pub struct Onset {
     pub before: Frame,
 }
 
-impl<R: Number, const V: usize, const S: usize, const C: usize> RunOf<R, V, S, M> {
+impl<R: Number, const V: usize, const S: usize, const C: usize> RunOf<R, V, S, C> {
     /// Starts a scene with the hand at x, y (m), phi (rad).
     ///
     /// # Panics
@@ -121,7 +117,7 @@ impl<R: Number, const V: usize, const S: usize, const C: usize> RunOf<R, V, S, M
     /// If the scene is refused.
     pub fn start_with(setup: &Setup, evolution: Evolution, hand: Hand<R::Si>) -> Self {
         let scene = setup
-            .scene_of::<R, V, S, M>()
+            .scene_of::<R, V, S, C>()
             .unwrap_or_else(|e| panic!("{}: {e}: {setup:?}", R::NAME));
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(hand);

@@ -1,7 +1,7 @@
 //! A scene in f64, built in one expression, from which the scene of any number type is made.
 
 use crate::number::Number;
-use stiction_core::{Description, Model, Scene, SceneError, SurfaceDescription};
+use stiction_core::{Description, Scene, SceneError, SurfaceDescription};
 
 /// Capacity for vertices in the tests' scenes.
 pub const VERTICES: usize = 64;

@@ -5,7 +5,7 @@ use crate::bench::Bench;
 use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::rc::Rc;
-use stiction_core::{Full, Wrench};
+use stiction_core::{Wrench};
 use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
 

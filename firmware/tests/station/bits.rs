@@ -2,7 +2,7 @@
 
 use super::rig::Rig;
 use crate::with;
-use stiction_core::{Event, Evolution, Fixed, Full, Hand, Real};
+use stiction_core::{Event, Evolution, Fixed, Hand, Real};
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Said, hand_path};
 use stiction_wire::{Command, Mode, Stepping};

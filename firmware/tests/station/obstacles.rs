@@ -3,10 +3,7 @@
 
 use super::rig::{Nothing, Rig, S, V};
 use crate::{SAME, with};
-use stiction_core::{
-    Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene,
-    StateKind, Touch, WithObstacles,
-};
+use stiction_core::{Description, Evolution, Fixed, Hand, ObstacleDescription, Parameter, Real, Scene, StateKind, Touch};
 use stiction_tests::station::BOX;
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::Said;

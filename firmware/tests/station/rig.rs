@@ -2,7 +2,7 @@
 
 use crate::with;
 use std::collections::VecDeque;
-use stiction_core::{Full, Hand, Real, Wrench};
+use stiction_core::{Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};

@@ -4,7 +4,7 @@
 use super::commands::{PARAMETERS, deep, refused, seen};
 use super::rig::{Rig, setup};
 use crate::with;
-use stiction_core::{Bare, Description, Hand, Parameter, Status, SurfaceDescription};
+use stiction_core::{Description, Hand, Parameter, Status, SurfaceDescription};
 use stiction_tests::station::client::scene;
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{Command, Reason, SceneCommand, Subject};

@@ -2,7 +2,7 @@
 
 use super::rig::{Rig, driven};
 use crate::{size, with};
-use stiction_core::{Full, Hand, Status, Wrench};
+use stiction_core::{Hand, Status, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, Outage};
 use stiction_wire::Drive;
 

@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use stiction_core::{Evolution, Solver, Status, WithObstacles};
+use stiction_core::{Evolution, Solver, Status};
 use stiction_host_sim::columns::thousands;
 use stiction_scene::ObstacleInfo;
 

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::io;
 
-use stiction_core::{Evolution, Full, Solver, StateKind};
+use stiction_core::{Evolution, Solver, StateKind};
 use stiction_host_sim::columns::thousands;
 use stiction_tests::counted::{Counted, counted};
 use stiction_tests::haptic::measures::Samples;

@@ -1,7 +1,7 @@
 //! The solver on emulated boards against the solver on this machine. What is not installed is skipped with the command
 //! that installs it; with CI=true it must be there.
 
-use stiction_core::{Evolution, Fixed, Full, Hand, Output, Real, Solver, narrow_hand};
+use stiction_core::{Evolution, Fixed, Hand, Output, Real, Solver, narrow_hand};
 use stiction_firmware::bits::{CORNERS, Walk, of_walk};
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_host_sim::trade::chip::Chip;

@@ -56,7 +56,7 @@ function plugIn(page) {
               vertices: 16,
               surfaces: 8,
               corners: 0,
-              has: 3,
+              actuators: 0,
               longest_frame: 378,
               fastest_tick: 5000,
               budget: 4294967295,

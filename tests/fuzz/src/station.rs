@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use stiction_core::{Description, Fixed, Full, Real, WithObstacles};
+use stiction_core::{Description, Fixed, Real};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;

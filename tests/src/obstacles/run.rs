@@ -1,6 +1,6 @@
 //! The driver among obstacles: moves the hand through a scene and returns every answer as a frame for the judge.
 
-use super::scene::{Among, Model, SURFACES, Scene, VERTICES};
+use super::scene::{Among, CORNERS, SURFACES, Scene, VERTICES};
 use crate::number::Number;
 use crate::run::planar;
 use stiction_core::{Evolution, Hand, Output, Solver, State};
@@ -16,7 +16,7 @@ pub fn touches(frame: &Frame) -> Vec<Touch> {
 /// A solver with its state and its last answer.
 pub struct Run<R: Number> {
     /// The solver.
-    pub solver: Solver<R, VERTICES, SURFACES, Model>,
+    pub solver: Solver<R, VERTICES, SURFACES, CORNERS>,
     /// Its state after [`Self::frame`].
     pub state: State<R>,
     /// The last answer, at time 0.
@@ -57,7 +57,7 @@ impl<R: Number> Run<R> {
 }
 
 fn frame<R: Number>(
-    solver: &Solver<R, VERTICES, SURFACES, Model>,
+    solver: &Solver<R, VERTICES, SURFACES, CORNERS>,
     state: &State<R>,
     output: &Output<R::Si>,
 ) -> Frame {

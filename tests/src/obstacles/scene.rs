@@ -7,9 +7,7 @@ use crate::number::Number;
 use crate::reference::{self, Touch};
 use crate::setup::Setup;
 use std::fmt::Write;
-use stiction_core::{
-    Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
-};
+use stiction_core::{Description, ObstacleDescription, SceneError, SurfaceDescription};
 
 /// Capacity for vertices of the body.
 pub const VERTICES: usize = 8;
@@ -20,10 +18,8 @@ pub const OBSTACLES: usize = 12;
 /// Capacity for their corners.
 pub const CORNERS: usize = 48;
 
-/// The model of these scenes.
-pub type Model = WithObstacles<OBSTACLES, CORNERS>;
 /// The scene of a number type.
-pub type Scene<R> = stiction_core::Scene<R, VERTICES, SURFACES, Model>;
+pub type Scene<R> = stiction_core::Scene<R, VERTICES, SURFACES, CORNERS>;
 
 /// An obstacle, SI units, world frame.
 #[derive(Clone, Debug, PartialEq)]

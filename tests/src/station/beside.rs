@@ -1,14 +1,12 @@
 //! The solver of the board's scene on this machine, to compare the bits of the board's poses.
 
-use stiction_core::{
-    Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
-};
+use stiction_core::{Description, Event, Evolution, Hand, Output, Real, Scene, Solver, State};
 use stiction_wire::{Mode, Pose};
 
 use super::BOX;
 
 /// The solver of the board's scene, run in parallel to the board.
-pub struct Beside<R: Real, const V: usize = 8, const S: usize = 4, const C: usize = Full> {
+pub struct Beside<R: Real, const V: usize = 8, const S: usize = 4, const C: usize = 0> {
     /// The solver.
     pub solver: Solver<R, V, S, C>,
     /// Where the body is; `None` before the first sample.
@@ -26,7 +24,7 @@ impl<R: Real<Si = f32>> Beside<R> {
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Beside<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Beside<R, V, S, C> {
     /// For a board with a scene of any size and model.
     pub fn solving(scene: Scene<R, V, S, C>, evolution: Evolution) -> Self {
         Self {

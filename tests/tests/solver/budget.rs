@@ -1,7 +1,7 @@
 //! The budget of a step: no step exceeds it, and a new sample of the hand is followed straight from the body's current pose. That a cut
 //! step continues to the same bits is shown among obstacles.
 
-use stiction_core::{Evolution, Full, Solver, State, Status};
+use stiction_core::{Evolution, Solver, State, Status};
 use stiction_tests::counted::{Counted, counted};
 use stiction_tests::laws::{FINITE, assert_lawful, judge};
 use stiction_tests::random::scenarios;
@@ -17,7 +17,7 @@ test_each! {
     cases::hand_that_lets_go_leaves_nothing_to_do,
 }
 
-type Of<R> = Solver<R, VERTICES, SURFACES, Full>;
+type Of<R> = Solver<R, VERTICES, SURFACES, 0>;
 
 fn solver<R: Number>(setup: &Setup, evolution: Evolution) -> Of<R> {
     Solver::new(setup.scene::<R>().expect("a sound scene"), evolution)
@@ -49,7 +49,7 @@ mod cases {
     pub(super) fn new_sample_leads_straight_from_where_it_stands<R: Number>(evolution: Evolution) {
         let (mut behind, mut caught_up) = (0, 0);
         for scenario in scenarios(100, 8) {
-            let tight = solver::<R>(&scenario.setup, evolution).with_budget(Of::<R>::LEAST_BUDGET);
+            let tight = solver::<R>(&scenario.setup, evolution).with_budget(1);
             let hands = scenario.hands(FRAMES_PER_LEG);
             let (mut state, _) = tight.start(planar::<R>(hands[0]));
             for &hand in &hands[1..] {
@@ -110,9 +110,8 @@ fn no_step_takes_more_than_its_budget() {
 const OPERATIONS_PER_UNIT: f64 = 200.0;
 
 fn dear_unit(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {
-    let scene = (scenario.setup).scene_of::<Counted, VERTICES, SURFACES, Full>();
-    let least = Solver::<Counted, VERTICES, SURFACES, Full>::LEAST_BUDGET;
-    let solver = Solver::new(scene.expect("a sound scene"), evolution).with_budget(least);
+    let scene = (scenario.setup).scene_of::<Counted, VERTICES, SURFACES, 0>();
+    let solver = Solver::new(scene.expect("a sound scene"), evolution).with_budget(1);
     let mut hands = scenario.hands(FRAMES_PER_LEG).into_iter();
     let first = hands.next().expect("a path");
     let (mut state, _) = solver.start(planar::<Counted>(first));

@@ -1,11 +1,10 @@
-//! The documentation of the solver matches the code: the picture has every contact state, the table every arm of the
-//! transition table, and every equation and section that the code cites exists. Links between documents, and the paths that
+//! The documentation of the solver matches the code: the picture has every contact state, and every equation and section that the code cites exists. Links between documents, and the paths that
 //! they name, exist.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use stiction_core::{StateKind, Transition};
+use stiction_core::StateKind;
 
 /// A file of the documentation of the solver.
 fn document(name: &str) -> PathBuf {
@@ -22,23 +21,6 @@ fn the_picture_has_every_state_in_one_piece() {
         assert!(picture.contains(&format!(">{name}<")), "{name}");
     }
     assert!(picture.lines().all(|line| !line.trim().is_empty()));
-}
-
-#[test]
-fn the_table_has_every_arm_of_the_transition_table() {
-    let name = |state: Option<StateKind>| state.map_or("any", StateKind::name);
-    let mut table = String::new();
-    for arm in Transition::ALL {
-        let to = match (arm.before(), arm.after()) {
-            (before, after) if before == after => "the same",
-            (_, after) => name(after),
-        };
-        let physics = arm.describe().replace('|', "\\|");
-        table += &format!("| {} | {to} | {physics} |\n", name(arm.before()));
-    }
-    let table = format!("| from | to | condition: what follows |\n|---|---|---|\n{table}");
-    let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
-    assert!(statics.contains(&table), "core/STATICS.md lacks:\n{table}");
 }
 
 /// The text of all sources below a folder.

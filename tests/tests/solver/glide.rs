@@ -1,7 +1,7 @@
 //! Without friction a vertex glides: its foot is where the tangential forces balance, and its moment has a second harmonic
 //! in the angle (STATICS 3.6). The tests use known answers, found here by slow bisections, and the laws in random scenes.
 
-use stiction_core::{Bare, Event, Evolution, Fixed, Frictionless, StateKind, Status};
+use stiction_core::{Event, Evolution, Fixed, StateKind, Status};
 use stiction_tests::laws::{assert_lawful, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::polyline;
@@ -43,7 +43,7 @@ mod cases {
             [1.2, 0.1, 0.6],
             [-0.4, 0.2, -0.8],
         ];
-        let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, keyframes[0]);
+        let mut run = RunOf::<R, 1, 1, 0>::start(&setup, evolution, keyframes[0]);
         for hand in polyline(&keyframes, 40) {
             let frame = run.step(hand);
             assert_lawful::<R>(&setup, std::slice::from_ref(frame));
@@ -75,7 +75,7 @@ mod cases {
         let lands = change(0.3, 0.8, |theta| phi(theta) > phi(fold));
         let setup = tool(ROTATION);
         let begin = [0.0, 0.35, -0.3];
-        let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, begin);
+        let mut run = RunOf::<R, 1, 1, 0>::start(&setup, evolution, begin);
         run.lead([0.0, HEIGHT, -0.3], 20);
         let leans = change(-0.8, -0.3, |theta| phi(theta) > -0.3);
         R::near("leans", run.frame.pose[2], leans);
@@ -98,7 +98,7 @@ fn survey<R: Number>(evolution: Evolution) {
         let mut setup = scenario.setup.clone().smooth();
         setup.surfaces.truncate(1);
         let hands = scenario.hands(50);
-        let mut run = RunOf::<R, VERTICES, 1, Frictionless>::start(&setup, evolution, hands[0]);
+        let mut run = RunOf::<R, VERTICES, 1, 0>::start(&setup, evolution, hands[0]);
         for (k, &hand) in hands.iter().enumerate() {
             let frame = run.step(hand);
             let gravest = worst(judge::<R>(&setup, frame));
@@ -137,8 +137,8 @@ fn fixed_point_carries_a_point_tool_with_a_short_lever() {
         ];
         let hands = polyline(&keyframes, 300);
         for evolution in Evolution::ALL {
-            let mut exact = RunOf::<f64, 1, 1, Bare>::start(&setup, evolution, hands[0]);
-            let mut fixed = RunOf::<Fixed, 1, 1, Bare>::start(&setup, evolution, hands[0]);
+            let mut exact = RunOf::<f64, 1, 1, 0>::start(&setup, evolution, hands[0]);
+            let mut fixed = RunOf::<Fixed, 1, 1, 0>::start(&setup, evolution, hands[0]);
             for &hand in &hands {
                 let (is, should) = (fixed.step(hand).pose, exact.step(hand).pose);
                 let place = lever * angle + 2e-7;

@@ -27,5 +27,4 @@ mod slips;
 mod snapshot;
 mod swings;
 mod symmetry;
-mod transitions;
 mod work;

@@ -1,6 +1,6 @@
 //! The range that a number type represents, and what it reports beyond that: scenes, hands and grasps far out.
 
-use stiction_core::{Evolution, Fixed, Frictionless, Parameter, SceneError, StateKind, Status};
+use stiction_core::{Evolution, Fixed, Parameter, SceneError, StateKind, Status};
 use stiction_tests::setup::VERTICES;
 use stiction_tests::{Number, Run, RunOf, Setup, close, test_each};
 
@@ -167,9 +167,7 @@ fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
             let run = Run::<Fixed>::start(&setup(friction), Evolution::Path, hand);
             run.frame.held
         };
-        let run =
-            RunOf::<Fixed, VERTICES, 1, Frictionless>::start(&setup(0.0), Evolution::Path, hand)
-                .frame;
+        let run = RunOf::<Fixed, VERTICES, 1, 0>::start(&setup(0.0), Evolution::Path, hand).frame;
         let status = if glides {
             Status::Ok
         } else {

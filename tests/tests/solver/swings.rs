@@ -1,7 +1,7 @@
 //! Nothing holds the angle of a body, with k_theta = 0 and no weight (STATICS 3.7): a vertex that is the holding point, and one
 //! whose lever comes to lie in the friction cone.
 
-use stiction_core::{Bare, Evolution, Status};
+use stiction_core::{Evolution, Status};
 use stiction_tests::run::RunOf;
 use stiction_tests::{Number, Run, Setup, test_each};
 
@@ -177,7 +177,7 @@ mod cases {
     /// A gliding foot, in the model without friction: it is below the hand once the hand is deeper than the lever is long.
     pub(super) fn without_friction_the_lever_bears_upright<R: Number>(evolution: Evolution) {
         let at = [D, 0.0, 0.0];
-        let mut run = RunOf::<R, 1, 1, Bare>::start(&lever(1.0, 0.0), evolution, at);
+        let mut run = RunOf::<R, 1, 1, 0>::start(&lever(1.0, 0.0), evolution, at);
         for (hand, frames) in [
             ([1.0, -0.6, 0.0], 67),
             ([1.0, 0.6, 0.0], 1),

@@ -1,7 +1,7 @@
 //! The cost of a frame, counted in operations on numbers: it is the same on every machine, so that a shortcut that is no
 //! longer taken, or a search that needs more steps, becomes visible.
 
-use stiction_core::{Evolution, Frictionless, Full, Model, Solver};
+use stiction_core::{Evolution, Solver};
 use stiction_tests::counted::{Counted, counted};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::planar;
@@ -11,11 +11,11 @@ use stiction_tests::{Scenario, scenes};
 const FRAMES_PER_LEG: usize = 250;
 
 /// The cost of every frame of a scene, excluding the start.
-fn steps<const S: usize, const C: usize>(
+fn steps<const S: usize>(
     scenario: &Scenario,
     (evolution, frames_per_leg): (Evolution, usize),
 ) -> Vec<u64> {
-    let scene = (scenario.setup).scene_of::<Counted, VERTICES, S, M>();
+    let scene = (scenario.setup).scene_of::<Counted, VERTICES, S, 0>();
     let solver = Solver::new(scene.expect("a sound scene"), evolution);
     let mut hands = scenario.hands(frames_per_leg).into_iter();
     let first = hands.next().expect("a path");
@@ -25,20 +25,20 @@ fn steps<const S: usize, const C: usize>(
 }
 
 /// Mean and worst of a scene's frames.
-fn work<const S: usize, const C: usize>(scenario: &Scenario, evolution: Evolution) -> [u64; 2] {
-    let steps = steps::<S, M>(scenario, (evolution, FRAMES_PER_LEG));
+fn work<const S: usize>(scenario: &Scenario, evolution: Evolution) -> [u64; 2] {
+    let steps = steps::<S>(scenario, (evolution, FRAMES_PER_LEG));
     let mean = steps.iter().sum::<u64>().div_ceil(steps.len() as u64);
     [mean, steps.into_iter().max().unwrap_or_default()]
 }
 
 /// The scenes that exceed their budget; prints all.
-fn exceeding<const S: usize, const C: usize>(
+fn exceeding<const S: usize>(
     scenes: impl IntoIterator<Item = (&'static str, Scenario)>,
     budgets: &[(&str, [[u64; 2]; 2])],
 ) -> Vec<String> {
     let mut exceeded = Vec::new();
     for (name, scenario) in scenes {
-        let all = Evolution::ALL.map(|evolution| work::<S, M>(&scenario, evolution));
+        let all = Evolution::ALL.map(|evolution| work::<S>(&scenario, evolution));
         println!("(\"{name}\", {all:?}),");
         let budget = budgets.iter().find(|(known, _)| *known == name);
         let budget = budget.map_or([[0; 2]; 2], |(_, budget)| *budget);
@@ -52,7 +52,7 @@ fn exceeding<const S: usize, const C: usize>(
 
 #[test]
 fn frames_take_no_more_than_their_budget() {
-    let exceeded = exceeding::<SURFACES, Full>(scenes::all(), &BUDGETS);
+    let exceeded = exceeding::<SURFACES>(scenes::all(), &BUDGETS);
     assert!(exceeded.is_empty(), "{exceeded:#?}");
 }
 
@@ -64,7 +64,7 @@ fn gliding_frames_take_no_more_than_their_budget() {
         (name, scenario)
     });
     let single = smooth.filter(|(_, scenario)| scenario.setup.surfaces.len() == 1);
-    let exceeded = exceeding::<1, Frictionless>(single, &GLIDING);
+    let exceeded = exceeding::<1>(single, &GLIDING);
     assert!(exceeded.is_empty(), "{exceeded:#?}");
 }
 
@@ -73,7 +73,7 @@ fn gliding_frames_take_no_more_than_their_budget() {
 fn random_frames_take_no_more_than_their_budget() {
     let all = Evolution::ALL.map(|evolution| {
         let how = (evolution, 40);
-        let all = scenarios(100, 4).map(|s| steps::<SURFACES, Full>(&s, how).iter().sum::<u64>());
+        let all = scenarios(100, 4).map(|s| steps::<SURFACES>(&s, how).iter().sum::<u64>());
         all.sum::<u64>() / 1000
     });
     println!("{all:?}");

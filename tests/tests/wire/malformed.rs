@@ -137,7 +137,7 @@ fn codes_without_a_meaning_are_faults() {
         (false, with(0x92, &subject(25)), "subject"),
         (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
         (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
-        (false, with(0x93, &set(info.clone(), 7, 8)), "has"),
+        (false, with(0x93, &set(info.clone(), 7, 2)), "actuators"),
         (false, with(0x93, &set(info.clone(), 40, 2)), "has_memory"),
         (false, with(0x93, &set(info.clone(), 45, 2)), "mode"),
         (false, with(0x93, &set(info, 58, 0x7f)), "name"),

@@ -3,8 +3,7 @@
 use crate::round_trip::scene;
 use crate::{Either, decoded, encoded, first};
 use stiction_core::{
-    Contact, Description, ObstacleDescription, Scene, SurfaceDescription, Touch, WithObstacles,
-    Wrench,
+    Contact, Description, ObstacleDescription, Scene, SurfaceDescription, Touch, Wrench,
 };
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{
@@ -86,7 +85,7 @@ fn scene_among_obstacles_goes_through_and_is_refused_where_it_does_not_fit() {
             let (mut s, mut o) = (vec![FLOOR; surfaces], vec![PIN; obstacles]);
             let made = received.description([&mut v, &mut c], &mut s, &mut o)?;
             assert_eq!(made, described);
-            Scene::<f32, 64, 16, WithObstacles<3, 7>>::new(&made)
+            Scene::<f32, 64, 16, 7>::new(&made)
         };
         assert!(made([64, 16, 3, 7]).is_ok());
         for (room, error) in [

@@ -54,8 +54,6 @@ const INFO: Info<'_> = Info {
     vertices: 4,
     surfaces: 1,
     corners: 0,
-    friction: true,
-    weight: true,
     actuators: false,
     longest_frame: 64,
     fastest_tick: 1000,

@@ -248,8 +248,6 @@ impl Store {
                 vertices: random.byte(),
                 surfaces: random.byte(),
                 corners: random.byte(),
-                friction: random.flag(),
-                weight: random.flag(),
                 actuators: random.flag(),
                 longest_frame: random.half(),
                 fastest_tick: random.half(),

@@ -277,8 +277,7 @@ impl Said {
         self.int("vertices", info.vertices)
             .int("surfaces", info.surfaces)
             .int("corners", info.corners);
-        let has = [info.friction, info.weight, info.actuators].map(i64::from);
-        self.int("has", has[0] + 2 * has[1] + 4 * has[2]);
+        self.int("actuators", info.actuators);
         self.int("longest_frame", info.longest_frame)
             .int("fastest_tick", info.fastest_tick)
             .int("budget", info.budget);

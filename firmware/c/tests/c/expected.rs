@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use stiction_core::{Evolution, Hand, Model, Real, Solver, State, Touch};
+use stiction_core::{Evolution, Hand, Real, Solver, State, Touch};
 use stiction_scene::{HostSolver, SceneFile, Source, c_source};
 
 use crate::library::{Library, folder};

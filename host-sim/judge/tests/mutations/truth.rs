@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use stiction_core::{Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand};
+use stiction_core::{Fixed, Hand, Output, Real, SiFloat, Solver, State, narrow_hand};
 use stiction_judge::{Bounds, Contact, Evolution, Frame, Scene};
 use stiction_scene::{Among, HostSolver, Indices, Motion, SceneFile, Source};
 

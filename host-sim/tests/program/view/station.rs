@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use stiction_core::{Fixed, Full, Real};
+use stiction_core::{Fixed, Real};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
