@@ -10,7 +10,7 @@ mod machine;
 use expected::scenes_header;
 use library::Library;
 use machine::{CORTEX_M0, CORTEX_M4F, Compiler, Machine, RISC_V};
-use stiction_core::{Fixed};
+use stiction_core::Fixed;
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_scene::{Among, NumberType};
 
