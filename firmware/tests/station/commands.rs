@@ -71,7 +71,7 @@ fn hello_is_answered_by_info() {
         room: [8, 4, 0],
         actuators: false,
         // 11 + 39 + 8·8 + 25·4.
-        longest_frame: 214,
+        longest_frame: 216,
         fastest_tick: 5_000,
         // Three quarters of 4_000_000_000 / 1_000.
         budget: 3_500_000,

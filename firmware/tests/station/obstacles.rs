@@ -174,8 +174,7 @@ fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
     rig.stay(Hand::new(-0.02, 0.045, 0.1), 60);
     let before = rig.pose();
     for (description, obstacles, parameter, value, limit) in [
-        (&EDGE, &[PIN; 5][..], P::ObstacleCount, 5.0, 4.0),
-        (&EDGE, &[round, PIN], P::CornerCount, 17.0, 16.0),
+        (&EDGE, &[round, PIN][..], P::CornerCount, 17.0, 16.0),
         (&EDGE, &[TABLE, clockwise], corner, 0.3, nan),
         (&EDGE, &[PIN, empty], P::Corners(1), 0.0, nan),
         (&EDGE, &[slippery], P::ObstacleFrictionStatic(0), 0.1, nan),

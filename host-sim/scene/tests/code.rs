@@ -40,7 +40,7 @@ fn code_with(from: &str, to: &str) -> String {
 
 #[test]
 fn the_solver_has_what_the_scene_needs() {
-    let pin = "dynamic = 0.3\n[[obstacle]]\nvertices = [[1.0, 1.0]]\n";
+    let pin = "dynamic = 0.3\n[[obstacle]]\nvertices = [[1.0, 1.0]]\nstatic = 0.5\ndynamic = 0.3\n";
     for ((from, to), expected) in [
         (("", ""), "Scene<f32, 2, 1, 0>"),
         (
