@@ -54,7 +54,39 @@ impl<R: Real> WrenchCone<R> {
             let rest = self.edges.iter().skip(i.saturating_add(1));
             rest.map(move |b| [*a, *b])
         });
-        pairs.flat_map(|edges| self.through(edges))
+        let in_line = self.in_line();
+        pairs.flat_map(|edges| self.through(edges)).chain(in_line)
+    }
+    /// Edges that all lie in one line: the planes through it, each twice, and its end if it has one.
+    fn in_line(&self) -> Vec<Facet<R>, 5> {
+        let mut facets = Vec::new();
+        let Some(edge) = self.edges.first() else {
+            return facets;
+        };
+        let w = edge.wrench;
+        let is_in_line = |c: &ConeEdge<R>| w.cross(c.wrench).size() <= R::in_plane();
+        if !self.edges.iter().all(is_in_line) {
+            return facets;
+        }
+        let side = Wrench {
+            force: w.force.turned(),
+            moment: R::ZERO,
+        };
+        let other = w.cross(side);
+        for inward in [side, side * -R::ONE, other, other * -R::ONE] {
+            // There is room for five.
+            let _ = facets.push(Facet {
+                inward,
+                edges: [*edge; 2],
+            });
+        }
+        if self.edges.iter().all(|c| w.dot(c.wrench) > R::ZERO) {
+            let _ = facets.push(Facet {
+                inward: w,
+                edges: [*edge; 2],
+            });
+        }
+        facets
     }
     fn through(&self, edges: [ConeEdge<R>; 2]) -> Facets<R> {
         let [a, b] = &edges;

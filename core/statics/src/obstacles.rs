@@ -6,7 +6,9 @@ pub(crate) mod axes;
 pub(crate) mod ends;
 pub(crate) mod flat;
 pub(crate) mod join;
+mod leave;
 pub(crate) mod union;
+mod witness;
 
 use crate::contact::{Contact, Contacts, Feature};
 use crate::geometry::Vec2;

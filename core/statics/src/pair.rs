@@ -82,9 +82,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The slide of the body's first two contacts, with given contacts' friction, in the direction of `sense` (1 or -1) times (g_y, -g_x).
     pub(crate) fn pair(&self, body: &Body<R>, hand_p: HandPose<R>, sense: R) -> Motion<R> {
         let mut m = Motion::new(Kind::Pair, body, hand_p);
-        let frames = m
-            .contacts
-            .map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = self.frames(m.contacts, body.rotation, body.holding);
         let [first, second] = frames;
         let [_, second_contact] = m.contacts;
         let g = gap_slope(&frames);
@@ -199,12 +197,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> [Frame<R>; 2] {
         let foot = self.foot(m.first(), i.rotation, i.foot);
         (i.g, i.r) = (foot.c - foot.r, foot.r);
-        m.contacts.map(|c| self.frame(c, i.rotation, i.g))
+        self.frames(m.contacts, i.rotation, i.g)
     }
 
     /// The two contacts at an instant.
     pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
-        let mut frames = m.contacts.map(|c| self.frame_at(c, i));
+        let mut frames = self.levelled(m.contacts, m.contacts.map(|c| self.frame_at(c, i)));
         let [first, second] = &mut frames;
         (first.r, second.r) = (i.r, i.r2);
         let [c1, c2] = m.contacts;

@@ -42,7 +42,12 @@ fn bends<R: Real>(m: &Motion<R>, apart: R, u: R) -> Bends<R> {
         (th1, apart * th1 * th1 * inverse / slope)
     } else {
         let h = apart + R::ONE + R::HALF.halved();
-        let z2 = h * R::from_int(11) / (slope * R::from_int(8));
+        let z2 = if m.pair.reach < R::HUGE {
+            h * R::from_int(11) / (slope * R::from_int(8))
+        } else {
+            // In one line.
+            R::ZERO
+        };
         (tau.y.abs() + z2 * u, z2)
     };
     Bends {

@@ -254,7 +254,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 return self.settled(Next::Relax(Sense::Rests));
             }
         }
-        self.log.limit(Status::Ambiguous);
+        // Borne as well as a load is known that was released: the hand has moved by up to 64 touches.
+        let known = R::TOUCH * R::from_int(64) + statics.rounding(self.body);
+        if !statics.bears(self.body, known) {
+            self.log.limit(Status::Ambiguous);
+        }
         self.settled(Next::Rest);
     }
     /// Only the contacts of a motion remain.
@@ -340,6 +344,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let next = if let Ending::Touch(feature) = ended.ending {
             self.touch(feature);
             self.body.stiction = false;
+            Next::Relax(Sense::Rests)
+        } else if ended.ending == Ending::GoesOn && ended.x > R::ZERO {
             Next::Relax(Sense::Rests)
         } else {
             Next::Rest

@@ -64,6 +64,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
         self.do_piece(to);
         if self.errand.stage == Stage::Still {
+            if C > 0 && self.errand.search.motion.kind == Kind::Pair {
+                self.statics.widen(self.body);
+            }
             self.log_slide();
         }
     }

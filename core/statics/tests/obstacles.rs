@@ -1,0 +1,119 @@
+//! Scenes among obstacles with known answers: sticks, slides and slips about corners, flat contacts, pegs, a wedge, ends of sides, a thin wall.
+
+use stiction_core::{Fixed, Hand, Status};
+use stiction_judge::Touch;
+use stiction_statics::{Output, Solver, State};
+use stiction_tests::Number;
+use stiction_tests::obstacles::Among;
+use stiction_tests::obstacles::cases::{self, Answer, Case};
+use stiction_tests::obstacles::scene::{CORNERS, SURFACES, VERTICES};
+
+type Among48<R> = Solver<R, VERTICES, SURFACES, CORNERS>;
+
+struct Run<R: Number> {
+    solver: Among48<R>,
+    state: State<R>,
+    output: Output<R::Si>,
+    slips: u32,
+}
+
+fn planar<R: Number>([x, y, phi]: [f64; 3]) -> Hand<R::Si> {
+    let [x, y, phi] = [x, y, phi].map(R::si);
+    Hand::new(x, y, phi)
+}
+
+impl<R: Number> Run<R> {
+    fn new(among: &Among, hand: [f64; 3]) -> Self {
+        let solver: Among48<R> = among
+            .within::<R>()
+            .built::<R, _>(|d, obstacles| Solver::among(d, obstacles))
+            .expect("a scene");
+        let (state, output) = solver.start(planar::<R>(hand));
+        Self {
+            slips: output.slips,
+            solver,
+            state,
+            output,
+        }
+    }
+    fn to(&mut self, hand: [f64; 3]) {
+        self.output = self.solver.step(&mut self.state, planar::<R>(hand));
+        self.slips += self.output.slips;
+    }
+    fn answer(&self) -> Answer {
+        let contacts = self.solver.contacts(&self.state);
+        let touches = self.solver.touches(&self.state);
+        let both = contacts.iter().zip(&touches);
+        let force = |(c, touch): (
+            &stiction_core::Contact<R::Si>,
+            &stiction_core::Touching<R::Si>,
+        )| { (touch.touch, [R::wide(c.normal), R::wide(c.friction)]) };
+        let [x, y] = self.output.position.map(R::wide);
+        let [_, pull] = self.solver.wrench(&self.state).force;
+        Answer {
+            pose: [x, y, R::wide_angle(self.output.angle)],
+            contacts: both.map(force).collect::<Vec<(Touch, [f64; 2])>>(),
+            pull: R::wide(pull),
+            slips: self.slips,
+            state: self.output.state.name(),
+        }
+    }
+}
+
+/// Errors relative to the scale of a check: a pose is known to so many touches (L, rad), a force to what that is times k_h L.
+fn follows<R: Number>(case: &Case, touches: f64) {
+    let setup = &case.among.setup;
+    let known = touches * R::wide(R::TOUCH.to_si(R::si(1.0)));
+    let unit = setup.stiffness_translation * setup.size();
+    let mut run = Run::<R>::new(&case.among, case.hands[0]);
+    for (i, &hand) in case.hands.iter().enumerate() {
+        if i > 0 {
+            run.to(hand);
+        }
+        assert_eq!(run.output.status, Status::Ok, "{}: frame {i}", case.name);
+        let answer = run.answer();
+        for check in case.checks.iter().filter(|check| check.frame == i) {
+            let error = check.error(&answer);
+            let bound = if check.value.is_pose() {
+                known
+            } else {
+                known * (unit / check.scale).max(1.0)
+            };
+            let (name, value) = (&case.name, &check.value);
+            assert!(
+                error <= bound,
+                "{} {name}: frame {i}: {value:?} off by {error:.1e}, allowed {bound:.1e}: {answer:?}",
+                R::NAME
+            );
+        }
+    }
+}
+
+fn sound() -> impl Iterator<Item = Case> {
+    cases::all().into_iter().filter(|case| !case.refused)
+}
+
+#[test]
+fn known_answers_in_f64() {
+    sound().for_each(|case| follows::<f64>(&case, 1.0));
+}
+
+#[test]
+fn known_answers_in_f32() {
+    sound().for_each(|case| follows::<f32>(&case, 2.0));
+}
+
+#[test]
+fn known_answers_in_fixed_point() {
+    sound().for_each(|case| follows::<Fixed>(&case, 2.0));
+}
+
+#[test]
+fn a_start_inside_an_obstacle_is_refused() {
+    for case in cases::all().into_iter().filter(|case| case.refused) {
+        let built = case
+            .among
+            .built::<f64, _>(|d, obstacles| Among48::<f64>::among(d, obstacles));
+        assert!(built.is_err(), "{}", case.name);
+    }
+}
