@@ -23,6 +23,9 @@ pub(crate) struct Units<F> {
     pub(crate) moment: F,
     /// 1/L (1/m)
     per_length: F,
+    /// The place (m) of the origin inside the solver, where the first vertex starts: so coordinates keep their digits far from that of the
+    /// world.
+    pub(crate) origin: [F; 2],
 }
 
 /// A checked scene.
@@ -30,8 +33,10 @@ pub(crate) struct Units<F> {
 pub(crate) struct Described<R: Real, const V: usize, const S: usize, const C: usize> {
     pub(crate) world: World<R, V, S, C>,
     pub(crate) units: Units<R::Si>,
-    /// g, body frame
-    pub(crate) holding_point: Vec2<R>,
+    /// g, body frame, if the scene has one.
+    pub(crate) holding_point: Option<Vec2<R>>,
+    /// How far outside the body a hand may be and still take hold.
+    pub(crate) reach: R,
     /// The pose of the body's origin at the start, and its whole turns.
     pub(crate) start: HandPose<R>,
     pub(crate) turns: i32,
@@ -49,11 +54,16 @@ impl<F: Real> Units<F> {
             length = size_of_point(d);
         }
         let force = d.stiffness_translation * length;
+        let [x, y, theta] = d.start;
+        let (_, rest) = theta.turns();
+        let (sin, cos) = rest.sin_cos();
+        let [a, b] = d.vertices.first().copied().unwrap_or([F::ZERO; 2]);
         Self {
             length,
             force,
             moment: force * length,
             per_length: F::ONE / length,
+            origin: [x + cos * a - sin * b, y + sin * a + cos * b],
         }
     }
     /// So many per k_h L² (1/(N·m)).
@@ -73,13 +83,40 @@ impl<F: Real> Units<F> {
             table([self.force, self.force, self.moment]),
         ]
     }
+    /// A coordinate (m) has no digits left within the body.
+    fn is_far(&self, x: F) -> bool {
+        x.abs() > F::RANGE * self.length
+    }
+    /// A pose (m, rad) as it is seen from the origin inside the solver.
+    fn seen(&self, x: F, y: F, theta: F) -> [F; 3] {
+        let [from_x, from_y] = self.origin;
+        [x - from_x, y - from_y, theta]
+    }
     /// A length (m), non-dimensional.
     pub(crate) fn length<R: Real<Si = F>>(&self, x: F) -> R {
         R::from_si(x, self.per_length)
     }
-    /// A point (m), non-dimensional.
-    pub(crate) fn point<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
+    /// A vector (m), or a point of the body frame, non-dimensional.
+    pub(crate) fn vector<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
         Vec2::new(self.length(x), self.length(y))
+    }
+    /// A point of the world (m), non-dimensional.
+    pub(crate) fn point<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
+        let [from_x, from_y] = self.origin;
+        self.vector([x - from_x, y - from_y])
+    }
+    /// A point of the world in m.
+    pub(crate) fn place<R: Real<Si = F>>(&self, point: Vec2<R>) -> [F; 2] {
+        let [x, y] = self.origin;
+        [
+            x + point.x.to_si(self.length),
+            y + point.y.to_si(self.length),
+        ]
+    }
+    /// The offset (m) of a line of unit normal from the origin inside the solver.
+    fn offset(&self, [x, y]: [F; 2], offset: F) -> F {
+        let [from_x, from_y] = self.origin;
+        offset - (x * from_x + y * from_y)
     }
 }
 
@@ -107,15 +144,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
     ///
     /// # Errors
     /// Those of [`Scene::new`].
-    pub(crate) fn new(
-        d: &Description<'_, R::Si>,
-        obstacles: &[ObstacleDescription<'_, R::Si>],
-    ) -> Result<Self, SceneError<R::Si>> {
-        check::<R, V, S, C>(d, obstacles)?;
+    pub(crate) fn new(d: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
         let units = Units::of(d);
-        let vertices = gather(d.vertices.iter().map(|&v| units.point::<R>(v)));
+        check::<R, V, S, C>(d, &units)?;
+        let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
         let (corners, obstacles) = if C > 0 {
-            unite::<R, S, C>(d.surfaces, obstacles, &units)
+            unite::<R, S, C>(d.surfaces, d.obstacles, &units)
         } else {
             (Vec::new(), Vec::new())
         };
@@ -139,7 +173,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
         Ok(Self {
             world,
             units,
-            holding_point: d.holding_point.map_or(centroid, |g| units.point(g)),
+            holding_point: d.holding_point.map(|g| units.vector(g)),
+            reach: units.length(d.reach),
             start: HandPose {
                 at: units.point([x, y]),
                 angle: R::from_si(theta.rest, R::Si::ONE),
@@ -149,25 +184,73 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
     }
 }
 
-/// The checks are those of the crate that this one will be part of.
+/// The checks are those of the crate that this one will be part of, of the scene seen from where the body starts.
 fn check<R: Real, const V: usize, const S: usize, const C: usize>(
     d: &Description<'_, R::Si>,
-    obstacles: &[ObstacleDescription<'_, R::Si>],
+    units: &Units<R::Si>,
 ) -> Result<(), SceneError<R::Si>> {
-    if C > 0 {
-        return Scene::<R, V, S, WithObstacles<C, C>>::among(d, obstacles).map(|_| ());
+    let [x, y, theta] = d.start;
+    let of_start = |value, allowed| SceneError {
+        parameter: Parameter::Start,
+        value,
+        allowed,
+    };
+    if let Some(value) = d.start.into_iter().find(|x| !x.is_finite()) {
+        return Err(of_start(value, "finite numbers"));
     }
-    if let Some(count) = i32::try_from(obstacles.len())
-        .ok()
-        .filter(|&count| count > 0)
-    {
-        return Err(SceneError {
-            parameter: Parameter::ObstacleCount,
-            value: R::Si::from_int(count),
-            allowed: "0 to the capacity of the solver",
-        });
+    let farther = if y.abs() > x.abs() { y } else { x };
+    if units.is_far(farther) {
+        let is_double = R::Si::RANGE > R::Si::from_int(1_000_000);
+        let allowed = if is_double {
+            "at most 1e12 body sizes from the origin"
+        } else {
+            "at most 1e6 body sizes from the origin"
+        };
+        return Err(of_start(farther, allowed));
     }
-    Scene::<R, V, S>::new(d).map(|_| ())
+    let shifted = d.surfaces.iter().map(|s| SurfaceDescription {
+        offset: units.offset(unit(s.normal), s.offset),
+        ..*s
+    });
+    let surfaces: Vec<_, S> = gather(shifted);
+    let corners = d.obstacles.iter().flat_map(|obstacle| obstacle.vertices);
+    let corners: Vec<_, C> = gather(corners.map(|&[x, y]| {
+        let [x, y, _] = units.seen(x, y, R::Si::ZERO);
+        [x, y]
+    }));
+    let mut rest = corners.as_slice();
+    let obstacles: Vec<_, C> = gather(d.obstacles.iter().map(|obstacle| {
+        let count = obstacle.vertices.len();
+        let (vertices, after) = rest.split_at_checked(count).unwrap_or((rest, &[]));
+        rest = after;
+        ObstacleDescription {
+            vertices,
+            ..*obstacle
+        }
+    }));
+    let counts = d.obstacles.iter().map(|obstacle| obstacle.vertices.len());
+    let fits = d.obstacles.len() <= C && counts.fold(0, usize::saturating_add) <= C;
+    let near = Description {
+        start: units.seen(x, y, theta),
+        surfaces: if d.surfaces.len() > S {
+            d.surfaces
+        } else {
+            &surfaces
+        },
+        obstacles: if fits { &obstacles } else { d.obstacles },
+        ..*d
+    };
+    let checked = if C > 0 {
+        Scene::<R, V, S, WithObstacles<C, C>>::new(&near).map(drop)
+    } else {
+        Scene::<R, V, S>::new(&near).map(drop)
+    };
+    checked.map_err(|mut error| {
+        if let Parameter::Offset(i) = error.parameter {
+            error.value = d.surfaces.get(i).map_or(error.value, |s| s.offset);
+        }
+        error
+    })
 }
 
 /// The inward normals of the body's sides, each from its first vertex to the next; a point has none.
@@ -176,20 +259,24 @@ fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = Vec2<R>> {
     let next = vertices.iter().skip(1).chain(vertices.first());
     let sides = vertices.iter().zip(next).filter(move |_| !is_point);
     sides.map(|(&[ax, ay], &[bx, by])| {
-        let (x, y) = normalized(bx - ax, by - ay);
-        let number = |x| R::from_si(x, R::Si::ONE);
-        Vec2::new(number(-y), number(x))
+        let side = Vec2::new(bx, by) - Vec2::new(ax, ay);
+        let (x, y) = normalized(side.x, side.y);
+        Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE)).turned()
     })
 }
 
-fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
-    let [x, y] = s.normal;
+fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {
     let (x, y) = normalized(x, y);
+    [x, y]
+}
+
+fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
+    let [x, y] = unit(s.normal);
     let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
     Side {
         normal,
         tangent: Vec2::new(normal.y, -normal.x),
-        offset: units.length(s.offset),
+        offset: units.length(units.offset([x, y], s.offset)),
         friction: Friction::described([s.friction_static, s.friction_dynamic], s.memory, units),
     }
 }

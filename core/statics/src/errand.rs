@@ -55,7 +55,7 @@ pub(crate) enum Stage {
 }
 
 /// A body that comes to rest.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settling<R> {
     pub(crate) next: Next,
     pub(crate) ranking: Ranking<R>,
@@ -66,7 +66,7 @@ pub(crate) struct Settling<R> {
 }
 
 /// A step that is under way.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Errand<R> {
     pub(crate) stage: Stage,
     /// Contacts slid when the body was last still.
@@ -76,8 +76,14 @@ pub(crate) struct Errand<R> {
     /// The displacement under way.
     pub(crate) before: HandPose<R>,
     pub(crate) target: HandPose<R>,
+    /// The size of the displacement to the present sample of the hand from where it came, and the part of it that is left, 0 to 1; more than 0
+    /// while anything is left to do.
+    pub(crate) whole: R,
+    pub(crate) left: R,
     /// Paths that have begun since the body caught up with the hand.
     pub(crate) paths: u8,
+    /// The hand jumps to its sample instead of following a path.
+    pub(crate) jumps: bool,
     pub(crate) settling: Settling<R>,
     /// Of a chain of searches: their number, and the feet where the first began.
     pub(crate) runs: u8,
@@ -101,7 +107,10 @@ impl<R: Real> Errand<R> {
             loose: false,
             before: HandPose::REST,
             target: HandPose::REST,
+            whole: R::ZERO,
+            left: R::ZERO,
             paths: 0,
+            jumps: false,
             settling: Settling {
                 next: Next::Rest,
                 ranking: Ranking::default(),
@@ -116,6 +125,20 @@ impl<R: Real> Errand<R> {
             start,
             ended: None,
         }
+    }
+    /// The hand has been followed to `at`, on its way to a sample.
+    pub(crate) fn is_left(&mut self, at: &HandPose<R>, target: &HandPose<R>) {
+        let rest = at.distance(target);
+        let part = if rest < self.whole {
+            rest / self.whole
+        } else {
+            R::ONE
+        };
+        self.left = part.max(R::EPSILON);
+    }
+    /// The hand has been followed, and the body is in balance.
+    pub(crate) fn has_caught_up(&mut self) {
+        (self.paths, self.jumps, self.left) = (0, false, R::ZERO);
     }
     /// The body comes to rest at the frozen hand, beginning with a word.
     pub(crate) fn settle(&mut self, next: Next) {

@@ -7,7 +7,7 @@ use crate::world::{Friction, Statics};
 
 /// A contact in the world: normal to the free side, tangent t = -i n, lever from the holding point to the contact point, whether the normal
 /// turns with the body.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Frame<R> {
     pub(crate) n: Vec2<R>,
     pub(crate) t: Vec2<R>,

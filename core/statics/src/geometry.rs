@@ -100,6 +100,13 @@ pub(crate) struct Rotation<R> {
 }
 
 impl<R: Real> Rotation<R> {
+    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
+    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
+        Vec2::new(
+            R::sum_of_products(self.cos, a.x, self.sin, a.y),
+            R::difference_of_products(self.cos, a.y, self.sin, a.x),
+        )
+    }
     /// Of an angle (rad) of any size.
     pub(crate) fn by(theta: R) -> Self {
         let theta = if theta.abs() > R::TAU {

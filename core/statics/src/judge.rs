@@ -53,6 +53,14 @@ impl<R: Real> Track<R> {
             least: R::LEAST,
         }
     }
+    /// Where it counts as zero without a step to its zero: a gap that is closed within its accuracy is closed, others at `exact`.
+    fn level(&self, exact: R) -> R {
+        if matches!(self.ending, Ending::Touch(_)) {
+            R::zero()
+        } else {
+            exact
+        }
+    }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
@@ -72,7 +80,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             self.know_low();
             let begin = self.lo.values.get(place);
             // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
-            if function == Function::Memory && begin.v <= R::ZERO {
+            let is_level = function != Function::Memory
+                || self.watched.statics.is_edge(&self.watched.body.contacts);
+            if !is_level && begin.v <= R::ZERO {
                 continue;
             }
             let least = match order {
@@ -162,16 +172,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(_) if self.bracket.round >= 2 => false,
             Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
         };
-        self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
+        let is_zero = a.v <= track.level(R::of_products());
+        self.bracket.certain == R::ZERO && is_zero && b.v < a.v.max(R::ZERO) && falls
     }
     /// A zero beyond the end of the search is none (R10); gaps that are closed within their accuracy are closed.
     fn is_reached(&self, track: &Track<R>, newton: R) -> bool {
-        let level = if matches!(track.ending, Ending::Touch(_)) {
-            R::zero()
-        } else {
-            R::ZERO
-        };
-        let is_closed = track.end.v <= level;
+        let is_closed = track.end.v <= track.level(R::ZERO);
         is_closed || self.bracket.hi + newton <= self.bracket.end
     }
     /// One more step of Newton's iteration from the end of the window leads to the zero.
@@ -236,8 +242,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let is_certain = a.v >= -tol && from_begin >= -tol;
         match track.order {
             Order::First(k) => {
-                if b.v <= tol {
-                    found.hit = found.hit.or(Some((track.ending, R::ZERO)));
+                // The last step is that of the chord.
+                let is_near = newton <= w / R::from_int(16);
+                if b.v <= tol && slope < R::ZERO && is_near && self.is_reached(track, newton) {
+                    found.hit = found.hit.or(Some((track.ending, newton)));
                 }
                 found.unsure |= begin + b.v.max(R::ZERO) < k;
             }

@@ -12,8 +12,10 @@
 )]
 //! The statics of a body held in the hand.
 
+mod answer;
 mod bounds;
 mod calm;
+mod carry;
 mod cone;
 mod contact;
 mod description;
@@ -21,8 +23,10 @@ mod driven;
 mod ending;
 mod errand;
 mod events;
+mod forces;
 mod frame;
 mod geometry;
+mod hold;
 mod joint;
 mod judge;
 mod law;
@@ -53,5 +57,8 @@ mod values;
 mod window;
 mod world;
 
+pub use carry::Carried;
+pub use contact::MAX_CONTACTS;
+pub use forces::{Contact, Contacts};
 pub use output::{Output, Tangent};
 pub use solver::{Solver, State};

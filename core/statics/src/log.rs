@@ -11,8 +11,8 @@ pub(crate) struct Log<R> {
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,
-    /// Evaluations of windows.
-    pub(crate) evaluations: u32,
+    /// Pieces.
+    pub(crate) work: u32,
 }
 
 impl<R: Real> Log<R> {

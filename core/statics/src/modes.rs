@@ -42,12 +42,12 @@ pub(crate) enum Pressing {
 }
 
 /// How far the list is done at one pose and hand, and which motions are struck off: those that came back without moving the body.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ranking<R> {
     place: Place<R>,
     struck: Vec<Begun, 12>,
 }
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Place<R> {
     /// The facets that yield by more than this are done.
     Facets(R),
@@ -252,8 +252,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (velocity, turn, lasting) = match *mode {
             Mode::Lift => {
                 let mut all = (0..body.contacts.len()).map(pulls);
-                let is_free = all.clone().all(|pull| pull >= R::ZERO);
-                return (is_free && all.any(|pull| pull > R::ZERO)).then_some(R::HUGE);
+                let is_moved = load.size() > R::of_drive(load.size());
+                return (is_moved && all.all(|pull| pull >= R::ZERO)).then_some(R::HUGE);
             }
             Mode::Turn { about, with } => {
                 let r = frame(about).r;

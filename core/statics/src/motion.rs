@@ -22,7 +22,7 @@ pub(crate) enum Kind {
 }
 
 /// A motion: hand(p) = hand + p hand_p, foot(p) = foot + p foot_p.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<R> {
     pub(crate) kind: Kind,
     /// The hand is frozen, x = u; otherwise x = p.
@@ -40,7 +40,7 @@ pub(crate) struct Motion<R> {
 }
 
 /// A straight way of the body.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Line<R> {
     pub(crate) from: Vec2<R>,
     /// G_u, theta_u
@@ -49,7 +49,7 @@ pub(crate) struct Line<R> {
 }
 
 /// What two contacts that slide need in addition.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pair<R> {
     /// tau: the unit twist (foot, angle) at the beginning.
     pub(crate) twist: Vec2<R>,
@@ -114,14 +114,14 @@ impl<R: Real> Motion<R> {
 }
 
 /// A point of a motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spot<R> {
     pub(crate) u: R,
     pub(crate) p: R,
 }
 
 /// The body at a point of a motion, its load about the holding point, and their partial derivatives by u and p. Symbols of STATICS 2 and 3.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Instant<R> {
     pub(crate) u: R,
     pub(crate) p: R,
@@ -147,7 +147,7 @@ pub(crate) struct Instant<R> {
 }
 
 /// Velocities along x.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Rates<R> {
     pub(crate) u: R,
     pub(crate) p: R,

@@ -3,9 +3,12 @@
 use heapless::Vec;
 use stiction_core::{Angle, Event, MAX_EVENTS, StateKind, Status};
 
-/// The answer of one step. SI units, world frame.
+/// The answer of one step. SI units, world frame. Forces are requested separately, by [`Solver::wrench`](crate::Solver::wrench) and
+/// [`Solver::contacts`](crate::Solver::contacts), as not every frame needs them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output<F> {
+    /// The hand holds the body: its switch is on and it took hold within reach.
+    pub held: bool,
     /// Position p of the origin of the body frame (m).
     pub position: [F; 2],
     /// Orientation theta of the body, unwrapped, counter-clockwise positive.
@@ -16,11 +19,14 @@ pub struct Output<F> {
     pub state: StateKind,
     /// Slips that ended at mu_d N in this frame.
     pub slips: u32,
-    /// The longest of them (m) >= 0; 0 without a slip.
+    /// The longest of them (m) >= 0: the way of the first sliding foot along its surface; 0 without a slip.
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,
-    /// Windows that were evaluated.
+    /// The part of the hand's displacement that is left to follow, 0 to 1: more than 0 if the status is [`Status::Behind`], or more severe
+    /// while the body is behind.
+    pub behind: F,
+    /// Pieces of work that the step took: windows of a motion, words of settling, candidates of a selection (R41).
     pub work: u32,
     pub(crate) events: Vec<Event, MAX_EVENTS>,
 }
@@ -36,7 +42,7 @@ pub struct Tangent<F> {
 }
 
 impl<F> Output<F> {
-    /// What happened in this frame, in order; a run of equal ones once.
+    /// What happened in this frame, in order; the first [`MAX_EVENTS`], a run of equal ones once.
     pub fn events(&self) -> &[Event] {
         &self.events
     }

@@ -12,7 +12,7 @@ use crate::values::Moving;
 use crate::world::Statics;
 
 /// Two contacts at an instant, with what changes along u.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Couple<R> {
     pub(crate) frames: [Frame<R>; 2],
     /// The directions of the two reactions, of length 1.
@@ -60,7 +60,7 @@ impl<R: Real> Couple<R> {
 }
 
 /// The normal reactions of a pair, and the drag along the motion that takes up what is not balanced.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
     pub(crate) normal: [R; 2],
     pub(crate) drag: R,
@@ -111,7 +111,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let g_u = first.t * twist.x - first.r.turned() * twist.y;
         let mut v = frames.map(|frame| frame.advance(g_u, twist.y));
         let [v1, v2] = v;
-        if v1.abs().min(v2.abs()) < R::ahead() {
+        if v1.abs().min(v2.abs()) * slope < R::of_turn() {
             let ahead = Spot {
                 u: R::ahead(),
                 p: R::ZERO,

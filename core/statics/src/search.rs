@@ -16,7 +16,7 @@ use crate::world::Statics;
 const ROUNDS: u8 = 40;
 
 /// How a search ended: at which end of its last window, at which x (or p, if it went along u), how far nothing else is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ended<R> {
     pub(crate) at: Which,
     pub(crate) x: R,
@@ -25,7 +25,7 @@ pub(crate) struct Ended<R> {
 }
 
 /// One end of a window.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WindowEnd<R> {
     pub(crate) instant: Instant<R>,
     pub(crate) rates: Rates<R>,
@@ -33,7 +33,7 @@ pub(crate) struct WindowEnd<R> {
 }
 
 /// Near a fold the same curve along u: u and p where that begins, the direction of u.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Branch<R> {
     pub(crate) u: R,
     pub(crate) p: R,
@@ -41,7 +41,7 @@ pub(crate) struct Branch<R> {
 }
 
 /// A search between two evaluations: plain data.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bracket<R> {
     /// The motion is certain up to here; the next window ends at `hi`, the search at `end`.
     pub(crate) certain: R,
@@ -64,7 +64,7 @@ pub(crate) struct Bracket<R> {
 }
 
 /// A motion that is searched for its first event.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Search<R> {
     pub(crate) motion: Motion<R>,
     pub(crate) watch: Watch,
@@ -140,7 +140,6 @@ impl<R: Real> Search<R> {
         &mut self,
         statics: &Statics<'_, R, V, S, C>,
         body: &Body<R>,
-        evaluations: &mut u32,
     ) -> Option<Ended<R>> {
         let (lo, hi) = match self.bracket.low {
             Which::First => (&mut self.first, &mut self.second),
@@ -158,7 +157,6 @@ impl<R: Real> Search<R> {
             bracket: &mut self.bracket,
             lo,
             hi,
-            evaluations,
         };
         let mut ended = run.round()?;
         if self.bracket.branch.is_some() {
@@ -201,7 +199,6 @@ pub(crate) struct Run<'a, R, const V: usize, const S: usize, const C: usize> {
     pub(crate) bracket: &'a mut Bracket<R>,
     pub(crate) lo: &'a mut WindowEnd<R>,
     pub(crate) hi: &'a mut WindowEnd<R>,
-    pub(crate) evaluations: &'a mut u32,
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {

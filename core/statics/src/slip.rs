@@ -57,7 +57,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if e0.abs() > R::of_lasting_moment(load.size()) {
             m.lasting = e0;
         } else if self.statics.slips_shortly(self.body, sense) {
-            self.log.evaluations = self.log.evaluations.saturating_add(1);
             self.errand.search.motion.lasting = R::ZERO;
             return self.slipped(sense, Ending::Stopped);
         }

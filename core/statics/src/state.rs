@@ -53,6 +53,10 @@ impl<R: Real> HandPose<R> {
             whole: unit,
         }
     }
+    /// The size of the displacement to another pose: way and turn at a lever of one body size.
+    pub(crate) fn distance(&self, target: &Self) -> R {
+        (target.at - self.at).length_bound() + (target.angle - self.angle).abs()
+    }
     /// This pose moved along a displacement by p.
     pub(crate) fn moved(&self, per_p: &Self, p: R) -> Self {
         Self {

@@ -12,7 +12,7 @@ use crate::real::Real;
 use crate::search::Ended;
 use crate::state::{Body, Displacement, Freedom, HandPose};
 use crate::world::Statics;
-use stiction_core::{Event, Status};
+use stiction_core::{Event, Evolution, Status};
 
 /// After so many paths since it caught up the hand jumps.
 const PATHS: u8 = 128;
@@ -23,10 +23,13 @@ pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
     pub(crate) body: &'a mut Body<R>,
     pub(crate) errand: &'a mut Errand<R>,
     pub(crate) log: &'a mut Log<R>,
+    pub(crate) evolution: Evolution,
+    /// The most pieces.
+    pub(crate) budget: u32,
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// Follows the hand to a pose, as far as `more` permits: it is asked between two pieces. What is under way goes on with the next step.
+    /// Follows the hand to a pose, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
     /// Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
@@ -34,13 +37,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.turn_path();
         }
         while !self.is_done(&to) {
-            self.piece(to);
-            if !self.is_done(&to) && !more() {
-                self.log.limit(Status::Behind);
+            // At least one piece, so that the body makes progress.
+            let may = self.log.work < self.budget && (self.log.work == 0 || more());
+            if !may && self.log.work > 0 {
                 return false;
             }
+            self.piece(to);
         }
-        self.errand.paths = 0;
         true
     }
     fn is_done(&self, to: &HandPose<R>) -> bool {
@@ -62,11 +65,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
 
     /// The smallest part of a step that leaves plain data behind.
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
+        self.log.work = self.log.work.saturating_add(1);
         self.do_piece(to);
-        if self.errand.stage == Stage::Still {
-            if C > 0 && self.errand.search.motion.kind == Kind::Pair {
-                self.statics.widen(self.body);
-            }
+        if C > 0
+            && self.errand.stage == Stage::Still
+            && self.errand.search.motion.kind == Kind::Pair
+        {
+            self.statics.widen(self.body);
+        }
+        // Before a jump nothing has moved yet.
+        let about_to_jump = self.errand.jumps && self.body.hand != to;
+        if self.errand.stage == Stage::Still && !about_to_jump {
             self.log_slide();
         }
     }
@@ -76,8 +85,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.errand.paths = self.errand.paths.saturating_add(1);
                 if self.errand.paths > PATHS {
                     self.log.limit(Status::EventLimit);
+                    self.errand.jumps = true;
+                }
+                if self.errand.jumps {
                     self.body.hand = to;
-                    self.errand.paths = 0;
+                    (self.errand.paths, self.errand.jumps) = (0, false);
                     // A sliding contact sticks or slips first.
                     return self.errand.settle(Next::Relax(Sense::Rests));
                 }
@@ -86,6 +98,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             Stage::At(ending) => {
                 self.errand.stage = Stage::Still;
+                // In frame evolution, too, the first event happens where the hand reaches it (R40).
+                self.errand.jumps = self.evolution == Evolution::Frame;
                 self.happens(ending);
             }
             Stage::Settle => self.settle(),
@@ -111,9 +125,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match self.errand.ended.take() {
             Some(ended) => self.found(ended),
             None => {
-                let search = &mut self.errand.search;
-                let ended = search.piece(self.statics, self.body, &mut self.log.evaluations);
-                self.errand.ended = ended;
+                self.errand.ended = self.errand.search.piece(self.statics, self.body);
             }
         }
     }
@@ -180,7 +192,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Together => Calm::Unsure,
             Freedom::Fixed => return self.stand_still(&way),
         };
-        self.log.evaluations = self.log.evaluations.saturating_add(1);
         match calm {
             Calm::End => return,
             Calm::Yields(sense) => {

@@ -50,7 +50,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     /// How the pose follows the hand while nothing happens, and the stiffness that the hand feels; none at a fold, where the body would
     /// snap. Of contacts that slide it holds in the direction of their slide.
     pub fn tangent(&self, state: &State<R>) -> Option<Tangent<R::Si>> {
-        let columns = self.held(false).compliance(&state.body)?;
+        if !state.held {
+            return None;
+        }
+        let columns = self.held(state, false).compliance(&state.body)?;
         let [of_pose, of_wrench] = self.scene.units.of_tangent();
         let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
         let at = |row: usize, column: usize| {

@@ -46,19 +46,17 @@ fn world(random: &mut Random) -> Scene {
         memory: None,
     };
     let surfaces = [side(0.1), side(1.3)];
-    let described = Described::new(
-        &Description {
-            vertices: &vertices,
-            start: [0.0; 3],
-            weight: random.number(0.0, 0.5),
-            holding_point: None,
-            reach: 0.0,
-            stiffness_translation: 1.0,
-            stiffness_rotation: random.number(0.1, 1.0),
-            surfaces: &surfaces,
-        },
-        &[],
-    );
+    let described = Described::new(&Description {
+        vertices: &vertices,
+        start: [0.0; 3],
+        weight: random.number(0.0, 0.5),
+        holding_point: None,
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: random.number(0.1, 1.0),
+        surfaces: &surfaces,
+        obstacles: &[],
+    });
     described.expect("a scene").world
 }
 

@@ -19,9 +19,17 @@ pub(crate) trait Thresholds: Real {
         }
     }
 
-    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero. Sums of four products are known to 4 ε.
+    /// The farthest coordinate (L) that a hand may have, from where the body starts.
+    fn far() -> Self {
+        Self::RANGE
+    }
+    /// 4 ε (L or k_h L): what a sum of four products near 1 is known to.
+    fn of_products() -> Self {
+        Self::EPSILON.doubled().doubled()
+    }
+    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero, up to a last step of its search.
     fn zero() -> Self {
-        (Self::TOUCH / Self::from_int(64)).max(Self::EPSILON.doubled().doubled())
+        (Self::TOUCH / Self::from_int(64)).max(Self::of_products())
     }
     /// Its square is rounding: after a Newton step du with du² <= ε (rad² or L²) the rest is linear.
     fn is_last(step: Self) -> bool {
@@ -65,6 +73,11 @@ pub(crate) trait Thresholds: Real {
     /// 2 touch (L): a contact that is reached within this was there before; its gap at the beginning and the touch are each known to one.
     fn met_before() -> Self {
         Self::TOUCH.doubled()
+    }
+    /// 2 zero (L): a foot whose velocity, times the slope of the other gap, is less turns back here. Its zero is known to one *zero*, and found
+    /// to another.
+    fn of_turn() -> Self {
+        Self::zero().doubled()
     }
     /// sqrt(touch) (L or rad): over this much of a motion its second order is a touch, its first order far more than rounding.
     fn ahead() -> Self {

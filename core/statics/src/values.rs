@@ -5,7 +5,7 @@ use crate::real::Real;
 use core::ops::{Add, Mul, Neg};
 
 /// Value and slope of an event function.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Value<R> {
     pub(crate) v: R,
     pub(crate) d: R,
@@ -49,7 +49,7 @@ impl<R: Real> Neg for Value<R> {
 }
 
 /// A vector with its velocity along x.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moving<R> {
     pub(crate) at: Vec2<R>,
     pub(crate) rate: Vec2<R>,
@@ -85,7 +85,7 @@ impl<R: Real> Add for Moving<R> {
 }
 
 /// The event functions other than gaps, in the order of the functions of a watch.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Values<R>([Value<R>; 8]);
 
 impl<R: Real> Values<R> {

@@ -1,8 +1,7 @@
 //! Scenes among obstacles with known answers: sticks, slides and slips about corners, flat contacts, pegs, a wedge, ends of sides, a thin wall.
 
 use stiction_core::{Fixed, Hand, Status};
-use stiction_judge::Touch;
-use stiction_statics::{Output, Solver, State};
+use stiction_statics::{Contact, Output, Solver, State};
 use stiction_tests::Number;
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::cases::{self, Answer, Case};
@@ -24,10 +23,9 @@ fn planar<R: Number>([x, y, phi]: [f64; 3]) -> Hand<R::Si> {
 
 impl<R: Number> Run<R> {
     fn new(among: &Among, hand: [f64; 3]) -> Self {
-        let solver: Among48<R> = among
-            .within::<R>()
-            .built::<R, _>(|d, obstacles| Solver::among(d, obstacles))
-            .expect("a scene");
+        let among = among.within::<R>();
+        let solver = among.described::<R, _>(|description| Among48::<R>::new(description));
+        let solver = solver.expect("a scene");
         let (state, output) = solver.start(planar::<R>(hand));
         Self {
             slips: output.slips,
@@ -42,17 +40,12 @@ impl<R: Number> Run<R> {
     }
     fn answer(&self) -> Answer {
         let contacts = self.solver.contacts(&self.state);
-        let touches = self.solver.touches(&self.state);
-        let both = contacts.iter().zip(&touches);
-        let force = |(c, touch): (
-            &stiction_core::Contact<R::Si>,
-            &stiction_core::Touching<R::Si>,
-        )| { (touch.touch, [R::wide(c.normal), R::wide(c.friction)]) };
+        let force = |c: &Contact<R::Si>| (c.touch, [R::wide(c.normal), R::wide(c.friction)]);
         let [x, y] = self.output.position.map(R::wide);
         let [_, pull] = self.solver.wrench(&self.state).force;
         Answer {
             pose: [x, y, R::wide_angle(self.output.angle)],
-            contacts: both.map(force).collect::<Vec<(Touch, [f64; 2])>>(),
+            contacts: contacts.iter().map(force).collect(),
             pull: R::wide(pull),
             slips: self.slips,
             state: self.output.state.name(),
@@ -111,9 +104,8 @@ fn known_answers_in_fixed_point() {
 #[test]
 fn a_start_inside_an_obstacle_is_refused() {
     for case in cases::all().into_iter().filter(|case| case.refused) {
-        let built = case
-            .among
-            .built::<f64, _>(|d, obstacles| Among48::<f64>::among(d, obstacles));
+        let built =
+            (case.among).described::<f64, _>(|description| Among48::<f64>::new(description));
         assert!(built.is_err(), "{}", case.name);
     }
 }

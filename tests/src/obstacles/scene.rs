@@ -7,7 +7,9 @@ use crate::number::Number;
 use crate::reference::{self, Touch};
 use crate::setup::Setup;
 use std::fmt::Write;
-use stiction_core::{Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles};
+use stiction_core::{
+    Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
+};
 
 /// Capacity for vertices of the body.
 pub const VERTICES: usize = 8;
@@ -66,14 +68,11 @@ impl Among {
     /// # Errors
     /// The scene is refused by the solver.
     pub fn scene<R: Number>(&self) -> Result<Scene<R>, SceneError<R::Si>> {
-        self.built::<R, _>(|description, obstacles| Scene::among(description, obstacles))
+        self.described::<R, _>(|description| Scene::new(description))
     }
 
-    /// What is built from the descriptions in a number type.
-    pub fn built<R: Number, T>(
-        &self,
-        build: impl Fn(&Description<'_, R::Si>, &[ObstacleDescription<'_, R::Si>]) -> T,
-    ) -> T {
+    /// What is made of the description in a number type.
+    pub fn described<R: Number, T>(&self, take: impl FnOnce(&Description<'_, R::Si>) -> T) -> T {
         let all = |points: &[Point]| points.iter().map(|p| p.map(R::si)).collect::<Vec<_>>();
         let corners: Vec<_> = self.obstacles.iter().map(|o| all(&o.vertices)).collect();
         let obstacle = |(o, vertices): (&Obstacle, _)| {
@@ -87,7 +86,12 @@ impl Among {
         };
         let corners = corners.iter().map(Vec::as_slice);
         let obstacles: Vec<_> = self.obstacles.iter().zip(corners).map(obstacle).collect();
-        (self.setup).described::<R, _>(|description| build(description, &obstacles))
+        (self.setup).described::<R, _>(|description| {
+            take(&Description {
+                obstacles: &obstacles,
+                ..*description
+            })
+        })
     }
 
     /// The scene of the judge, as the number type rounds it.

@@ -227,8 +227,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         at: At<R>,
         rates: &Rates<R>,
     ) -> Option<(R, Option<Feature>)> {
-        let (mut least, mut on): (Option<(R, Option<Feature>)>, Option<(R, Feature)>) =
-            (None, None);
+        let mut least: Option<(R, Option<Feature>)> = None;
+        let mut on: Option<(R, Feature)> = None;
         for k in self.compared(o, axis) {
             let lever = self.lever(axis, k, at);
             if self.gap_along(axis, lever, at) > R::zero() {

@@ -263,12 +263,13 @@ pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
     units: &Units<R::Si>,
 ) -> United<R, C> {
     let length = wide(units.length);
+    let [from_x, from_y] = units.origin.map(wide);
     let plane = |(index, s): (u8, &SurfaceDescription<R::Si>)| {
         let [x, y] = s.normal.map(wide);
         let (x, y) = normalized(x, y);
         Straight {
             normal: Vec2::new(x, y),
-            offset: wide(s.offset) / length,
+            offset: (wide(s.offset) - (x * from_x + y * from_y)) / length,
             index,
         }
     };
@@ -279,7 +280,9 @@ pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
     for (index, obstacle) in (0_u8..).zip(given) {
         let corners = obstacle.vertices.iter();
         let corners: Vec<Point, C> =
-            gather(corners.map(|&[x, y]| Vec2::new(wide(x) / length, wide(y) / length)));
+            gather(corners.map(|&[x, y]| {
+                Vec2::new((wide(x) - from_x) / length, (wide(y) - from_y) / length)
+            }));
         let memory = obstacle.memory.map_or(-1.0, wide);
         let friction = [
             wide(obstacle.friction_static),
