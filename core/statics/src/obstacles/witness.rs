@@ -2,7 +2,7 @@
 
 use super::Obstacle;
 use super::apart::Left;
-use super::axes::{Normal, speed};
+use super::axes::{Axis, Normal, speed};
 use crate::events::{Ending, Judging};
 use crate::judge::{Found, Track};
 use crate::real::Real;
@@ -13,6 +13,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     /// Whether an axis certainly keeps an obstacle apart on a window; contacts that are held aside.
     fn keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>, normal: Normal) -> bool {
         let (statics, tol) = (self.watched.statics, R::zero());
+        let step = statics.step_behind(o);
         let axis = statics.axis(o, normal, self.hi.instant.at());
         let mut all = statics.compared(o, &axis);
         all.all(|k| {
@@ -30,7 +31,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
             // What lies a little behind, a step that is none, may not go farther.
             let floor = begin.v.min(R::ZERO);
-            if begin.v < -R::MICRO || end.v < floor - tol {
+            if begin.v < -step || end.v < floor - tol {
                 return false;
             }
             let (p, q) = ((begin.v - floor).sqrt(), (end.v - floor).sqrt());
@@ -56,16 +57,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if end.gap > tol && self.keeps_apart(on, o, end.axis.normal) {
             return Ok(end.gap);
         }
-        let body = self.watched.body;
-        for contact in body.contacts.iter().filter(|c| c.is_corner()) {
-            let Some(normal) = statics.normal_of(contact) else {
-                continue;
-            };
-            if self.keeps_apart(on, o, normal) {
-                let at = self.hi.instant.at();
-                let axis = statics.axis(o, normal, at);
-                return Ok(statics.along(o, axis, at).gap.max(R::ZERO));
-            }
+        if let Some(gap) = self.line_that_keeps_apart(on, o) {
+            return Ok(gap);
         }
         let Some(begin) = statics.widest(o, self.lo.instant.at()) else {
             return Ok(R::HUGE);
@@ -73,9 +66,29 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if begin.gap > tol {
             return Ok(self.judge_witness(on, found, o, begin.axis.normal));
         }
-        // It touches already: the axis that closes most slowly.
+        self.judge_closed(on, found, o, begin.gap)
+    }
+    /// The gap along the line of a contact on a side of the body, if that keeps the obstacle apart.
+    fn line_that_keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>) -> Option<R> {
+        let statics = self.watched.statics;
+        let corners = self.watched.body.contacts.iter().filter(|c| c.is_corner());
+        let mut normals = corners.filter_map(|contact| statics.normal_of(contact));
+        let normal = normals.find(|&normal| self.keeps_apart(on, o, normal))?;
+        let at = self.hi.instant.at();
+        let axis = statics.axis(o, normal, at);
+        Some(statics.along(o, axis, at).gap.max(R::ZERO))
+    }
+    /// An obstacle that is closed where the window begins: the axis that closes most slowly decides.
+    fn judge_closed(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+        o: &Obstacle<R>,
+        gap: R,
+    ) -> Left<R> {
+        let (statics, tol) = (self.watched.statics, R::zero());
         let at = self.lo.instant.at();
-        let step = R::MICRO.max(tol - begin.gap);
+        let step = R::MICRO.max(tol - gap);
         let Some(slowest) = statics.slowest(o, [at, at], &self.lo.rates, step) else {
             return Ok(R::ZERO);
         };
@@ -94,6 +107,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         }
         if self.keeps_apart(on, o, slowest.axis.normal) {
             return Ok(now.max(R::ZERO));
+        }
+        let mut others = statics.axes(o, at);
+        let is_thick = statics.step_behind(o) >= R::MICRO;
+        if is_thick && others.any(|axis| self.keeps_apart(on, o, axis.normal)) {
+            return Ok(R::ZERO);
         }
         Ok(self.judge_witness(on, found, o, slowest.axis.normal))
     }
@@ -131,11 +149,24 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
             return R::ZERO;
         }
-        for k in statics.compared(o, &axis) {
+        self.judge_closing(on, found, o, &axis);
+        R::ZERO
+    }
+    /// Along the axis of an obstacle that was apart: what crosses, or may.
+    fn judge_closing(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+        o: &Obstacle<R>,
+        axis: &Axis<R>,
+    ) {
+        let (statics, tol) = (self.watched.statics, R::zero());
+        let (step, normal) = (statics.step_behind(o), axis.normal);
+        for k in statics.compared(o, axis) {
             let begin = self.value_along(o, normal, k, self.lo);
             let end = self.value_along(o, normal, k, self.hi);
-            let half = self.bend(on, &axis, k).halved();
-            let floor = if begin.v >= -R::MICRO {
+            let half = self.bend(on, axis, k).halved();
+            let floor = if begin.v >= -step {
                 begin.v.min(R::ZERO)
             } else {
                 R::ZERO
@@ -149,7 +180,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             } else if end.v >= floor - tol && end.v < -tol {
                 found.unsure |= half > tol;
             } else if end.v < -tol {
-                let touch = statics.feature(&axis, k).map(Ending::Touch);
+                let touch = statics.feature(axis, k).map(Ending::Touch);
                 let at = self.crossing(&Track::gap(
                     touch.unwrap_or(Ending::GoesOn),
                     [begin, end],
@@ -159,6 +190,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 found.crossing = found.crossing.or(touch).or(Some(Ending::GoesOn));
             }
         }
-        R::ZERO
     }
 }
