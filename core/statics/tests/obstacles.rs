@@ -38,6 +38,15 @@ impl<R: Number> Run<R> {
         self.output = self.solver.step(&mut self.state, planar::<R>(hand));
         self.slips += self.output.slips;
     }
+    /// By how much the error of a contact's force can exceed that of the balance: two contacts bear its moment at their distance.
+    fn leverage(&self, size: f64) -> f64 {
+        let contacts = self.solver.contacts(&self.state);
+        let points: Vec<_> = contacts.iter().map(|c| c.point.map(R::wide)).collect();
+        match points.as_slice() {
+            [[ax, ay], [bx, by]] => 1.0 + size / (bx - ax).hypot(by - ay),
+            _ => 1.0,
+        }
+    }
     fn answer(&self) -> Answer {
         let contacts = self.solver.contacts(&self.state);
         let force = |c: &Contact<R::Si>| (c.touch, [R::wide(c.normal), R::wide(c.friction)]);
@@ -73,7 +82,7 @@ fn follows<R: Number>(case: &Case) {
             let bound = if check.value.is_pose() {
                 known
             } else {
-                known * (unit / check.scale).max(1.0)
+                known * (unit * run.leverage(setup.size()) / check.scale).max(1.0)
             };
             let (name, value) = (&case.name, &check.value);
             assert!(
