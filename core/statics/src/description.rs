@@ -2,6 +2,7 @@
 
 use crate::geometry::{Vec2, normalized, one_in};
 use crate::list::gather;
+use crate::obstacles::Corner;
 use crate::obstacles::union::unite;
 use crate::real::Real;
 use crate::state::HandPose;
@@ -164,6 +165,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
             normals: gather(normals::<R>(d.vertices)),
             corners,
             obstacles,
+            nowhere: Corner::NOWHERE,
             stiffness: Stiffness::new(
                 R::from_si(k, units.per_moment(1)),
                 R::from_si(k, units.per_moment(64)),

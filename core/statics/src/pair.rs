@@ -163,13 +163,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
-    /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap.
+    /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap; the angle is that of tau u so far.
+    #[inline(never)]
     pub(crate) fn place_pair(&self, m: &Motion<R>, i: &mut Instant<R>) {
         let tau = m.pair.twist;
         let [c1, c2] = m.contacts;
         i.foot = m.foot + tau.x * i.u;
-        i.angle = m.angle + tau.y * i.u;
-        i.rotation = Rotation::by(i.angle);
         let mut tangent = tau;
         for _ in 0..4 {
             let frames = self.seat_first(m, i);
@@ -242,6 +241,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
+    #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
         let k = self.couple(m, i);
         let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
@@ -259,6 +259,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.e_p = (spread * m1_p - arm * f1.cross(h_p)) * flip;
     }
     /// E_up of a pair.
+    #[inline(never)]
     pub(crate) fn e_up_pair(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let k = self.couple(m, i);
         let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
