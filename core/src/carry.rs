@@ -126,6 +126,7 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Solver<R, V
     /// #     stiffness_translation: 500.0,
     /// #     stiffness_rotation: 0.5,
     /// #     surfaces: &[floor],
+    /// #     obstacles: &[],
     /// # };
     /// let solver_of = |scene: &Description<f32>| -> Result<_, SceneError<f32>> {
     ///     Ok(Solver::new(Scene::<f32, 4, 1>::new(scene)?, Evolution::Path))
@@ -230,6 +231,7 @@ mod tests {
         stiffness_translation: 500.0,
         stiffness_rotation: 0.5,
         surfaces: &[FLOOR],
+        obstacles: &[],
     };
 
     fn solver_of<R: Real>(

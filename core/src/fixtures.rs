@@ -114,6 +114,7 @@ pub(crate) fn sprung<const V: usize, const S: usize>(
         stiffness_translation: 1.0,
         stiffness_rotation: stiffness,
         surfaces: &surfaces,
+        obstacles: &[],
     });
     scene.expect("a sound scene")
 }

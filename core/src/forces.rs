@@ -5,17 +5,17 @@ use crate::real::Real;
 use core::ops::Deref;
 use heapless::Vec;
 
-/// One contact: a vertex of the body on a surface. SI units, world frame; forces are those on the body. Among obstacles
-/// [`Solver::touches`](crate::Solver::touches) returns what touches what.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// One contact: a vertex of the body on a surface or on the side of an obstacle, or the corner of an obstacle on a side of the body. SI
+/// units, world frame; forces are those on the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<F> {
-    /// Index of the vertex in the scene's list; meaningless for a corner of an obstacle.
-    pub vertex: usize,
-    /// Index of the surface in the scene's list; larger than all of these for a contact with an obstacle.
-    pub surface: usize,
+    /// What touches what.
+    pub touch: Touch,
+    /// The unit normal n towards the body; for a corner it turns with the body.
+    pub direction: [F; 2],
     /// Where they touch (m).
     pub point: [F; 2],
-    /// Reaction N >= 0 on the body along the surface's normal n (N).
+    /// Reaction N >= 0 on the body along n (N).
     pub normal: F,
     /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status reports that
     /// the pose is out of balance. For an edge, where only the sum counts, in proportion to N.
@@ -91,35 +91,6 @@ impl Touch {
     }
 }
 
-/// A contact among obstacles: what touches what, and the direction of its normal.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touching<F> {
-    /// What touches what.
-    pub touch: Touch,
-    /// The unit normal n towards the body, world frame; for a corner it turns with the body.
-    pub direction: [F; 2],
-}
-
-/// The contacts of a state among obstacles, in the order of [`Contacts`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Touches<F> {
-    list: Vec<Touching<F>, MAX_CONTACTS>,
-}
-
-impl<F> Touches<F> {
-    pub(crate) fn add(&mut self, touching: Touching<F>) {
-        // A state never has more contacts than there is room for.
-        let _ = self.list.push(touching);
-    }
-}
-
-impl<F> Deref for Touches<F> {
-    type Target = [Touching<F>];
-    fn deref(&self) -> &[Touching<F>] {
-        &self.list
-    }
-}
-
 /// Force and moment of the hand on the body, world frame.
 ///
 /// ```
@@ -141,6 +112,7 @@ impl<F> Deref for Touches<F> {
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// // The hand moves 10 mm below the holding point and 3 mm beyond it along +x. That is less than
 /// // mu_s · 10 mm, so the box sticks.
@@ -191,6 +163,18 @@ impl<F: Real> Wrench<F> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contacts<F> {
     list: Vec<Contact<F>, MAX_CONTACTS>,
+}
+
+impl<F> FromIterator<Contact<F>> for Contacts<F> {
+    /// The first [`MAX_CONTACTS`].
+    fn from_iter<I: IntoIterator<Item = Contact<F>>>(contacts: I) -> Self {
+        let mut all = Self { list: Vec::new() };
+        contacts
+            .into_iter()
+            .take(MAX_CONTACTS)
+            .for_each(|contact| all.add(contact));
+        all
+    }
 }
 
 impl<F> Contacts<F> {

@@ -25,6 +25,7 @@ use crate::real::Real;
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);
 /// let lifted = Hand::new(0.0, 0.15, 0.0);

@@ -37,6 +37,7 @@
 //!         friction_dynamic: 0.3,
 //!         memory: None,
 //!     }],
+//!     obstacles: &[],
 //! })?;
 //! let solver = Solver::new(scene, Evolution::Path);
 //! let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0)); // x, y (m), phi (rad)
@@ -147,7 +148,7 @@ mod wrench_cone;
 pub use carry::{Carried, CarryError, Present, reach_again};
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};
-pub use forces::{Contact, Contacts, Touch, Touches, Touching, Wrench};
+pub use forces::{Contact, Contacts, Touch, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
 pub use hold::Hold;

@@ -3,6 +3,7 @@
 
 use crate::obstacle::{NoObstacles, Obstacles, SomeObstacles};
 use crate::real::Real;
+use crate::scene::{Description, Scene, SceneError, check_obstacle_count};
 use core::marker::PhantomData;
 
 /// The parts of the solver that a scene may need in addition to its geometry: [`Full`], [`Weightless`], [`Frictionless`] or [`Bare`], the
@@ -30,6 +31,7 @@ use core::marker::PhantomData;
 ///     stiffness_translation: 500.0,
 ///     stiffness_rotation: 0.5,
 ///     surfaces: &[smooth],
+///     obstacles: &[],
 /// };
 /// let solver = Solver::new(Scene::<f32, 1, 1, Bare>::new(&tip)?, Evolution::Path);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.09, 0.0));
@@ -54,6 +56,15 @@ pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static
     /// What a scene stores for obstacles with corners, for a body of at most V vertices.
     #[doc(hidden)]
     type Obstacles<R: Real, const V: usize>: Obstacles<R>;
+    /// Puts the obstacles of a description into a scene that has everything else.
+    ///
+    /// # Errors
+    /// The first parameter of an obstacle that is not usable, or that there is no room for obstacles.
+    #[doc(hidden)]
+    fn surround<R: Real, const V: usize, const S: usize>(
+        scene: &mut Scene<R, V, S, Self>,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(), SceneError<R::Si>>;
 }
 
 /// A model with or without friction, with or without weight.
@@ -64,10 +75,15 @@ impl<const FRICTION: bool, const WEIGHT: bool> Model for Parts<FRICTION, WEIGHT>
     const FRICTION: bool = FRICTION;
     const WEIGHT: bool = WEIGHT;
     type Obstacles<R: Real, const V: usize> = NoObstacles;
+    fn surround<R: Real, const V: usize, const S: usize>(
+        _: &mut Scene<R, V, S, Self>,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(), SceneError<R::Si>> {
+        check_obstacle_count(description.obstacles, 0)
+    }
 }
 
-/// A model with obstacles that have corners: at most O of them, with at most C corners together
-/// ([`Scene::among`](crate::Scene::among)).
+/// A model with obstacles that have corners: at most O of them, with at most C corners together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WithObstacles<const O: usize, const C: usize, M: Model = Full>(PhantomData<M>);
 
@@ -75,6 +91,12 @@ impl<const O: usize, const C: usize, M: Model> Model for WithObstacles<O, C, M> 
     const FRICTION: bool = M::FRICTION;
     const WEIGHT: bool = M::WEIGHT;
     type Obstacles<R: Real, const V: usize> = SomeObstacles<R, V, O, C>;
+    fn surround<R: Real, const V: usize, const S: usize>(
+        scene: &mut Scene<R, V, S, Self>,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(), SceneError<R::Si>> {
+        scene.surround(description)
+    }
 }
 
 /// Everything: friction and weight.

@@ -29,6 +29,7 @@ use heapless::Vec;
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// // A box that hangs 20 mm over the floor is put down flat and pressed, then dragged, then lifted.
 /// let solver = Solver::new(scene, Evolution::Path);

@@ -20,6 +20,7 @@ mod check;
 mod description;
 mod obstacles;
 
+pub(crate) use check::check_obstacle_count;
 use check::{
     Representable, check_model, check_numbers, check_vertices, check_vertices_among, fits, larger,
     size_of_point, surfaces, thinnest,
@@ -96,7 +97,48 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
-    /// Checks a description and makes it non-dimensional (STATICS 10).
+    /// Checks a description and makes it non-dimensional (STATICS 10). Coplanar sides of obstacles that meet and have the same friction
+    /// become one side.
+    ///
+    /// A box over the edge of a table:
+    ///
+    /// ```
+    /// use stiction_core::{Description, ObstacleDescription, Parameter, Scene, WithObstacles};
+    ///
+    /// let table = [ObstacleDescription {
+    ///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
+    ///     friction_static: 0.5,
+    ///     friction_dynamic: 0.3,
+    ///     memory: None,
+    /// }];
+    /// let description = Description {
+    ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+    ///     start: [-0.02, 0.03, 0.0],
+    ///     weight: 2.0,
+    ///     holding_point: Some([0.0, 0.02]),
+    ///     reach: 0.0,
+    ///     stiffness_translation: 500.0,
+    ///     stiffness_rotation: 0.5,
+    ///     surfaces: &[],
+    ///     obstacles: &table,
+    /// };
+    /// // Room for 2 obstacles, with 6 corners together.
+    /// type Among = Scene<f32, 4, 1, WithObstacles<2, 6>>;
+    /// assert!(Among::new(&description).is_ok());
+    ///
+    /// let sunk = Description { start: [-0.02, 0.02, 0.0], ..description };
+    /// let error = Among::new(&sunk).expect_err("10 mm within the table");
+    /// assert_eq!(error.parameter, Parameter::Overlap(0));
+    ///
+    /// let clockwise = [[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]];
+    /// let step = [ObstacleDescription { vertices: &clockwise, ..table[0] }];
+    /// let error = Among::new(&Description { obstacles: &step, ..description }).expect_err("no polygon");
+    /// assert!(error.to_string().starts_with("corner 2 of obstacle 0 is 0.3, allowed: a corner"));
+    ///
+    /// let error = Scene::<f32, 4, 1>::new(&description).expect_err("a model without obstacles");
+    /// assert_eq!(error.parameter, Parameter::ObstacleCount);
+    /// # Ok::<(), stiction_core::SceneError<f32>>(())
+    /// ```
     ///
     /// # Errors
     /// [`SceneError`] names the first parameter that is not finite, out of its range or inconsistent with the others,
@@ -123,7 +165,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
                 rest: R::from_si(theta.rest, R::Si::ONE),
             }),
         };
-        let scene = Self {
+        let mut scene = Self {
             body: Body::new(gather(d.vertices.iter().map(|&v| nd(v)))),
             surfaces: surfaces(d.surfaces, &units)?,
             stiffness: units.moment_from_si(d.stiffness_rotation),
@@ -136,6 +178,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         };
         scene.check_range(d)?;
         scene.check_start()?;
+        M::surround(&mut scene, d)?;
         Ok(scene)
     }
 

@@ -45,6 +45,7 @@ use evolve::{Course, Errand};
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// let exact = Solver::new(scene.clone(), Evolution::Path);
 /// let bounded = Solver::new(scene, Evolution::Path).with_budget(400);
@@ -94,6 +95,7 @@ pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));

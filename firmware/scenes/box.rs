@@ -23,4 +23,5 @@ pub(crate) const SCENE: Description<'static, f32> = Description {
         friction_dynamic: 0.3,
         memory: None,
     }],
+    obstacles: &[],
 };

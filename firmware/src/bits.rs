@@ -4,7 +4,7 @@
 mod place;
 mod walk;
 
-use stiction_core::{Contact, Evolution, Real, SiFloat, Touch, Touching};
+use stiction_core::{Contact, Evolution, Real, SiFloat, Touch};
 
 pub use place::{Among, Place};
 pub use walk::{Answer, Walk, follow};
@@ -46,7 +46,6 @@ impl Hash {
             output,
             wrench,
             contacts,
-            touches,
         } = answer;
         self.word(u32::from(output.held));
         self.word(output.state as u32);
@@ -69,13 +68,10 @@ impl Hash {
         for contact in contacts.iter() {
             self.contact(contact);
         }
-        for touching in touches.iter().flat_map(|all| all.iter()) {
-            self.touching(touching);
-        }
     }
 
-    fn touching<F: SiFloat>(&mut self, touching: &Touching<F>) {
-        let words = match touching.touch {
+    fn contact<F: SiFloat>(&mut self, contact: &Contact<F>) {
+        let words = match contact.touch {
             Touch::Surface { vertex, surface } => [0, vertex, surface, 0],
             Touch::Side {
                 vertex,
@@ -91,16 +87,8 @@ impl Hash {
         for word in words {
             self.word(word as u32);
         }
-        for value in touching.direction {
-            self.float(value);
-        }
-    }
-
-    fn contact<F: SiFloat>(&mut self, contact: &Contact<F>) {
-        self.word(contact.vertex as u32);
-        self.word(contact.surface as u32);
-        let [x, y] = contact.point;
-        for value in [x, y, contact.normal, contact.friction] {
+        let ([n_x, n_y], [x, y]) = (contact.direction, contact.point);
+        for value in [n_x, n_y, x, y, contact.normal, contact.friction] {
             self.float(value);
         }
     }

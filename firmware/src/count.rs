@@ -11,11 +11,9 @@ use heapless::Vec;
 use stiction_core::{
     Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State,
 };
-use stiction_wire::{
-    Command, CommandAmong, Decoder, EventSet, Events, Frame, List, Pose, Report, wire_bytes,
-};
+use stiction_wire::{Command, Decoder, EventSet, Events, Frame, List, Pose, Report, wire_bytes};
 
-use crate::model::{BoardModel, NOWHERE};
+use crate::model::{BoardModel, NOWHERE, StoreObstacles};
 
 /// The longest message of a job (bytes): a scene of 4 vertices and 17 obstacles of 4 corners has 891.
 const LONGEST: usize = 1024;
@@ -100,10 +98,10 @@ pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
     instruments: &mut impl Instruments,
 ) -> Result<Totals, Failure> {
     let mut job = Job::new(files);
-    let scene = job.next::<M, _>(|command| scene::<R, V, S, M>(&command))?;
+    let scene = job.next(|command| scene::<R, V, S, M>(&command))?;
     let scene = scene.unwrap_or(Err(Failure::Format))?;
-    let mode = job.next::<M, _>(|command| {
-        let CommandAmong::Common(Command::Mode(mode)) = command else {
+    let mode = job.next(|command| {
+        let Command::Mode(mode) = command else {
             return Err(Failure::Format);
         };
         Ok(mode)
@@ -115,7 +113,7 @@ pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
         state: None,
     };
     instruments.watch_stack();
-    while let Some(hand) = job.hand::<M>()? {
+    while let Some(hand) = job.hand()? {
         let (instructions, output) = ride.frame(hand, instruments);
         job.report(instructions, &output)?;
     }
@@ -129,24 +127,18 @@ pub fn run<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
 }
 
 fn scene<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
-    command: &CommandAmong<'_>,
+    command: &Command<'_>,
 ) -> Result<Scene<R, V, S, M>, Failure> {
-    let (scene, obstacles) = if let CommandAmong::Common(Command::Scene(scene)) = command {
-        (scene, None)
-    } else if let CommandAmong::SceneAmong(among) = command {
-        (&among.scene, Some(&among.obstacles))
-    } else {
+    let Command::Scene(scene) = command else {
         return Err(Failure::Format);
     };
     let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
-    let description = scene.description(&mut vertices, &mut surfaces)?;
-    let scene = match obstacles {
-        None => M::scene(&description, M::NO_OBSTACLES),
-        Some(obstacles) => {
-            M::with_received(obstacles, |obstacles| M::scene(&description, obstacles))?
-        }
-    };
-    Ok(scene?)
+    Ok(M::Stored::with_received(
+        scene,
+        &mut vertices,
+        &mut surfaces,
+        |description| Scene::new(description),
+    )??)
 }
 
 struct Job<'f, F> {
@@ -187,23 +179,20 @@ impl<'f, F: Files> Job<'f, F> {
     }
 
     /// What `take` makes of the next message; `None` at the end.
-    fn next<M: BoardModel, T>(
-        &mut self,
-        take: impl FnOnce(CommandAmong<'_>) -> T,
-    ) -> Result<Option<T>, Failure> {
+    fn next<T>(&mut self, take: impl FnOnce(Command<'_>) -> T) -> Result<Option<T>, Failure> {
         while let Some(byte) = self.byte()? {
-            if let Some(received) = self.decoder.push::<M::Command<'_>>(byte) {
+            if let Some(received) = self.decoder.push::<Command<'_>>(byte) {
                 let frame = received.map_err(|_| Failure::Format)?;
-                return Ok(Some(take(frame.message.into())));
+                return Ok(Some(take(frame.message)));
             }
         }
         Ok(None)
     }
 
     /// The next sample of the hand; `None` at the end.
-    fn hand<M: BoardModel>(&mut self) -> Result<Option<Hand<f32>>, Failure> {
-        let hand = self.next::<M, _>(|command| {
-            let CommandAmong::Common(Command::Hand(hand)) = command else {
+    fn hand(&mut self) -> Result<Option<Hand<f32>>, Failure> {
+        let hand = self.next(|command| {
+            let Command::Hand(hand) = command else {
                 return Err(Failure::Format);
             };
             Ok(hand)

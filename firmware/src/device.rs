@@ -29,6 +29,7 @@
 //!         friction_dynamic: 0.3,
 //!         memory: None,
 //!     }],
+//!     obstacles: &[],
 //! };
 //! let mut controller: Controller<f32, 4, 1> = Controller::new(&description, &Settings::default())?;
 //! let mut servo = Servo::new((FromLine, NoActuators));

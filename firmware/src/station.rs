@@ -43,8 +43,7 @@ use outbox::Outbox;
 use report::Reported;
 use stiction_core::{Real, Wrench};
 use stiction_wire::{
-    Command, CommandAmong, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping,
-    frame_bytes, scene_bytes,
+    Command, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping, frame_bytes, scene_bytes,
 };
 
 /// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it accepts.
@@ -58,8 +57,6 @@ pub struct Station<R: Real, const V: usize, const S: usize, M: BoardModel, const
 #[derive(Debug)]
 struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     setup: &'static Setup,
-    /// The obstacles of the scene after power-up.
-    obstacles: M::Surroundings<'static>,
     longest_frame: usize,
     controller: Controller<R, V, S, M>,
     mode: Mode,
@@ -87,19 +84,8 @@ where
     /// # Errors
     /// [`Refusal`] of the setup's scene or limits. A mode for which the board has no time or no line is not detected here.
     pub fn new(setup: &'static Setup) -> Result<Self, Refusal> {
-        Self::among(setup, M::NO_OBSTACLES)
-    }
-
-    /// Like [`Self::new`], with the setup's scene and the obstacles that the model may have.
-    ///
-    /// # Errors
-    /// Like [`Self::new`].
-    pub fn among(
-        setup: &'static Setup,
-        obstacles: M::Surroundings<'static>,
-    ) -> Result<Self, Refusal> {
         const {
-            let longest = scene_bytes(V, S) + M::OBSTACLE_BYTES;
+            let longest = scene_bytes([V, S, M::OBSTACLES, M::CORNERS]);
             assert!(N >= frame_bytes(longest), "no room for a scene");
         };
         let mode = setup.mode;
@@ -107,9 +93,8 @@ where
             decoder: Decoder::new(),
             desk: Desk {
                 setup,
-                obstacles,
                 longest_frame: N,
-                controller: Controller::among(&setup.scene, obstacles, &setup.settings(&mode))?,
+                controller: Controller::new(&setup.scene, &setup.settings(&mode))?,
                 mode,
                 bytes_per_turn: setup.bytes_per_turn(&mode),
                 intake: Intake::new(&mode),
@@ -190,31 +175,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     /// Handles a frame that arrived, or something that is none.
     fn receive<D: Source>(
         &mut self,
-        received: Result<Frame<M::Command<'_>>, Fault>,
+        received: Result<Frame<Command<'_>>, Fault>,
         now_us: u32,
         link: &mut impl Link,
     ) -> Next {
         let frame = match received {
             Ok(frame) => frame,
             Err(fault) => return self.refuse(&fault, now_us, link),
-        };
-        let sequence = frame.sequence;
-        let reference = frame.reference();
-        let message = match frame.message.into() {
-            CommandAmong::Common(message) => message,
-            CommandAmong::SceneAmong(scene) => {
-                if M::AMONG {
-                    self.intake.follow(sequence);
-                    return self.scene_among(&scene, reference, now_us, link);
-                }
-                // Not a command without room for obstacles.
-                return Next::More;
-            }
-        };
-        let frame = Frame {
-            sequence,
-            time: frame.time,
-            message,
         };
         if matches!(frame.message, Command::Hello) {
             self.intake.greet();

@@ -54,7 +54,7 @@ fn the_hash_is_that_of_the_answers() {
 fn the_walk_among_obstacles_touches_sides_and_corners_of_each() {
     let (mut sides, mut corners) = ([0; 3], [0; 3]);
     follow::<f32, Among>(Evolution::Path, FRAMES, |answer| {
-        for touching in answer.touches.iter().flat_map(|all| all.iter()) {
+        for touching in answer.contacts.iter() {
             match touching.touch {
                 Touch::Side { obstacle, .. } => sides[obstacle] += 1,
                 Touch::Corner { obstacle, .. } => corners[obstacle] += 1,

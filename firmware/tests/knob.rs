@@ -129,7 +129,8 @@ fn a_turned_knob_sticks_and_slips() {
     settings.limits.moment = 1e3;
     settings.limits.force_rate = 1e6;
     settings.limits.moment_rate = 1e6;
-    let controller = scene.described(|scene| Controller::<f32, 8, 4>::new(scene, &settings));
+    let (controller, _) =
+        scene.described::<f32, _>(|scene| Controller::<f32, 8, 4>::new(scene, &settings));
     let (mut controller, mut servo) = (controller.unwrap(), Servo::new((FromLine, NoActuators)));
     let (mut knob, shown, _) = knob(GEOMETRY);
     let (mut slips, mut work, mut last) = (0, 0.0, None);

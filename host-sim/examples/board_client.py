@@ -22,45 +22,35 @@ import sys
 import time
 import zlib
 
-# The versions of most frames, and of those about obstacles.
-VERSION, AMONG = 2, 3
+VERSION = 4
 PARAMETERS = ("ffffBf", "k_h k_theta mu_s mu_d has_memory memory")
 MODE = ("BBBBBHHHH", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every")
-
-SCENE = ("BBBfffffffff", "vertices surfaces has_point start_x start_y start_theta weight point_x point_y reach k_h k_theta",
-         [("vertices", "vertex", "ff"), ("surfaces", "surface", "fffffBf")])
-FORCES = ("ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts")
 
 # name: type, layout in the notation of the module struct, the fields, and the variable part after them
 LAYOUTS = {
     "hand": (0x01, "fffifB", "x y phi turns depth held", None),
     "tracker": (0x02, "fffffffB", "x y z qx qy qz qw held", None),
     "parameters": (0x03, *PARAMETERS, None),
-    "scene": (0x04, *SCENE),
+    "scene": (0x04, "BBBBBfffffffff", "vertices surfaces obstacles corners has_point start_x start_y start_theta weight point_x"
+              " point_y reach k_h k_theta", [("vertices", "vertex", "ff"), ("surfaces", "surface", "fffffBf"),
+                                             ("obstacles", "obstacle", "BffBf"), ("corners", "corner", "ff")]),
     "mode": (0x05, *MODE, None),
     "hello": (0x06, "", "", None),
     "ping": (0x07, "", "", None),
     "reset": (0x08, "B", "what", None),
-    "scene-among": (0x09, SCENE[0] + "BB", SCENE[1] + " obstacles corners",
-                    SCENE[2] + [("obstacles", "obstacle", "BffBf"), ("corners", "corner", "ff")]),
     "pose": (0x80, "ffffBHB", "x y theta depth flags events sample", None),
-    "forces": (0x90, *FORCES, [("contacts", "contact", "BBffffb")]),
+    "forces": (0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
+               [("contacts", "contact", "BBBffffffb")]),
     "events": (0x91, "IfB", "slips longest_slip events", [("events", "event", "B")]),
     "reply": (0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", "allowed"),
-    "info": (0x93, "BBBBBBBHHIff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces has longest_frame"
-             " fastest_tick budget stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
+    "info": (0x93, "BBBBBBBBHHIff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces corners has"
+             " longest_frame fastest_tick budget stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
     "health": (0x94, "B" + 15 * "I", "drive ticks missed_ticks samples late_samples lost_frames unsent worst_step"
                " worst_tick too_long cobs crc version unknown_type length value", None),
     "pong": (0x95, "BI", "ping_sequence ping_time", None),
-    "room": (0x96, "BB", "obstacles corners", None),
-    "forces-among": (0x97, *FORCES, [("contacts", "contact", "BBBffffffb")]),
 }
 STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"]
 EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "slide", "stop", "grasp", "release"]
-
-
-# Subjects of replies.
-OF_OBSTACLES = range(16, 25)
 
 
 class Fault(Exception):
@@ -107,8 +97,7 @@ def encode(message):
         for i in range(message[count]):
             one = message[f"{item}_{i}"]
             payload += struct.pack("<" + shape, *map(number, one if isinstance(one, (list, tuple)) else [one]))
-    among = message["type"].endswith("-among") or message.get("subject") in OF_OBSTACLES
-    frame = struct.pack("<BBBI", AMONG if among else VERSION, kind, message["sequence"], message["time"]) + payload
+    frame = struct.pack("<BBBI", VERSION, kind, message["sequence"], message["time"]) + payload
     return stuff(frame + struct.pack("<I", zlib.crc32(frame))) + b"\0"
 
 
@@ -131,7 +120,7 @@ def decode(data):
         raise Fault("crc")
     if len(frame) < 7:
         raise Fault("length")
-    if frame[0] not in (VERSION, AMONG):
+    if frame[0] != VERSION:
         raise Fault("version")
     if len(frame) < 11:
         raise Fault("length")
@@ -190,16 +179,15 @@ def check_codes(message):
         require(x < 8 and x & 3 < 3 and y < 8 and y & 3 < 3 and x & 3 != y & 3 and message["events"] <= 1)
     if message["type"] == "events":
         require(all(message[f"event_{i}"] < len(EVENTS) for i in range(message["events"])))
-    if message["type"] in ("scene", "scene-among"):
+    if message["type"] == "scene":
         require(all(message[f"surface_{i}"][5] <= 1 for i in range(message["surfaces"])))
-    if message["type"] == "scene-among":
         obstacles = [message[f"obstacle_{i}"] for i in range(message["obstacles"])]
         require(all(one[3] <= 1 for one in obstacles) and sum(one[0] for one in obstacles) == message["corners"])
-    if message["type"] in ("forces", "forces-among"):
+    if message["type"] == "forces":
         contacts = [message[f"contact_{i}"] for i in range(message["contacts"])]
         require(all(one[-1] in (-1, 0, 1) for one in contacts))
-        require(message["type"] == "forces" or all(one[0] < 128 or one[1] < 255 for one in contacts))
-    require(message.get("subject", 0) in [*range(16), *OF_OBSTACLES, 32, 33])
+        require(all(one[0] < 128 or one[1] < 255 for one in contacts))
+    require(message.get("subject", 0) in [*range(25), 32, 33])
 
 
 class Decoder:

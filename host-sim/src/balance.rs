@@ -72,7 +72,7 @@ impl Residual {
             largest = largest.max(hypot(force[0], force[1]));
         };
         for contact in &frame.contacts {
-            let [nx, ny] = contact.normal_among(&self.scene.surfaces);
+            let [nx, ny] = contact.direction;
             let (normal, friction) = (contact.normal, contact.friction);
             add(
                 [normal * nx + friction * ny, normal * ny - friction * nx],

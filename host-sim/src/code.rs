@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use stiction_core::Fixed;
 use stiction_live::number::named;
-use stiction_scene::{Among, HostModel, InputError, NumberType, c_source};
+use stiction_scene::{InputError, NumberType, c_source};
 
 use crate::input::open_scene;
 use crate::report;
@@ -44,8 +44,8 @@ fn parse_name(text: &str) -> Result<String, String> {
 pub(crate) fn code(args: &CodeArgs) -> Result<(), InputError> {
     let scene = open_scene(&args.scene, args.number.into())?;
     match args.number {
-        NumberType::F32 => <Among>::scene::<f32>(&scene).map(drop)?,
-        NumberType::Fixed => <Among>::scene::<Fixed>(&scene).map(drop)?,
+        NumberType::F32 => scene.check_scene::<f32>()?,
+        NumberType::Fixed => scene.check_scene::<Fixed>()?,
     }
     let code = c_source(&scene, args.number, &args.name);
     report::printed(io::stdout().write_all(code.as_bytes()));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::{Among, HostModel, InputError, SceneFile, Source};
+use stiction_scene::{InputError, SceneFile, Source};
 
 use stiction_live::input::path_file;
 
@@ -25,10 +25,7 @@ pub(crate) fn source(name: &Path) -> Result<Source, InputError> {
 
 /// Checks that a board supports a scene: errors are reported with the key and the line, which the board does not know.
 pub(crate) fn suits_boards(scene: &SceneFile) -> Result<(), InputError> {
-    match scene.obstacles.is_empty() {
-        true => scene.scene::<f32>().map(drop),
-        false => <Among>::scene::<f32>(scene).map(drop),
-    }
+    scene.check_scene::<f32>()
 }
 
 /// The input files, which no output may replace: those that are read, and the scene's path if another one replaces it.

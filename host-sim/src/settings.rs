@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use stiction_core::{Evolution, Real, SiFloat};
-use stiction_scene::{HostModel, InputError, Sample, SceneFile};
+use stiction_core::{Evolution, Model, Real, SiFloat};
+use stiction_scene::{InputError, Sample, SceneFile};
 
 use crate::options::{evolution_parser, parse_budget, parse_rate};
 use stiction_live::number::Number;
@@ -70,7 +70,7 @@ struct WholeRun<I, F>(I, F);
 impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for WholeRun<I, F> {
     type Done = Result<Duration, E>;
 
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    fn with<R: Real<Si: SiFloat>, M: Model>(self, running: Running<R, M>) -> Self::Done
     where
         Running<R, M>: Send + Sync,
     {

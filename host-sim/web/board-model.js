@@ -159,7 +159,7 @@ export class BoardModel {
     return {
       type: "scene", has_point: scene.grasp ? 1 : 0, start_x, start_y, start_theta, weight: scene.weight,
       point_x, point_y, reach: scene.reach,
-      k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body,
+      k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body, obstacle: [], corner: [],
       surface: scene.surfaces.map(({ normal, offset, static: mus, dynamic: mud, memory: own }) => {
         const memory = firstGiven(own, parameters.memory);
         return [
@@ -219,7 +219,8 @@ export class BoardModel {
     const [contact] = forces?.contact ?? [];
     if (message.slips === 0 || !contact) return;
     slips.push({
-      n: counts.slips, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip,
+      n: counts.slips, t: this.since(message.time), point: [contact[5], contact[6]], direction: [contact[3], contact[4]],
+      length: message.longest_slip,
     });
     if (slips.length > SLIPS) slips.shift();
   }
@@ -235,11 +236,12 @@ export class BoardModel {
   }
 
   /**
-   * Returns a contact from vertex, surface, point, reaction and direction of sliding.
+   * Returns a contact: of a vertex on a surface, as the scenes that the page sends have no obstacles.
    * @param {number[]} contact @returns {Contact}
    */
-  contact([vertex, surface, x, y, normal, friction, sliding]) {
-    return { vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: [x, y], normal, friction, sliding };
+  contact([vertex, , surface, nx, ny, x, y, normal, friction, sliding]) {
+    const { name = "" } = this.scene.surfaces[surface] ?? {};
+    return { vertex, surface: name, direction: [nx, ny], point: [x, y], normal, friction, sliding };
   }
 
   /**

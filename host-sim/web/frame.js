@@ -5,7 +5,7 @@
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
 
 /** Version of the wire format. */
-const VERSION = 2;
+const VERSION = 4;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** What limited an answer, in the order of its codes. */
@@ -48,21 +48,24 @@ const LAYOUTS = {
   hand: layout(0x01, "fffifF", "x y phi turns depth held"),
   tracker: layout(0x02, "fffffffF", "x y z qx qy qz qw held"),
   parameters: layout(0x03, PARAMETERS_SHAPE, PARAMETERS),
-  scene: layout(0x04, "BBFfffffffff",
-    "vertices surfaces has_point start_x start_y start_theta weight point_x point_y reach k_h k_theta",
-    [{ count: "vertices", item: "vertex", shape: "ff" }, { count: "surfaces", item: "surface", shape: "fffffFf" }]),
+  scene: layout(0x04, "BBBBFfffffffff",
+    "vertices surfaces obstacles corners has_point start_x start_y start_theta weight point_x point_y reach k_h k_theta",
+    [
+      { count: "vertices", item: "vertex", shape: "ff" }, { count: "surfaces", item: "surface", shape: "fffffFf" },
+      { count: "obstacles", item: "obstacle", shape: "BffFf" }, { count: "corners", item: "corner", shape: "ff" },
+    ]),
   mode: layout(0x05, MODE_SHAPE, MODE),
   hello: layout(0x06, "", ""),
   ping: layout(0x07, "", ""),
   reset: layout(0x08, "B", "what"),
   pose: layout(0x80, "ffffBHB", "x y theta depth flags events sample"),
   forces: layout(0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
-    [{ count: "contacts", item: "contact", shape: "BBffffb" }]),
+    [{ count: "contacts", item: "contact", shape: "BBBffffffb" }]),
   events: layout(0x91, "IfB", "slips longest_slip events", [{ count: "events", item: "event", shape: "B" }]),
   reply: layout(0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", [], "allowed"),
-  info: layout(0x93, "BBBBBBBHHIff" + PARAMETERS_SHAPE + MODE_SHAPE,
-    "major minor patch number vertices surfaces has longest_frame fastest_tick budget stiffest_k_h stiffest_k_theta "
-      + `${PARAMETERS} ${MODE}`,
+  info: layout(0x93, "BBBBBBBBHHIff" + PARAMETERS_SHAPE + MODE_SHAPE,
+    "major minor patch number vertices surfaces corners has longest_frame fastest_tick budget stiffest_k_h "
+      + `stiffest_k_theta ${PARAMETERS} ${MODE}`,
     [], "name"),
   health: layout(0x94, "B" + "I".repeat(15),
     `drive ticks missed_ticks samples late_samples lost_frames unsent worst_step worst_tick ${FAULTS}`),
@@ -285,8 +288,10 @@ function checkCodes(message) {
   }
   if (message.axis_x !== undefined && !(AXES.includes(message.axis_x) && AXES.includes(message.axis_y)
     && message.axis_x % 4 !== message.axis_y % 4)) throw new Fault("value");
-  const slides = message.type === "forces" ? message.contact.map((/** @type {number[]} */ one) => one[6]) : [];
-  if (slides.some((/** @type {number} */ sign) => Math.abs(sign) > 1)) throw new Fault("value");
+  /** @type {number[][]} */
+  const contacts = message.type === "forces" ? message.contact : [];
+  // A surface has no corner.
+  if (contacts.some((one) => Math.abs(one[9]) > 1 || (one[0] >= 128 && one[1] === 255))) throw new Fault("value");
 }
 
 /** Collects incoming bytes and passes on every message; counts frames that are not accepted. */

@@ -229,7 +229,7 @@ export class Stage {
     drawSurfaces(ctx, view, scene.surfaces, labels);
     if (layers.trails) {
       trails.draw(ctx, view);
-      trails.drawSlips(ctx, view, scene.surfaces);
+      trails.drawSlips(ctx, view);
     }
     if (ghost && layers.ghost) drawGhost(ctx, view, scene.body, ghost);
     drawBody(ctx, view, scene.body, frame.pose);

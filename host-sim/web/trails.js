@@ -81,13 +81,12 @@ export class Trails {
 
   /**
    * Marks each slip: a small triangle below the surface that points to the place where it ended; the older, the smaller.
-   * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
+   * @param {Ink} ctx @param {View} view
    */
-  drawSlips(ctx, view, surfaces) {
+  drawSlips(ctx, view) {
     ctx.fillStyle = colors.slip;
     this.slips.forEach((slip, i) => {
-      const normal = slip.direction ?? nearest(surfaces, slip.point);
-      const nx = normal[0], ny = -normal[1];
+      const nx = slip.direction[0], ny = -slip.direction[1];
       const x = view.px(slip.point[0]) - 4 * nx, y = view.py(slip.point[1]) - 4 * ny;
       const young = (i + 1) / this.slips.length;
       const size = SHORT + (LONG - SHORT) * young;
@@ -101,21 +100,6 @@ export class Trails {
     });
     ctx.globalAlpha = 1;
   }
-}
-
-/**
- * Returns the normal of the surface nearest to a point.
- * @param {Surface[]} surfaces @param {Vec} point @returns {Vec}
- */
-function nearest(surfaces, point) {
-  /** @type {Vec} */
-  let normal = [0, 1];
-  let least = Infinity;
-  for (const surface of surfaces) {
-    const gap = Math.abs(surface.normal[0] * point[0] + surface.normal[1] * point[1] - surface.offset);
-    if (gap < least) [least, normal] = [gap, surface.normal];
-  }
-  return normal;
 }
 
 /** @param {Ink} ctx @param {View} view @param {Ring} ring @param {string} color */

@@ -67,8 +67,8 @@ interface Slip {
   n: number;
   t: number;
   point: Vec;
-  /** In a scene with obstacles. */
-  direction?: Vec;
+  /** The unit normal towards the object. */
+  direction: Vec;
   length: number;
 }
 

@@ -117,10 +117,7 @@ pub fn scene<R: Number>(setup: &Setup) -> Scene {
 /// Frame `i` in the judge's format, one second after the frame before it.
 pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
     let contact = |c: &Contact<f64>| stiction_judge::Contact {
-        touch: stiction_judge::Touch::Surface {
-            vertex: c.vertex,
-            surface: c.surface,
-        },
+        touch: c.touch,
         point: c.point,
         direction: None,
         normal: c.normal,

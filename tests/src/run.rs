@@ -47,8 +47,8 @@ impl Frame {
         let pose =
             |[x, y]: [R::Si; 2], angle: Angle<R::Si>| [wide(x), wide(y), R::wide_angle(angle)];
         let contact = |c: &Contact<R::Si>| Contact {
-            vertex: c.vertex,
-            surface: c.surface,
+            touch: c.touch,
+            direction: c.direction.map(wide),
             point: c.point.map(wide),
             normal: wide(c.normal),
             friction: wide(c.friction),

@@ -211,6 +211,7 @@ impl Setup {
             stiffness_translation: R::si(self.stiffness_translation),
             stiffness_rotation: R::si(self.stiffness_rotation),
             surfaces: &surfaces,
+            obstacles: &[],
         })
     }
 }

@@ -25,4 +25,5 @@ pub const BOX: Description<'static, f32> = Description {
     stiffness_translation: 500.0,
     stiffness_rotation: 0.5,
     surfaces: &[FLOOR],
+    obstacles: &[],
 };

@@ -34,6 +34,7 @@ fn scene<R: Real>(si: impl Fn(f64) -> R::Si, planes: [(f64, f64); 3]) -> Room<R>
         stiffness_translation: si(1.0),
         stiffness_rotation: si(1.0),
         surfaces: &surfaces,
+        obstacles: &[],
     })
     .expect("a sound scene")
 }

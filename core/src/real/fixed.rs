@@ -52,6 +52,7 @@ pub(super) mod samples;
 ///         friction_dynamic: 0.3,
 ///         memory: None,
 ///     }],
+///     obstacles: &[],
 /// })?;
 /// let solver = Solver::new(scene, Evolution::Frame);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));

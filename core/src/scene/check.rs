@@ -12,6 +12,7 @@ use heapless::Vec;
 mod obstacles;
 mod outline;
 
+pub(crate) use obstacles::check_obstacle_count;
 pub(super) use obstacles::{Room, check_obstacles, check_vertices_among};
 pub(super) use outline::sides;
 use outline::{check_convex, spread};

@@ -51,9 +51,10 @@ pub struct SurfaceDescription<F> {
 ///     stiffness_translation: 500.0,
 ///     stiffness_rotation: 0.5,
 ///     surfaces: &[],
+///     obstacles: &world,
 /// };
-/// assert!(Scene::<f32, 4, 1, WithObstacles<4, 13, Full>>::among(&description, &world).is_ok());
-/// let full = Scene::<f32, 4, 1, WithObstacles<4, 12, Full>>::among(&description, &world);
+/// assert!(Scene::<f32, 4, 1, WithObstacles<4, 13, Full>>::new(&description).is_ok());
+/// let full = Scene::<f32, 4, 1, WithObstacles<4, 12, Full>>::new(&description);
 /// let error = full.expect_err("room for 12 corners");
 /// assert_eq!((error.parameter, error.value), (Parameter::CornerCount, 13.0));
 /// ```
@@ -94,6 +95,7 @@ pub struct ObstacleDescription<'a, F> {
 ///     stiffness_translation: 500.0,
 ///     stiffness_rotation: 0.5,
 ///     surfaces: &[ice],
+///     obstacles: &[],
 /// };
 /// let error = Scene::<f32, 4, 1>::new(&description).expect_err("mu_s < mu_d");
 /// assert_eq!(error.parameter, Parameter::FrictionStatic(0));
@@ -132,6 +134,8 @@ pub struct Description<'a, F> {
     pub stiffness_rotation: F,
     /// The surfaces, at most as many as the scene has room for, and 255.
     pub surfaces: &'a [SurfaceDescription<F>],
+    /// The obstacles, for which the model has to have room ([`WithObstacles`](crate::WithObstacles)).
+    pub obstacles: &'a [ObstacleDescription<'a, F>],
 }
 
 /// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`] and of

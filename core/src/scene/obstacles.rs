@@ -19,66 +19,22 @@ mod union;
 impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
     Scene<R, V, S, WithObstacles<O, C, M>>
 {
-    /// Checks a description and obstacles and makes them non-dimensional (STATICS 10, 12). Coplanar sides of obstacles that meet and have
-    /// the same friction become one side.
-    ///
-    /// A box over the edge of a table:
-    ///
-    /// ```
-    /// use stiction_core::{Description, Evolution, Full, ObstacleDescription, Parameter, Scene, Solver};
-    /// use stiction_core::WithObstacles;
-    ///
-    /// let table = ObstacleDescription {
-    ///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
-    ///     friction_static: 0.5,
-    ///     friction_dynamic: 0.3,
-    ///     memory: None,
-    /// };
-    /// let description = Description {
-    ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-    ///     start: [-0.02, 0.03, 0.0],
-    ///     weight: 2.0,
-    ///     holding_point: Some([0.0, 0.02]),
-    ///     reach: 0.0,
-    ///     stiffness_translation: 500.0,
-    ///     stiffness_rotation: 0.5,
-    ///     surfaces: &[],
-    /// };
-    /// // Room for 2 obstacles, with 6 corners together.
-    /// type Among = Scene<f32, 4, 1, WithObstacles<2, 6, Full>>;
-    /// let solver = Solver::new(Among::among(&description, &[table])?, Evolution::Path);
-    /// # let _ = solver;
-    ///
-    /// let sunk = Description { start: [-0.02, 0.02, 0.0], ..description };
-    /// let error = Among::among(&sunk, &[table]).expect_err("10 mm within the table");
-    /// assert_eq!(error.parameter, Parameter::Overlap(0));
-    ///
-    /// let clockwise = [[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]];
-    /// let step = ObstacleDescription { vertices: &clockwise, ..table };
-    /// let error = Among::among(&description, &[step]).expect_err("no polygon");
-    /// assert!(error.to_string().starts_with("corner 2 of obstacle 0 is 0.3, allowed: a corner"));
-    /// # Ok::<(), stiction_core::SceneError<f32>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Like [`Scene::new`]; and the first parameter of an obstacle that is not finite, out of its range or inconsistent with the others.
-    pub fn among(
+    /// Checks the obstacles and makes them non-dimensional (STATICS 12).
+    pub(crate) fn surround(
+        &mut self,
         description: &Description<'_, R::Si>,
-        obstacles: &[ObstacleDescription<'_, R::Si>],
-    ) -> Result<Self, SceneError<R::Si>> {
-        let mut scene = Self::new(description)?;
+    ) -> Result<(), SceneError<R::Si>> {
         let room = Room {
             half_planes: description.surfaces.len(),
             obstacles: O,
             corners: C,
         };
-        check_obstacles::<R, M>(obstacles, &room, &scene.units)?;
-        for (index, obstacle) in obstacles.iter().enumerate() {
-            scene.add(index, obstacle);
+        check_obstacles::<R, M>(description.obstacles, &room, &self.units)?;
+        for (index, obstacle) in description.obstacles.iter().enumerate() {
+            self.add(index, obstacle);
         }
-        scene.unite(description, obstacles);
-        scene.check_apart()?;
-        Ok(scene)
+        self.unite(description);
+        self.check_apart()
     }
 
     /// Adds an obstacle as if there were no other.
@@ -127,11 +83,8 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
 
     /// Unites the obstacles and the half-planes to one world: in the outside float, in which their positions have not been rounded to the
     /// number type.
-    fn unite(
-        &mut self,
-        description: &Description<'_, R::Si>,
-        given: &[ObstacleDescription<'_, R::Si>],
-    ) {
+    fn unite(&mut self, description: &Description<'_, R::Si>) {
+        let given = description.obstacles;
         let nd = |at: [R::Si; 2]| self.units.point_from_si::<R::Si>(at);
         let all = given.iter().flat_map(|obstacle| sides(obstacle.vertices));
         let lines: Vec<Side<R::Si>, C> = gather(all.map(|(from, to)| Side::new(nd(from), nd(to))));

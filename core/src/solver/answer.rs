@@ -1,11 +1,11 @@
 //! The answer of a step in SI units: the pose and what happened in every step, the forces on request.
 
 use super::{Solver, State};
-use crate::forces::{Contact, Contacts, Touches, Touching, Wrench};
+use crate::forces::{Contact, Contacts, Wrench};
 use crate::geometry::Angle;
 use crate::load::Load;
 use crate::log::Log;
-use crate::model::{Model, WithObstacles};
+use crate::model::Model;
 use crate::output::Output;
 use crate::real::Real;
 use crate::work::Work;
@@ -64,9 +64,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         for (i, pair) in state.contact.contacts().iter().enumerate() {
             let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
             let at = placed.point + placed.arm_to(&self.scene, *pair);
+            let direction = (self.scene.face(*pair, placed.orientation.rotation())).normal;
             contacts.add(Contact {
-                vertex: usize::from(pair.vertex),
-                surface: usize::from(pair.surface),
+                touch: self.scene.touch(*pair),
+                direction: [direction.x, direction.y].map(|x| x.to_si(R::Si::ONE)),
                 point: units.point_to_si(at),
                 normal: units.force_to_si(normal),
                 friction: units.force_to_si(friction),
@@ -78,24 +79,5 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             });
         }
         contacts
-    }
-}
-
-impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
-    Solver<R, V, S, WithObstacles<O, C, M>>
-{
-    /// What touches what in a state, with the directions of the normals, in the order of [`Self::contacts`].
-    pub fn touches(&self, state: &State<R>) -> Touches<R::Si> {
-        let scene = &self.scene;
-        let placed = state.contact.placed(scene);
-        let mut touches = Touches::default();
-        for &pair in &state.contact.contacts() {
-            let normal = scene.face(pair, placed.orientation.rotation()).normal;
-            touches.add(Touching {
-                touch: scene.touch(pair),
-                direction: [normal.x, normal.y].map(|x| x.to_si(R::Si::ONE)),
-            });
-        }
-        touches
     }
 }

@@ -21,6 +21,7 @@
 /// #         friction_dynamic: 0.3,
 /// #         memory: None,
 /// #     }],
+/// #     obstacles: &[],
 /// # })?;
 /// // A box, flat on the floor, mu = 0.5 / 0.3, is pressed 10 mm down and dragged by 0.1 m in a
 /// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm; where

@@ -243,6 +243,7 @@ mod tests {
             stiffness_translation: si(1.0),
             stiffness_rotation: si(1.0),
             surfaces: &[surface(0), surface(1)],
+            obstacles: &[],
         });
         let pivot = Pivot {
             contact: Pair::default(),

@@ -42,6 +42,7 @@ pub(in crate::state) fn scene(planes: &[(f64, [f64; 2])]) -> Room {
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
         surfaces: &surfaces[..=planes.len()],
+        obstacles: &[],
     };
     let places = [0.0, -100.0, 100.0]
         .into_iter()
@@ -77,6 +78,7 @@ fn on_floor<const V: usize, M: Model>(
         stiffness_translation: 1.0,
         stiffness_rotation: stiffness,
         surfaces: &[floor],
+        obstacles: &[],
     });
     scene.expect("a sound scene")
 }

@@ -23,7 +23,6 @@ mod driven;
 mod ending;
 mod errand;
 mod events;
-mod forces;
 mod frame;
 mod geometry;
 mod hold;
@@ -57,7 +56,5 @@ mod window;
 mod world;
 
 pub use carry::Carried;
-pub use contact::MAX_CONTACTS;
-pub use forces::{Contact, Contacts};
 pub use output::{Output, Tangent};
 pub use solver::{Solver, State};

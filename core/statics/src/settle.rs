@@ -61,17 +61,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         } else {
             Motion::frozen(kind, self.body)
         };
-        let mut i = self.statics.placed_at_start(&m);
-        if i.e.abs() <= self.statics.rounding(self.body) {
+        if self.is_near_balance(&m) {
             return;
-        }
-        let step = -i.e / i.e_u;
-        let is_small = i.e_u < R::ZERO && step.abs() <= R::MICRO;
-        if is_small || kind == Kind::Pair {
-            let spot = Spot { u: i.u, p: R::ZERO };
-            self.statics.balance(&m, spot, step, &mut i);
-            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
-            return self.body.go_to(&i, room);
         }
         self.errand.runs = 0;
         match kind {
@@ -80,6 +71,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
         }
+    }
+    /// In balance, or so near that a Newton step leads there: a pair always, others if they move by less than can be distinguished.
+    fn is_near_balance(&mut self, m: &Motion<R>) -> bool {
+        let mut i = self.statics.placed_at_start(m);
+        if i.e.abs() <= self.statics.rounding(self.body) {
+            return true;
+        }
+        let step = -i.e / i.e_u;
+        let is_near = i.e_u < R::ZERO && step.abs() <= R::MICRO || m.kind == Kind::Pair;
+        if is_near {
+            let spot = Spot { u: i.u, p: R::ZERO };
+            self.statics.balance(m, spot, step, &mut i);
+            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
+            self.body.go_to(&i, room);
+        }
+        is_near
     }
     /// A word has been done.
     pub(crate) fn settled(&mut self, next: Next) {
@@ -111,7 +118,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Free => self.fly(),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
-                if self.statics.placed_at_start(&m).e.abs() > little {
+                if !self.is_near_balance(&m) {
                     self.errand.start = *self.body;
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));

@@ -55,6 +55,7 @@ fn world(random: &mut Random) -> Scene {
         stiffness_translation: 1.0,
         stiffness_rotation: random.number(0.1, 1.0),
         surfaces: &surfaces,
+        obstacles: &[],
     });
     described.expect("a scene").world
 }

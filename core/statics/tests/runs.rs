@@ -55,6 +55,7 @@ impl Run {
             stiffness_translation: scene.springs[0],
             stiffness_rotation: scene.springs[1],
             surfaces: scene.surfaces,
+            obstacles: &[],
         })
         .expect("a scene");
         let (state, output) = solver.start(planar(hand));
@@ -347,6 +348,7 @@ fn pieces_and_rest<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) -> f
         stiffness_translation: si(2.0),
         stiffness_rotation: si(0.1),
         surfaces: &surfaces,
+        obstacles: &[],
     })
     .expect("a scene");
     let hand = |k: u32| {

@@ -123,7 +123,7 @@ impl<'a> Wire<'a> for Command<'a> {
             Self::Hand(hand) => hand.put(sink),
             Self::Tracker(sample) => sample.put(sink),
             Self::Parameters(parameters) => parameters.put(sink),
-            Self::Scene(scene) => scene.write(None, sink),
+            Self::Scene(scene) => scene.write(sink),
             Self::Mode(mode) => mode.put(sink),
             Self::Hello | Self::Ping => {}
             Self::Reset(reset) => reset.put(sink),

@@ -3,7 +3,7 @@
 use crate::fault::FaultKind;
 use crate::layout::{codes, layout};
 use stiction_core::{Angle, Axis, Contact, Event, Evolution, Hand, SurfaceDescription};
-use stiction_core::{TrackerSample, Wrench};
+use stiction_core::{Touch, TrackerSample, Wrench};
 
 /// The unread rest of a payload. Its length is checked first; beyond the end every field would be 0.
 #[derive(Clone, Copy, Debug)]
@@ -186,19 +186,14 @@ impl Field for Axis {
 
 const NEGATIVE: u8 = 4;
 
-/// Sticks, or slides one way or the other.
-pub(crate) fn is_sliding_sign(sign: i8) -> bool {
-    (-1..=1).contains(&sign)
-}
-
 layout! { Angle<f32> { rest: f32, turns: i32 } }
 layout! { Hand<f32> { position: [f32; 2], angle: Angle<f32>, depth: f32, held: bool; tilted = false } }
 layout! { TrackerSample<f32> { position: [f32; 3], orientation: [f32; 4], held: bool } }
 layout! { Wrench<f32> { force: [f32; 2], moment: f32 } }
 layout! {
     Contact<f32> {
-        vertex: usize, surface: usize, point: [f32; 2], normal: f32, friction: f32, sliding: i8
-    } if |contact| is_sliding_sign(contact.sliding)
+        touch: Touch, direction: [f32; 2], point: [f32; 2], normal: f32, friction: f32, sliding: i8
+    } if |contact| (-1..=1).contains(&contact.sliding)
 }
 layout! {
     SurfaceDescription<f32> {

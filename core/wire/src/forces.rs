@@ -7,7 +7,7 @@ use stiction_core::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Wrench};
 
 /// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Forces<'a, C: Field = Contact<f32>> {
+pub struct Forces<'a> {
     /// Force (N, world frame) and moment (N·m, about the holding point, counter-clockwise positive) of the hand's springs on the
     /// body: the bits of the solver.
     pub wrench: Wrench<f32>,
@@ -16,7 +16,7 @@ pub struct Forces<'a, C: Field = Contact<f32>> {
     /// The whole turns of theta.
     pub turns: i32,
     /// The contacts, with their reactions (N); a board sends at most [`MAX_CONTACTS`](stiction_core::MAX_CONTACTS), 8.
-    pub contacts: List<'a, C>,
+    pub contacts: List<'a, Contact<f32>>,
 }
 
 /// What happened in a step.
@@ -30,10 +30,10 @@ pub struct Events<'a> {
     pub list: List<'a, Event>,
 }
 
-impl<'a, C: Field> Forces<'a, C> {
+impl<'a> Forces<'a> {
     const HEAD_BYTES: usize = 2 * Wrench::<f32>::BYTES + i32::BYTES + 1;
     /// With the most contacts that a state has.
-    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * C::BYTES;
+    pub(crate) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * Contact::<f32>::BYTES;
 
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.wrench.put(sink);
@@ -43,7 +43,7 @@ impl<'a, C: Field> Forces<'a, C> {
         self.contacts.write(sink);
     }
 
-    /// Reads the payload of forces (FRAME 5.2, 5.9); fails if its length does not match the number of contacts.
+    /// Reads the payload of forces (FRAME 5.2); fails if its length does not match the number of contacts.
     pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         Ok(Self {

@@ -29,6 +29,8 @@ pub struct Info<'a> {
     pub vertices: u8,
     /// The maximum number of surfaces.
     pub surfaces: u8,
+    /// The maximum number of corners of all obstacles together.
+    pub corners: u8,
     /// Its solver has friction.
     pub friction: bool,
     /// Its solver has weight.
@@ -60,14 +62,14 @@ const WEIGHT: u8 = 1 << 1;
 const ACTUATORS: u8 = 1 << 2;
 
 impl<'a> Info<'a> {
-    const HEAD_BYTES: usize = 44 + Mode::BYTES;
+    const HEAD_BYTES: usize = 45 + Mode::BYTES;
     /// With the longest name.
     pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.version.put(sink);
         self.number.put(sink);
-        [self.vertices, self.surfaces].put(sink);
+        [self.vertices, self.surfaces, self.corners].put(sink);
         let bit = |has: bool, bit| if has { bit } else { 0 };
         let has = bit(self.friction, FRICTION) | bit(self.weight, WEIGHT);
         (has | bit(self.actuators, ACTUATORS)).put(sink);
@@ -83,13 +85,14 @@ impl<'a> Info<'a> {
     pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let (version, number) = (fields.get()?, fields.get()?);
-        let [vertices, surfaces, has] = fields.take();
+        let [vertices, surfaces, corners, has] = fields.take();
         require(has <= FRICTION | WEIGHT | ACTUATORS, FaultKind::Value)?;
         Ok(Self {
             version,
             number,
             vertices,
             surfaces,
+            corners,
             friction: has & FRICTION != 0,
             weight: has & WEIGHT != 0,
             actuators: has & ACTUATORS != 0,

@@ -38,7 +38,6 @@
 //! assert_eq!(client.faults().total(), 0);
 //! ```
 
-mod among;
 mod command;
 mod fault;
 mod field;
@@ -56,8 +55,8 @@ mod pose;
 mod reply;
 mod report;
 mod scene;
+mod touch;
 
-pub use among::{CommandAmong, ContactAmong, ReportAmong, Room};
 pub use command::{Command, Parameters, Reset};
 pub use fault::{Fault, FaultKind, Faults};
 pub use forces::{Events, Forces};
@@ -68,16 +67,14 @@ pub use list::{List, Text};
 pub use logitech::{LogitechDecoder, LogitechRecord, REQUEST as LOGITECH_REQUEST};
 pub use message::Message;
 pub use mode::{Mode, Stepping};
-pub use obstacles::{ObstacleList, obstacle_bytes};
+pub use obstacles::ObstacleList;
 pub use pose::{EventSet, Pose};
 pub use reply::{Reason, Reply, Subject};
 pub use report::{LONGEST_REPORT, Pong, Report};
-pub use scene::{SceneAmong, SceneCommand, scene_bytes};
+pub use scene::{SceneCommand, scene_bytes};
 
-/// The version of the format, which is the first byte of every frame that a scene without obstacles needs.
-pub const VERSION: u8 = 2;
-/// The version of the frames about obstacles.
-pub const VERSION_AMONG: u8 = 3;
+/// The version of the format, which is the first byte of every frame.
+pub const VERSION: u8 = 4;
 
 /// A message with what every frame has.
 #[derive(Clone, Copy, Debug, PartialEq)]

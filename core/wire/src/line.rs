@@ -38,7 +38,7 @@ impl<'a, M: Message<'a>> Frame<M> {
     /// [`wire_bytes`]. `None` if it does not fit, or if a list of the message has more than 255 items.
     pub fn encode<'o>(&self, out: &'o mut [u8]) -> Option<&'o [u8]> {
         let mut line = Line::new(out);
-        line.put(&[self.message.version(), self.message.code(), self.sequence]);
+        line.put(&[VERSION, self.message.code(), self.sequence]);
         self.time.put(&mut line);
         self.message.write(&mut line);
         line.end()
@@ -240,7 +240,7 @@ fn read<'a, M: Message<'a>>(frame: &'a [u8]) -> Result<Frame<M>, Fault> {
         kind,
         frame: Some(Reference { code, sequence }),
     };
-    if !(VERSION..=M::NEWEST).contains(&version) {
+    if version != VERSION {
         return Err(fault(FaultKind::Version));
     }
     let (time, payload) = body.split_first_chunk().ok_or(fault(FaultKind::Length))?;

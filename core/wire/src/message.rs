@@ -1,6 +1,5 @@
 //! What both directions have in common: a message has a type and a payload.
 
-use crate::VERSION;
 use crate::fault::FaultKind;
 use crate::field::{Fields, Sink};
 
@@ -11,12 +10,6 @@ impl<'a, T: Wire<'a>> Message<'a> for T {}
 
 /// Conversion to and from the bytes of a payload.
 pub trait Wire<'a>: Sized {
-    /// The newest version of the frames that can be read.
-    const NEWEST: u8 = VERSION;
-    /// The version of its frame: the lowest one that can represent it.
-    fn version(&self) -> u8 {
-        VERSION
-    }
     /// The type byte.
     fn code(&self) -> u8;
     /// The payload.

@@ -1,4 +1,4 @@
-//! The obstacles of a scene on the wire (FRAME 4.9): a list of them, each with the number of its corners, followed by the corners of all.
+//! The obstacles of a scene on the wire (FRAME 4.4): a list of them, each with the number of its corners, followed by the corners of all.
 
 use crate::fault::FaultKind;
 use crate::field::{Field, Fields, Sink, require};
@@ -7,13 +7,10 @@ use crate::list::{List, copied};
 use core::fmt;
 use stiction_core::{ObstacleDescription, Parameter, SceneError};
 
-/// The bytes that this many obstacles with this many corners together add to the payload of the same scene without them,
-/// [`scene_bytes`](crate::scene_bytes).
-pub const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
+/// The bytes of this many obstacles with this many corners together.
+pub(crate) const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
     let rows = obstacles.saturating_mul(Row::BYTES);
-    let corners = corners.saturating_mul(<[f32; 2]>::BYTES);
-    let counts = <[usize; 2]>::BYTES;
-    rows.saturating_add(corners).saturating_add(counts)
+    rows.saturating_add(corners.saturating_mul(<[f32; 2]>::BYTES))
 }
 
 /// The obstacles in a message; at most 255, with at most 255 corners together. A received list points into the receiver's buffer.
@@ -62,7 +59,7 @@ impl<'a> ObstacleList<'a> {
         counts.fold(0, usize::saturating_add)
     }
 
-    /// As descriptions, copied into the given slices. The numbers are not checked: [`Scene::among`](stiction_core::Scene::among) does
+    /// As descriptions, copied into the given slices. The numbers are not checked: [`Scene::new`](stiction_core::Scene::new) does
     /// that.
     ///
     /// # Errors

@@ -130,29 +130,22 @@ impl<'a> Reply<'a> {
     /// With the longest text.
     pub(crate) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
-    /// Writes the payload of a reply; `among`: of a board with room for obstacles, whose replies name them.
-    pub(crate) fn write(&self, among: bool, sink: &mut impl Sink) {
+    pub(crate) fn write(&self, sink: &mut impl Sink) {
         self.command.put(sink);
         self.reason.put(sink);
-        let subject = if among || !self.subject.is_of_obstacles() {
-            self.subject
-        } else {
-            Subject::Command
-        };
-        subject.code().put(sink);
+        self.subject.code().put(sink);
         [self.value, self.limit].put(sink);
         self.allowed.write(sink);
     }
 
-    /// Reads the payload of a reply (FRAME 5.4); `among`: from a board with room for obstacles.
-    pub(crate) fn read(fields: &mut Fields<'a>, among: bool) -> Result<Self, FaultKind> {
+    /// Reads the payload of a reply (FRAME 5.4).
+    pub(crate) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let (command, reason) = (fields.get()?, fields.get()?);
-        let subject = Subject::of(fields.get()?).filter(|s| among || !s.is_of_obstacles());
         Ok(Self {
             command,
             reason,
-            subject: subject.ok_or(FaultKind::Value)?,
+            subject: Subject::of(fields.get()?).ok_or(FaultKind::Value)?,
             value: fields.get()?,
             limit: fields.get()?,
             allowed: Text::read(fields)?,
@@ -218,8 +211,6 @@ parameters! {
     24 = Overlap(i),
 }
 
-/// The codes that only boards with room for obstacles send, and their clients know.
-const OF_OBSTACLES: core::ops::RangeInclusive<usize> = 16..=24;
 const TICK_RATE: usize = 32;
 const LINE_RATE: usize = 33;
 
@@ -242,11 +233,5 @@ impl Subject {
             [LINE_RATE, ..] => Some(Self::LineRate),
             _ => parameter_of(code).map(Self::Scene),
         }
-    }
-
-    /// The refusal is about an obstacle.
-    pub(crate) fn is_of_obstacles(self) -> bool {
-        let [code, ..] = self.code();
-        OF_OBSTACLES.contains(&code)
     }
 }

@@ -9,7 +9,6 @@ use crate::layout::layout;
 use crate::message::Wire;
 use crate::pose::Pose;
 use crate::reply::Reply;
-use stiction_core::Contact;
 
 /// A message from the board. Poses, forces and events of one step have the same time.
 ///
@@ -20,7 +19,7 @@ use stiction_core::Contact;
 ///
 /// # let scene: Scene<f32, 1, 1> = Scene::new(&Description {
 /// #     vertices: &[[0.0, 0.0]], start: [0.0; 3], weight: 0.0, holding_point: Some([0.0; 2]), reach: 0.0,
-/// #     stiffness_translation: 500.0, stiffness_rotation: 0.0, surfaces: &[],
+/// #     stiffness_translation: 500.0, stiffness_rotation: 0.0, surfaces: &[], obstacles: &[],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0));
@@ -63,7 +62,7 @@ layout! { Pong { sequence: u8, time: u32 } }
 /// The longest payload that a board sends (bytes): [`wire_bytes`](crate::wire_bytes) of it is the room that the board needs to encode its
 /// reports.
 pub const LONGEST_REPORT: usize = {
-    let (one, other) = (Reply::LONGEST, Forces::<Contact<f32>>::LONGEST);
+    let (one, other) = (Reply::LONGEST, Forces::LONGEST);
     let one = if one > other { one } else { other };
     if one > Info::LONGEST {
         one
@@ -81,7 +80,7 @@ const _: () = assert!(
 const POSE: u8 = 0x80;
 const FORCES: u8 = 0x90;
 const EVENTS: u8 = 0x91;
-pub(crate) const REPLY: u8 = 0x92;
+const REPLY: u8 = 0x92;
 const INFO: u8 = 0x93;
 const HEALTH: u8 = 0x94;
 const PONG: u8 = 0x95;
@@ -122,7 +121,7 @@ impl<'a> Wire<'a> for Report<'a> {
             Self::Pose(pose) => pose.write(sink),
             Self::Forces(forces) => forces.write(sink),
             Self::Events(events) => events.write(sink),
-            Self::Reply(reply) => reply.write(false, sink),
+            Self::Reply(reply) => reply.write(sink),
             Self::Info(info) => info.write(sink),
             Self::Health(health) => health.put(sink),
             Self::Pong(pong) => pong.put(sink),
@@ -135,7 +134,7 @@ impl<'a> Wire<'a> for Report<'a> {
             POSE..=LAST_POSE => Pose::read(code & 7, &mut fields).map(Self::Pose),
             FORCES => Forces::read(&mut fields).map(Self::Forces),
             EVENTS => Events::read(&mut fields).map(Self::Events),
-            REPLY => Reply::read(&mut fields, false).map(Self::Reply),
+            REPLY => Reply::read(&mut fields).map(Self::Reply),
             INFO => Info::read(&mut fields).map(Self::Info),
             HEALTH => fields.only().map(Self::Health),
             PONG => fields.only().map(Self::Pong),

@@ -6,9 +6,7 @@ use core::ffi::c_char;
 use core::fmt::Write;
 use core::{slice, str};
 
-use stiction_core::Evolution;
-#[cfg(feature = "obstacles")]
-use stiction_core::Touch;
+use stiction_core::{Evolution, Touch};
 
 use crate::input::{Described, Hand, Scene};
 use crate::memory::{
@@ -41,7 +39,7 @@ pub extern "C" fn stiction_init(
 ) -> Result {
     let world = || {
         let described = Described::read(given(scene)?)?;
-        world(&described).map_err(|why| {
+        World::new(&described.scene()).map_err(|why| {
             if checked(error).is_ok() {
                 give(error, Error::of(&why));
             }
@@ -52,23 +50,6 @@ pub extern "C" fn stiction_init(
         return Result::Unaligned;
     }
     answer(begin(memory, size, abi, world))
-}
-
-#[cfg(feature = "obstacles")]
-fn world(described: &Described<'_>) -> core::result::Result<World, stiction_core::SceneError<f32>> {
-    World::among(&described.scene(), described.obstacles())
-}
-
-#[cfg(not(feature = "obstacles"))]
-fn world(described: &Described<'_>) -> core::result::Result<World, stiction_core::SceneError<f32>> {
-    if let Some(count) = described.obstacles().len().checked_sub(1) {
-        return Err(stiction_core::SceneError {
-            parameter: stiction_core::Parameter::ObstacleCount,
-            value: count as f32 + 1.0,
-            allowed: "0 in a library without obstacles",
-        });
-    }
-    World::new(&described.scene())
 }
 
 /// Chooses how frames are evolved: 0, `path`, exact events along the straight path of the hand, whatever the frame rate; 1, `frame`, cheaper:
@@ -192,24 +173,6 @@ fn listed(inner: &Inner) -> Checked<[Option<Contact>; CONTACTS]> {
     let given = inner.solver.contacts(run);
     for (to, from) in all.iter_mut().zip(given.iter()) {
         let [x, y] = from.point;
-        *to = Some(Contact {
-            x,
-            y,
-            normal: from.normal,
-            friction: from.friction,
-            sliding: from.sliding,
-            kind: Kind::Surface,
-            feature: small(from.vertex),
-            other: small(from.surface),
-            part: 0,
-        });
-    }
-    #[cfg(feature = "obstacles")]
-    for (to, from) in all
-        .iter_mut()
-        .flatten()
-        .zip(inner.solver.touches(run).iter())
-    {
         let (kind, feature, other, part) = match from.touch {
             Touch::Surface { vertex, surface } => (Kind::Surface, vertex, surface, 0),
             Touch::Side {
@@ -223,8 +186,17 @@ fn listed(inner: &Inner) -> Checked<[Option<Contact>; CONTACTS]> {
                 body_side,
             } => (Kind::Corner, body_side, obstacle, corner),
         };
-        (to.kind, to.feature, to.other, to.part) =
-            (kind, small(feature), small(other), small(part));
+        *to = Some(Contact {
+            x,
+            y,
+            normal: from.normal,
+            friction: from.friction,
+            sliding: from.sliding,
+            kind,
+            feature: small(feature),
+            other: small(other),
+            part: small(part),
+        });
     }
     Ok(all)
 }

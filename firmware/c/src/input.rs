@@ -179,11 +179,8 @@ impl<'a> Described<'a> {
             stiffness_translation: scene.stiffness_translation,
             stiffness_rotation: scene.stiffness_rotation,
             surfaces: first(&self.surfaces, scene.surface_count),
+            obstacles: first(&self.obstacles, scene.obstacle_count),
         }
-    }
-
-    pub(crate) fn obstacles(&self) -> &[ObstacleDescription<'a, f32>] {
-        first(&self.obstacles, self.scene.obstacle_count)
     }
 }
 

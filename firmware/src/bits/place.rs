@@ -1,8 +1,8 @@
 //! The surroundings of the walk: the box of the benchmarks, with weight by a floor and a wall, without weight among obstacles.
 
 use stiction_core::{
-    Description, Full, Model, ObstacleDescription, Real, Scene, SiFloat, Solver, State,
-    SurfaceDescription, Touches, Weightless, WithObstacles,
+    Description, Full, Model, ObstacleDescription, Real, Scene, SiFloat, SurfaceDescription,
+    Weightless, WithObstacles,
 };
 
 /// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
@@ -17,10 +17,6 @@ const PIN: [[f64; 2]; 1] = [[-0.12, 0.03]];
 pub trait Place: Model {
     /// The scene, which is sound.
     fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2, Self>>
-    where
-        Self: Sized;
-    /// What touches what among obstacles.
-    fn touches<R: Real>(solver: &Solver<R, 4, 2, Self>, state: &State<R>) -> Option<Touches<R::Si>>
     where
         Self: Sized;
 }
@@ -38,10 +34,9 @@ impl Place for Full {
             memory: None,
         };
         let surfaces = [surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)];
-        with_box(&surfaces, 1.0, |description| Scene::new(description).ok())
-    }
-    fn touches<R: Real>(_: &Solver<R, 4, 2>, _: &State<R>) -> Option<Touches<R::Si>> {
-        None
+        with_box((&surfaces, &[]), 1.0, |description| {
+            Scene::new(description).ok()
+        })
     }
 }
 
@@ -56,21 +51,15 @@ impl Place for Among {
             memory: None,
         };
         let obstacles = [of_wood(&table), of_wood(&block), of_wood(&pin)];
-        with_box(&[], 0.0, |description| {
-            Scene::among(description, &obstacles).ok()
+        with_box((&[], &obstacles), 0.0, |description| {
+            Scene::new(description).ok()
         })
-    }
-    fn touches<R: Real>(
-        solver: &Solver<R, 4, 2, Self>,
-        state: &State<R>,
-    ) -> Option<Touches<R::Si>> {
-        Some(solver.touches(state))
     }
 }
 
-/// The box over these surfaces, with a weight (N).
+/// The box among these surfaces and obstacles, with a weight (N).
 fn with_box<F: SiFloat, T>(
-    surfaces: &[SurfaceDescription<F>],
+    (surfaces, obstacles): (&[SurfaceDescription<F>], &[ObstacleDescription<'_, F>]),
     weight: f64,
     take: impl FnOnce(&Description<'_, F>) -> T,
 ) -> T {
@@ -85,5 +74,6 @@ fn with_box<F: SiFloat, T>(
         stiffness_translation: narrow(500.0),
         stiffness_rotation: narrow(0.5),
         surfaces,
+        obstacles,
     })
 }

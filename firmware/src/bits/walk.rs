@@ -3,7 +3,7 @@
 
 use super::place::Place;
 use stiction_core::{
-    Angle, Contacts, Evolution, Hand, Output, Real, SiFloat, Solver, State, Touches, Wrench,
+    Angle, Contacts, Evolution, Hand, Output, Real, SiFloat, Solver, State, Wrench,
 };
 
 /// Whole numbers of the walk per metre or radian.
@@ -106,8 +106,6 @@ pub struct Answer<F> {
     pub wrench: Wrench<F>,
     /// The contacts with their forces.
     pub contacts: Contacts<F>,
-    /// What touches what among obstacles.
-    pub touches: Option<Touches<F>>,
 }
 
 /// Moves the body along the walk, for at least one frame, and passes every answer to a function.
@@ -124,7 +122,6 @@ pub fn follow<R: Real<Si: SiFloat>, M: Place>(
             output,
             wrench: solver.wrench(state),
             contacts: solver.contacts(state),
-            touches: M::touches(&solver, state),
         });
     };
     let (mut state, output) = solver.start(walk.sample());

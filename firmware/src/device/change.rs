@@ -5,8 +5,7 @@
 use super::controller::{Controller, Run, solver};
 use super::refusal::Refusal;
 use super::settings::Settings;
-use super::store::Described;
-use crate::model::BoardModel;
+use crate::model::{BoardModel, StoreObstacles};
 use stiction_core::{Carried, Description, Output, Present, Real, Solver, State};
 use stiction_wire::Parameters;
 
@@ -35,8 +34,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
             surface.friction_dynamic = new.friction_dynamic;
             surface.memory = new.memory;
         }
-        M::set_friction(&mut store.obstacles, new);
-        store.with_given(|given| self.set(given, Placement::Present))
+        store.obstacles.set_friction(new);
+        store.with_given(|given| self.set_scene(given, Placement::Present))
     }
 
     /// A new scene, within the capacities V and S.
@@ -48,32 +47,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         description: &Description<'_, f32>,
         placement: Placement,
     ) -> Result<Option<Output<f32>>, Refusal> {
-        self.set_scene_among(description, M::NO_OBSTACLES, placement)
-    }
-
-    /// Like [`Self::set_scene`], with the obstacles that the model may have.
-    ///
-    /// # Errors
-    /// Like [`Self::set_scene`].
-    pub fn set_scene_among(
-        &mut self,
-        description: &Description<'_, f32>,
-        obstacles: M::Surroundings<'_>,
-        placement: Placement,
-    ) -> Result<Option<Output<f32>>, Refusal> {
-        let given = Described {
-            description,
-            obstacles,
-        };
-        self.set(given, placement)
-    }
-
-    fn set(
-        &mut self,
-        given: Described<'_, '_, M>,
-        placement: Placement,
-    ) -> Result<Option<Output<f32>>, Refusal> {
-        let mut next = Run::new(given, &self.settings)?;
+        let mut next = Run::new(description, &self.settings)?;
         if placement == Placement::Start {
             self.run = next;
             self.reset();
@@ -83,7 +57,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
             self.run = next;
             return Ok(None);
         };
-        let carried = self.run.carried(state, given, &self.settings)?;
+        let carried = self.run.carried(state, description, &self.settings)?;
         next.state = Some(carried.state);
         // The solver counts turns from the present ones of the body.
         next.turns = self.run.pose.angle.turns;
@@ -101,7 +75,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     /// [`Refusal`] if a limit cannot be used, or the stiffnesses of the scene would not be passive; then nothing has changed.
     pub fn set_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
         settings.check()?;
-        settings.admit(&self.run.store.description())?;
+        self.run.store.with_given(|given| settings.admit(given))?;
         self.run.solver = settings.apply(self.run.solver.clone());
         self.settings = *settings;
         self.demand.limits = Some(settings.limits);
@@ -114,7 +88,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
     fn carried(
         &self,
         state: &State<R>,
-        given: Described<'_, '_, M>,
+        description: &Description<'_, f32>,
         settings: &Settings,
     ) -> Result<Carried<R, V, S, M>, Refusal> {
         let (pose, store) = (self.pose, &self.store);
@@ -129,14 +103,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V,
             wrench: self.solver.wrench(state),
             stiffness: [store.stiffness_translation, store.stiffness_rotation],
         };
-        let obstacles = given.obstacles;
-        let carried = Solver::carry(&present, given.description, |description| {
-            let given = Described {
-                description,
-                obstacles,
-            };
-            solver(given, settings)
-        });
-        Ok(carried?)
+        Ok(Solver::carry(&present, description, |description| {
+            solver(description, settings)
+        })?)
     }
 }

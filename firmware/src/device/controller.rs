@@ -4,11 +4,11 @@ use super::ports::{Actuators, Sample, Source};
 use super::refusal::Refusal;
 use super::servo::{Demand, LockServo};
 use super::settings::Settings;
-use super::store::{Described, Store};
+use super::store::Store;
 use crate::model::BoardModel;
 use crate::safety::{Arrival, Arrivals, Flags, Health};
 use stiction_core::{
-    Angle, Description, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
+    Angle, Description, Full, Hand, Output, Real, Scene, Solver, State, StateKind, Status, Wrench,
 };
 
 /// The pose of the body.
@@ -79,9 +79,12 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = F
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
-    pub(super) fn new(given: Described<'_, '_, M>, settings: &Settings) -> Result<Self, Refusal> {
-        let solver = solver(given, settings)?;
-        let store = Store::new(given).ok_or(Refusal::Unsettled(Status::Saturated))?;
+    pub(super) fn new(
+        description: &Description<'_, f32>,
+        settings: &Settings,
+    ) -> Result<Self, Refusal> {
+        let solver = solver(description, settings)?;
+        let store = Store::new(description).ok_or(Refusal::Unsettled(Status::Saturated))?;
         let (_, output) = solver.start(NO_HAND);
         Ok(Self {
             store,
@@ -136,11 +139,11 @@ pub(crate) const NO_HAND: Hand<f32> = Hand {
 };
 
 pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
-    given: Described<'_, '_, M>,
+    description: &Description<'_, f32>,
     settings: &Settings,
 ) -> Result<Solver<R, V, S, M>, Refusal> {
-    let scene = M::scene(given.description, given.obstacles)?;
-    settings.admit(given.description)?;
+    let scene = Scene::new(description)?;
+    settings.admit(description)?;
     Ok(settings.apply(Solver::new(scene, settings.evolution)))
 }
 
@@ -155,26 +158,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     /// # Errors
     /// [`Refusal`] contains what cannot be used, and what is allowed.
     pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
-        Self::among(description, M::NO_OBSTACLES, settings)
-    }
-
-    /// Like [`Self::new`], with the obstacles that the model may have: a slice of their descriptions.
-    ///
-    /// # Errors
-    /// Like [`Self::new`].
-    pub fn among(
-        description: &Description<'_, f32>,
-        obstacles: M::Surroundings<'_>,
-        settings: &Settings,
-    ) -> Result<Self, Refusal> {
-        let given = Described {
-            description,
-            obstacles,
-        };
         settings.check()?;
         Ok(Self {
             settings: *settings,
-            run: Run::new(given, settings)?,
+            run: Run::new(description, settings)?,
             demand: Demand::new(&settings.limits),
             arrivals: Arrivals::default(),
             silent: true,
@@ -269,12 +256,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     }
 
     /// The scene as it was given, with the present parameters.
-    pub fn scene(&self) -> Description<'_, f32> {
-        self.run.store.description()
-    }
-
-    pub(crate) fn obstacles(&self) -> &M::Stored {
-        &self.run.store.obstacles
+    pub(crate) fn store(&self) -> &Store<V, S, M> {
+        &self.run.store
     }
 
     /// The solver of the scene.

@@ -3,26 +3,11 @@
 use heapless::Vec;
 use stiction_core::{Description, SurfaceDescription};
 
-use crate::model::BoardModel;
-
-/// A scene as it is given, SI units.
-#[derive(Debug)]
-pub(super) struct Described<'d, 'o, M: BoardModel> {
-    pub(super) description: &'d Description<'d, f32>,
-    pub(super) obstacles: M::Surroundings<'o>,
-}
-
-impl<M: BoardModel> Clone for Described<'_, '_, M> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: BoardModel> Copy for Described<'_, '_, M> {}
+use crate::model::{BoardModel, StoreObstacles};
 
 /// A scene with room for V vertices and S surfaces, SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Store<const V: usize, const S: usize, M: BoardModel> {
+pub(crate) struct Store<const V: usize, const S: usize, M: BoardModel> {
     vertices: Vec<[f32; 2], V>,
     pub(super) surfaces: Vec<SurfaceDescription<f32>, S>,
     pub(super) start: [f32; 3],
@@ -36,8 +21,7 @@ pub(super) struct Store<const V: usize, const S: usize, M: BoardModel> {
 
 impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
     /// Stores a scene; `None` if it has more than there is room for.
-    pub(super) fn new(given: Described<'_, '_, M>) -> Option<Self> {
-        let d = given.description;
+    pub(super) fn new(d: &Description<'_, f32>) -> Option<Self> {
         Some(Self {
             vertices: Vec::from_slice(d.vertices).ok()?,
             surfaces: Vec::from_slice(d.surfaces).ok()?,
@@ -47,31 +31,39 @@ impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
             reach: d.reach,
             stiffness_translation: d.stiffness_translation,
             stiffness_rotation: d.stiffness_rotation,
-            obstacles: M::keep(given.obstacles)?,
+            obstacles: M::Stored::new(d.obstacles)?,
         })
     }
 
     /// Passes the stored scene, in its original form, to a function.
-    pub(super) fn with_given<T>(&self, look: impl FnOnce(Described<'_, '_, M>) -> T) -> T {
-        let description = &self.description();
-        M::with_stored(&self.obstacles, |obstacles| {
-            look(Described {
-                description,
+    pub(super) fn with_given<T>(&self, look: impl FnOnce(&Description<'_, f32>) -> T) -> T {
+        self.obstacles.with_given(|obstacles| {
+            look(&Description {
+                vertices: &self.vertices,
+                start: self.start,
+                weight: self.weight,
+                holding_point: self.holding_point,
+                reach: self.reach,
+                stiffness_translation: self.stiffness_translation,
+                stiffness_rotation: self.stiffness_rotation,
+                surfaces: &self.surfaces,
                 obstacles,
             })
         })
     }
 
-    pub(super) fn description(&self) -> Description<'_, f32> {
-        Description {
-            vertices: &self.vertices,
-            start: self.start,
-            weight: self.weight,
-            holding_point: self.holding_point,
-            reach: self.reach,
-            stiffness_translation: self.stiffness_translation,
-            stiffness_rotation: self.stiffness_rotation,
-            surfaces: &self.surfaces,
-        }
+    /// k_h (N/m) and k_theta (N·m/rad).
+    pub(crate) fn stiffness(&self) -> [f32; 2] {
+        [self.stiffness_translation, self.stiffness_rotation]
+    }
+
+    /// mu_s, mu_d and memory length of the first surface, or else of the first obstacle.
+    pub(crate) fn first_friction(&self) -> Option<([f32; 2], Option<f32>)> {
+        let of_surface = |s: &SurfaceDescription<f32>| {
+            let coefficients = [s.friction_static, s.friction_dynamic];
+            (coefficients, s.memory)
+        };
+        let first = self.surfaces.first().map(of_surface);
+        first.or_else(|| self.obstacles.first_friction())
     }
 }

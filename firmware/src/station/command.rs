@@ -4,11 +4,10 @@ use super::intake::Intake;
 use super::refusal::Trouble;
 use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
-use crate::model::{BoardModel, NOWHERE};
+use crate::model::{BoardModel, NOWHERE, StoreObstacles};
 use stiction_core::{Output, Real};
 use stiction_wire::{
-    Command, Frame, Mode, Parameters, Pong, Reason, Reference, Reply, Report, Reset, SceneAmong,
-    SceneCommand,
+    Command, Frame, Mode, Parameters, Pong, Reason, Reply, Report, Reset, SceneCommand,
 };
 
 /// How to continue after a frame.
@@ -39,9 +38,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     ) -> Next {
         match frame.message {
             Command::Hello => {
-                if let Some(room) = M::room_report() {
-                    self.outbox.send(now_us, room, link);
-                }
                 self.tell_info(self.longest_frame, now_us, link);
                 return Next::Enough;
             }
@@ -68,27 +64,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             Command::Reset(Reset::Everything) => Next::Anew,
             _ => Next::Enough,
         }
-    }
-
-    /// Handles a scene among obstacles, on a board with room for some.
-    #[inline(never)]
-    pub(super) fn scene_among(
-        &mut self,
-        scene: &SceneAmong<'_>,
-        command: Reference,
-        now_us: u32,
-        link: &mut impl Link,
-    ) -> Next {
-        let done = match self.latched {
-            true => Err(STOPPED),
-            false => self.set_among(scene),
-        };
-        let reply = match done {
-            Ok(()) => Reply::done(command),
-            Err(trouble) => trouble.reply(command),
-        };
-        self.say(now_us, Report::Reply(reply), link);
-        Next::Enough
     }
 
     /// Handles a sample on a board that measures the hand itself (FRAME 4.8): reported once to a client that sent
@@ -133,29 +108,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     }
 
     fn scene(&mut self, scene: &SceneCommand<'_>) -> Result<(), Trouble> {
-        let mut vertices = [[0.0; 2]; V];
-        let mut surfaces = [NOWHERE; S];
+        let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
         let refused = |refusal| Trouble::of::<V, S, M>(&refusal);
-        let description = scene
-            .description(&mut vertices, &mut surfaces)
-            .map_err(|error| refused(error.into()))?;
-        self.controller
-            .set_scene(&description, Placement::Start)
-            .map_err(refused)?;
-        self.begin_anew();
-        Ok(())
-    }
-
-    fn set_among(&mut self, among: &SceneAmong<'_>) -> Result<(), Trouble> {
-        let mut vertices = [[0.0; 2]; V];
-        let mut surfaces = [NOWHERE; S];
-        let refused = |refusal| Trouble::of::<V, S, M>(&refusal);
-        let description = (among.scene)
-            .description(&mut vertices, &mut surfaces)
-            .map_err(|error| refused(error.into()))?;
         let controller = &mut self.controller;
-        M::with_received(&among.obstacles, |obstacles| {
-            controller.set_scene_among(&description, obstacles, Placement::Start)
+        M::Stored::with_received(scene, &mut vertices, &mut surfaces, |description| {
+            controller.set_scene(description, Placement::Start)
         })
         .map_err(|error| refused(error.into()))?
         .map_err(refused)?;
@@ -164,7 +121,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     }
 
     fn set_mode(&mut self, mode: &Mode) -> Result<(), Trouble> {
-        self.setup.check::<M>(mode)?;
+        self.setup.check(mode)?;
         self.controller
             .set_settings(&self.setup.settings(mode))
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
@@ -179,7 +136,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     fn power_up(&mut self) -> Result<(), Trouble> {
         let mode = self.setup.mode;
         let settings = self.setup.settings(&mode);
-        self.controller = Controller::among(&self.setup.scene, self.obstacles, &settings)
+        self.controller = Controller::new(&self.setup.scene, &settings)
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
         self.mode = mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(&mode);

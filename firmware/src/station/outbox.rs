@@ -1,6 +1,6 @@
 //! Outgoing frames: numbered, encoded, and counted if the line has no room for them (FRAME 7).
 
-use stiction_wire::{Frame, LONGEST_REPORT, Message, wire_bytes};
+use stiction_wire::{Frame, LONGEST_REPORT, Report, wire_bytes};
 
 /// The line of a board, and a clock to measure with.
 pub trait Link {
@@ -33,12 +33,7 @@ impl Outbox {
     }
 
     /// Sends a report with a time (µs). A report that is not sent takes no number.
-    pub(super) fn send<'a>(
-        &mut self,
-        time: u32,
-        message: impl Message<'a>,
-        link: &mut impl Link,
-    ) -> bool {
+    pub(super) fn send(&mut self, time: u32, message: Report<'_>, link: &mut impl Link) -> bool {
         let frame = Frame {
             sequence: self.sequence,
             time,

@@ -63,8 +63,8 @@ fn scene<const V: usize, const S: usize, M: BoardModel>(error: &SceneError<f32>)
     let room = match error.parameter {
         Parameter::VertexCount => Some(V as f32),
         Parameter::SurfaceCount => Some(S as f32),
-        Parameter::ObstacleCount => M::ROOM.map(|room| f32::from(room.obstacles)),
-        Parameter::CornerCount => M::ROOM.map(|room| f32::from(room.corners)),
+        Parameter::ObstacleCount => Some(M::OBSTACLES as f32),
+        Parameter::CornerCount => Some(M::CORNERS as f32),
         Parameter::Weight if !M::WEIGHT => Some(0.0),
         Parameter::FrictionStatic(_) if !M::FRICTION => Some(0.0),
         _ => None,

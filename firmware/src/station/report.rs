@@ -84,7 +84,7 @@ fn due(since: &mut u16, every: u16) -> bool {
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
     /// Sends a report that every board has; see [`Outbox::send`](super::Outbox::send).
     pub(super) fn say(&mut self, now_us: u32, report: Report<'_>, link: &mut impl Link) -> bool {
-        self.outbox.send(now_us, M::Report::from(report), link)
+        self.outbox.send(now_us, report, link)
     }
 
     /// An answer of the solver: its events are reported immediately, or with the next pose.
@@ -149,14 +149,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             turns: turn.pose.angle.turns,
             contacts: List::from(contacts.as_deref().unwrap_or_default()),
         };
-        let outbox = &mut self.outbox;
-        M::with_forces(
-            forces,
-            solver,
-            state,
-            self.controller.obstacles(),
-            |report| outbox.send(now_us, report, link),
-        );
+        self.outbox.send(now_us, Report::Forces(forces), link);
     }
 
     pub(super) fn tell_health(&mut self, faults: &Faults, now_us: u32, link: &mut impl Link) {
@@ -198,14 +191,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
 
     #[inline(never)]
     pub(super) fn tell_info(&mut self, longest_frame: usize, now_us: u32, link: &mut impl Link) {
-        let scene = self.controller.scene();
+        let store = self.controller.store();
         let passivity = self.controller.settings().passivity;
-        let surface = scene.surfaces.first();
-        let of_surface = surface.map(|s| ([s.friction_static, s.friction_dynamic], s.memory));
-        let obstacles = self.controller.obstacles();
-        let (friction_now, memory_now) = of_surface
-            .or_else(|| M::first_friction(obstacles))
-            .unwrap_or_default();
+        let (friction_now, memory_now) = store.first_friction().unwrap_or_default();
         let info = Info {
             version: VERSION,
             number: self.setup.number,
@@ -213,18 +201,18 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             surfaces: u8::try_from(S).unwrap_or(u8::MAX),
             friction: M::FRICTION,
             weight: M::WEIGHT,
+            corners: u8::try_from(M::CORNERS).unwrap_or(u8::MAX),
             actuators: passivity.is_some(),
             longest_frame: u16::try_from(longest_frame).unwrap_or(u16::MAX),
             fastest_tick: self.setup.fastest_tick,
             budget: self.controller.solver().budget(),
             stiffest: passivity.map_or([f32::INFINITY; 2], |passivity| passivity.bounds()),
-            stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
+            stiffness: store.stiffness(),
             friction_now,
             memory_now,
             mode: self.mode,
             name: Text::new(self.setup.name),
         };
-        self.outbox
-            .send(now_us, M::Report::from(Report::Info(info)), link);
+        self.outbox.send(now_us, Report::Info(info), link);
     }
 }

@@ -59,8 +59,12 @@ pub trait SceneType {
     /// The name of its number type on the wire.
     const NUMBER: NumberType = Self::Number::NUMBER;
     /// Bytes of the longest frame that contains a scene.
-    const FRAME: usize =
-        frame_bytes(scene_bytes(Self::VERTICES, Self::SURFACES) + Self::Model::OBSTACLE_BYTES);
+    const FRAME: usize = frame_bytes(scene_bytes([
+        Self::VERTICES,
+        Self::SURFACES,
+        Self::Model::OBSTACLES,
+        Self::Model::CORNERS,
+    ]));
 }
 
 impl<R: BoardNumber, const V: usize, const S: usize, M: BoardModel> SceneType
@@ -90,14 +94,15 @@ macro_rules! station_of {
 pub const SLOWEST_TICK: u16 = 100;
 /// A step may take this many eighths of a tick: the rest is for the line, the forces and interrupts.
 const EIGHTHS_OF_STEP: u32 = 7;
-/// Bytes on the wire: a sample of the hand, a pose, health.
+/// Bytes on the wire: a sample of the hand, a pose, the forces of two contacts, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
 const POSE: u32 = wire_bytes(20) as u32;
+const FORCES: u32 = wire_bytes(29 + 2 * 28) as u32;
 const HEALTH: u32 = wire_bytes(61) as u32;
 
 impl Setup {
     /// Checks that the board has the time and the line for a mode.
-    pub(super) fn check<M: BoardModel>(&self, mode: &Mode) -> Result<(), Trouble> {
+    pub(super) fn check(&self, mode: &Mode) -> Result<(), Trouble> {
         let rate = mode.tick_rate;
         if rate < SLOWEST_TICK {
             return Err(Trouble {
@@ -117,9 +122,7 @@ impl Setup {
                 allowed: "what the board has the time for",
             });
         }
-        // Forces of two contacts.
-        let forces = const { wire_bytes(29 + 2 * M::CONTACT_BYTES) as u32 };
-        let bytes = self.bytes_per_second(mode, forces);
+        let bytes = self.bytes_per_second(mode);
         if bytes > self.line_rate {
             return Err(Trouble {
                 reason: Reason::Unsupported,
@@ -133,7 +136,7 @@ impl Setup {
     }
 
     /// The bytes that a mode sends, except for events and replies (bytes per second).
-    fn bytes_per_second(&self, mode: &Mode, forces: u32) -> u32 {
+    fn bytes_per_second(&self, mode: &Mode) -> u32 {
         let ticks = u32::from(mode.tick_rate);
         let steps = match mode.stepping {
             Stepping::Timed => ticks,
@@ -142,7 +145,7 @@ impl Setup {
         };
         let every = |much: u32, every: u16| much.checked_div(u32::from(every)).unwrap_or(0);
         let poses = every(steps.saturating_mul(POSE), mode.pose_every);
-        let forces = every(steps.saturating_mul(forces), mode.forces_every);
+        let forces = every(steps.saturating_mul(FORCES), mode.forces_every);
         let health = every(HEALTH.saturating_mul(1_000), mode.health_every);
         poses.saturating_add(forces).saturating_add(health)
     }

@@ -26,7 +26,7 @@ fn every_number_can_be_used() {
     };
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/board.toml");
     let scene = WrittenScene::read(file.as_ref(), f64::from(f32::MAX)).unwrap();
-    scene.described(|scene| Controller::<f32, 8, 4>::new(scene, &settings).unwrap());
+    scene.described::<f32, _>(|scene| Controller::<f32, 8, 4>::new(scene, &settings).unwrap());
 }
 
 #[test]

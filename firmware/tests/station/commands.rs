@@ -68,7 +68,7 @@ fn hello_is_answered_by_info() {
     let expected = Known {
         version: [0, 1, 0],
         number: NumberType::F32,
-        room: [8, 4],
+        room: [8, 4, 0],
         has: [true, true, false],
         // 11 + 39 + 8·8 + 25·4.
         longest_frame: 214,

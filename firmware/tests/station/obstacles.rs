@@ -1,21 +1,20 @@
-//! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): bit for bit like a solver run in parallel; scenes that do not
-//! fit are refused with the numbers, and a board without room reports it.
+//! Scenes with obstacles on a board with room for some (FRAME 4.4, 5.2): bit for bit like a solver run in parallel; scenes that do not
+//! fit are refused with the numbers.
 
 use super::rig::{Nothing, Rig, S, V};
 use crate::{SAME, with};
 use stiction_core::{
-    Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene, Solver,
-    State, StateKind, Touch, WithObstacles,
+    Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene,
+    StateKind, Touch, WithObstacles,
 };
+use stiction_tests::station::BOX;
 use stiction_tests::station::beside::{Beside, assert_same};
-use stiction_tests::station::client::{Said, scene};
-use stiction_tests::station::{BOX, FLOOR};
+use stiction_tests::station::client::Said;
 use stiction_wire::{
-    Command, CommandAmong, ContactAmong, Reason, Reset, Room, SceneAmong, Stepping, Subject,
-    frame_bytes, obstacle_bytes, scene_bytes,
+    Command, Reason, Reset, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
 };
 
-const LONGEST: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(4, 16));
+const LONGEST: usize = frame_bytes(scene_bytes([V, S, 4, 16]));
 type Model = WithObstacles<4, 16, Full>;
 /// A board with room for 4 obstacles with 16 corners.
 type Among<R> = Rig<R, Model, Nothing, LONGEST>;
@@ -42,11 +41,14 @@ const OBSTACLES: [ObstacleDescription<'static, f32>; 2] = [TABLE, PIN];
 fn among<'a>(
     description: &'a Description<'a, f32>,
     obstacles: &'a [ObstacleDescription<'a, f32>],
-) -> CommandAmong<'a> {
-    CommandAmong::SceneAmong(SceneAmong::new(description, obstacles))
+) -> Command<'a> {
+    Command::Scene(SceneCommand::from(&Description {
+        obstacles,
+        ..*description
+    }))
 }
 
-fn edge() -> CommandAmong<'static> {
+fn edge() -> Command<'static> {
     among(&EDGE, &OBSTACLES)
 }
 
@@ -69,18 +71,6 @@ fn hands() -> impl Iterator<Item = Hand<f32>> {
     })
 }
 
-/// The contacts according to the solver.
-fn contacts<R: Real<Si = f32>>(
-    solver: &Solver<R, V, S, Model>,
-    state: &State<R>,
-) -> Vec<ContactAmong> {
-    let (contacts, touches) = (solver.contacts(state), solver.touches(state));
-    let pairs = contacts.iter().zip(touches.iter());
-    pairs
-        .map(|(contact, touching)| ContactAmong::new(contact, touching))
-        .collect()
-}
-
 /// Every pose and all forces have the bits of a solver run in parallel; records which states and kinds of contacts occurred.
 fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     let mut rig = Among::<R>::new();
@@ -89,7 +79,11 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         (mode.evolution, mode.stepping) = (evolution, Stepping::PerSample);
         (mode.tick_rate, mode.forces_every, mode.health_every) = (500, 1, 0);
     });
-    let there = Scene::<R, V, S, Model>::among(&EDGE, &OBSTACLES).expect("a scene");
+    let there = Scene::<R, V, S, Model>::new(&Description {
+        obstacles: &OBSTACLES,
+        ..EDGE
+    });
+    let there = there.expect("a scene");
     let mut beside = Beside::solving(there, evolution);
     let (mut states, mut kinds) = (Vec::new(), [false; 2]);
     for (i, hand) in hands().enumerate() {
@@ -104,13 +98,14 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
                     assert_same(&pose, &output, &format!("sample {i}"));
                     poses += 1;
                 }
-                Said::ForcesAmong {
+                Said::Forces {
                     wrench,
                     turns,
                     contacts: said,
+                    ..
                 } => {
                     assert_eq!((wrench, turns), (solver.wrench(state), output.angle.turns));
-                    assert_eq!(said, contacts(solver, state), "sample {i}");
+                    assert_eq!(said[..], solver.contacts(state)[..], "sample {i}");
                     let touches = |pick: fn(&Touch) -> bool| said.iter().any(|c| pick(&c.touch));
                     kinds[0] |= touches(|touch| matches!(touch, Touch::Side { .. }));
                     kinds[1] |= touches(|touch| matches!(touch, Touch::Corner { .. }));
@@ -140,29 +135,14 @@ fn every_sample_is_stepped_among_obstacles_bit_for_bit() {
 }
 
 #[test]
-fn room_is_reported_before_info_and_by_boards_with_room_alone() {
-    let said = Among::<f32>::new().hello();
-    let room = Said::Room(Room {
-        obstacles: 4,
-        corners: 16,
-    });
-    assert_eq!(said[0], room);
-    let Said::Info(info) = &said[1] else {
-        panic!("{said:?}")
-    };
-    assert_eq!(usize::from(info.longest_frame), LONGEST);
-    let said = Rig::<f32>::new().hello();
-    assert!(!said.iter().any(|said| matches!(said, Said::Room(_))));
-}
-
-#[test]
-fn a_board_without_room_refuses_the_version_and_changes_nothing() {
+fn a_board_without_room_says_so_and_changes_nothing() {
     let mut rig = Rig::<f32>::new();
     rig.stay(Hand::new(0.02, 0.045, 0.1), 60);
     let before = rig.pose();
     let answer = rig.ask(edge());
-    let said = (answer.reason, answer.subject);
-    assert_eq!(said, (Reason::Version, Subject::Command));
+    let said = (answer.reason, answer.subject, answer.value, answer.limit);
+    let obstacles = Subject::Scene(Parameter::ObstacleCount);
+    assert_eq!(said, (Reason::Unsupported, obstacles, 2.0, 0.0));
     rig.tick();
     let after = rig.pose();
     assert_eq!((before.position, before.rest), (after.position, after.rest));
@@ -225,7 +205,10 @@ fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
 fn obstacles_stay_and_their_friction_follows_the_parameters() {
     let mut rig = Among::<f32>::new();
     rig.done(edge());
-    assert_eq!(rig.info().friction, [0.5, 0.3], "of the first obstacle");
+    let info = rig.info();
+    assert_eq!(info.room, [V as u8, S as u8, 16]);
+    assert_eq!(usize::from(info.longest_frame), LONGEST);
+    assert_eq!(info.friction, [0.5, 0.3], "of the first obstacle");
     // 10 mm down and 4 mm along: it sticks, and slips once mu_s is less than 0.4 of the load.
     rig.stay(Hand::new(-0.02, 0.04, 0.0), 60);
     rig.stay(Hand::new(-0.016, 0.04, 0.0), 60);
@@ -250,33 +233,4 @@ fn obstacles_stay_and_their_friction_follows_the_parameters() {
     assert_eq!(rig.pose().state, StateKind::Edge);
     rig.done(Command::Reset(Reset::Everything));
     assert_eq!(rig.info().friction, [0.5, 0.3]);
-    rig.mode(|mode| (mode.tick_rate, mode.forces_every) = (500, 1));
-    rig.client.inbox.clear();
-    rig.stay(Hand::new(0.02, 0.045, 0.0), 2);
-    let reports: Vec<Said> = rig.reports().collect();
-    let has = |pick: fn(&Said) -> bool| reports.iter().any(pick);
-    assert!(has(|said| matches!(said, Said::Forces { .. })));
-    assert!(!has(|said| matches!(said, Said::ForcesAmong { .. })));
-}
-
-/// A client without obstacles can use a board with room for them like any other.
-#[test]
-fn a_scene_without_obstacles_goes_either_way() {
-    const WITH_FLOOR: Description<'static, f32> = Description {
-        surfaces: &[FLOOR],
-        ..EDGE
-    };
-    let walk = |rig: &mut Among<f32>| {
-        let poses = hands().map(|hand| {
-            rig.hand(with(hand, |hand| hand.position[1] += 0.01));
-            let pose = rig.pose();
-            (pose.position, pose.rest, pose.state, pose.events)
-        });
-        poses.collect::<Vec<_>>()
-    };
-    let mut rigs = [Among::<f32>::new(), Among::new()];
-    rigs[0].done(scene(&WITH_FLOOR));
-    rigs[1].done(among(&WITH_FLOOR, &[]));
-    let [plain, among] = rigs.each_mut().map(walk);
-    assert_eq!(plain, among);
 }

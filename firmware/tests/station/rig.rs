@@ -15,7 +15,7 @@ use stiction_wire::{
 
 pub(crate) const V: usize = 8;
 pub(crate) const S: usize = 4;
-const LONGEST: usize = frame_bytes(scene_bytes(V, S));
+const LONGEST: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
 
 pub(crate) fn setup() -> Setup {
     Setup {

@@ -5,10 +5,10 @@ mod carry;
 use std::sync::Arc;
 
 use stiction_core::{
-    Angle, Evolution, Fixed, Full, Hand, Output, Present, Real, SiFloat, Solver, State, Wrench,
-    narrow_hand,
+    Angle, Evolution, Fixed, Full, Hand, Model, Output, Present, Real, SiFloat, Solver, State,
+    Wrench, narrow_hand,
 };
-use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFile};
+use stiction_scene::{Among, HostSolver, Indices, InputError, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
@@ -92,9 +92,10 @@ enum Start<'a> {
 /// The key and the line if it does not; or the solver is not built in.
 pub fn check(scene: &SceneFile) -> Result<(), InputError> {
     has_solver(scene)?;
-    match !OBSTACLES || scene.obstacles.is_empty() {
-        true => <Full as HostModel>::scene::<f64>(scene).map(|_| ()),
-        false => <Among as HostModel>::scene::<f64>(scene).map(|_| ()),
+    if OBSTACLES && !scene.obstacles.is_empty() {
+        scene.check_scene::<f64>()
+    } else {
+        scene.scene::<f64>().map(drop)
     }
 }
 
@@ -106,7 +107,7 @@ pub fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
     scene.scene::<f64>().map(|_| ())
 }
 
-struct Solved<R: Real, M: HostModel> {
+struct Solved<R: Real, M: Model> {
     solver: Arc<HostSolver<R, M>>,
     /// Indices of the solver's obstacles in the scene file, if they differ.
     indices: Option<Arc<Indices>>,
@@ -119,7 +120,7 @@ struct Solved<R: Real, M: HostModel> {
     holding_point: Option<[f64; 2]>,
 }
 
-impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
+impl<R: Real<Si: SiFloat>, M: Model> Solved<R, M> {
     fn new(setting: &Setting, way: &Start<'_>) -> Result<Self, String> {
         let scene = &setting.scene;
         let (begun, turns) = match way {
@@ -141,8 +142,8 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
     }
 
     fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Begun<R, M>, String> {
-        let scene = M::scene::<R>(&setting.scene).map_err(|error| error.to_string())?;
-        let (scene, indices) = scene;
+        let scene = setting.scene.written.scene_in();
+        let (scene, indices) = scene.map_err(|error| error.to_string())?;
         let solver = Solver::new(scene, setting.evolution);
         let (state, output) = solver.start(narrow_hand(hand));
         Ok(Begun {
@@ -154,7 +155,7 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
     }
 }
 
-impl<R: Real<Si: SiFloat>, M: HostModel + 'static> Body for Solved<R, M>
+impl<R: Real<Si: SiFloat>, M: Model + 'static> Body for Solved<R, M>
 where
     R: Send + Sync,
     R::Si: Send + Sync,

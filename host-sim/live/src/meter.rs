@@ -14,14 +14,11 @@ pub fn of_scene(scene: &WrittenScene) -> Option<Meter> {
 /// Returns the reading of a frame; none if the peg is not in its hole.
 pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
     let contacts: Vec<Reaction> = (frame.contacts.iter())
-        // In a scene with obstacles every contact has its direction.
-        .filter_map(|contact| {
-            Some(Reaction {
-                point: contact.point,
-                direction: contact.direction?,
-                normal: contact.normal,
-                friction: contact.friction,
-            })
+        .map(|contact| Reaction {
+            point: contact.point,
+            direction: contact.direction,
+            normal: contact.normal,
+            friction: contact.friction,
         })
         .collect();
     meter.read(frame.pose, &contacts)

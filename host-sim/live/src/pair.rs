@@ -26,9 +26,8 @@ pub struct SlipMark {
     pub t: f64,
     /// Contact point (m).
     pub point: [f64; 2],
-    /// The unit normal there, in a scene with obstacles.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub direction: Option<[f64; 2]>,
+    /// The unit normal there.
+    pub direction: [f64; 2],
     /// Longest slip of the tick (m).
     pub length: f64,
 }
@@ -71,7 +70,7 @@ pub struct Pair {
     /// Whitney's meter, if the scene has a peg and a hole.
     pub meter: Option<Arc<Meter>>,
     /// Point of the contact with the largest N, and its normal.
-    foot: ([f64; 2], Option<[f64; 2]>),
+    foot: [[f64; 2]; 2],
 }
 
 impl Pair {
@@ -91,7 +90,7 @@ impl Pair {
             counts: Counts::default(),
             slips: Arc::default(),
             meter: meter_of(setting),
-            foot: ([0.0; 2], None),
+            foot: [[0.0; 2]; 2],
         };
         pair.counts.add(None, &Arc::clone(&pair.frame));
         pair.look(false);
@@ -174,14 +173,14 @@ impl Pair {
         self.counts.add(Some(self.frame.state), &frame);
         let contacts = frame.contacts.iter();
         if let Some(loaded) = contacts.max_by(|a, b| a.normal.total_cmp(&b.normal)) {
-            self.foot = (loaded.point, loaded.direction);
+            self.foot = [loaded.point, loaded.direction];
         }
         if frame.slips > 0 {
             let mark = SlipMark {
                 n: self.counts.slips,
                 t: frame.t,
-                point: self.foot.0,
-                direction: self.foot.1,
+                point: self.foot[0],
+                direction: self.foot[1],
                 length: frame.longest_slip,
             };
             let beyond = (self.slips.len() + 1).saturating_sub(SLIPS);

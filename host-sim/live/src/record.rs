@@ -4,10 +4,10 @@
 use std::collections::BTreeSet;
 
 use stiction_core::{
-    Contact, Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch,
+    Contact, Event, Evolution, Model, Output, Real, SiFloat, State, StateKind, Status, Touch,
 };
 use stiction_judge::insertion::Meter;
-use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SurfaceInfo, WrittenScene};
+use stiction_scene::{HostSolver, Indices, ObstacleInfo, SurfaceInfo, WrittenScene};
 
 use crate::meter;
 use crate::number::Number;
@@ -121,21 +121,13 @@ pub struct ContactRecord {
     pub friction: f64,
     /// 0 if it sticks, 1 or -1 if it slides along t or against it.
     pub sliding: i8,
-    /// The unit normal n towards the body; `None` in a scene without obstacles: there it is the surface's.
-    pub direction: Option<[f64; 2]>,
-}
-
-impl ContactRecord {
-    /// Returns the unit normal n towards the body.
-    pub fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
-        let of_surface = || Some(surfaces.get(self.touch.surface()?)?.normal);
-        self.direction.or_else(of_surface).unwrap_or_default()
-    }
+    /// The unit normal n towards the body.
+    pub direction: [f64; 2],
 }
 
 impl Frame {
     /// Returns the frame at time `t` (s) with the solver's answer and the state after it.
-    pub fn new<R: Real<Si: SiFloat>, M: HostModel>(
+    pub fn new<R: Real<Si: SiFloat>, M: Model>(
         t: f64,
         solver: &HostSolver<R, M>,
         state: &State<R>,
@@ -147,7 +139,7 @@ impl Frame {
     }
 
     /// Does the same without contacts and reuses the memory of another frame.
-    pub(crate) fn renewed<R: Real<Si: SiFloat>, M: HostModel>(
+    pub(crate) fn renewed<R: Real<Si: SiFloat>, M: Model>(
         self,
         t: f64,
         solver: &HostSolver<R, M>,
@@ -190,29 +182,21 @@ impl Frame {
 }
 
 /// Replaces the contacts with those of a state.
-pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: HostModel>(
+pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: Model>(
     contacts: &mut Vec<ContactRecord>,
     solver: &HostSolver<R, M>,
     state: &State<R>,
 ) {
-    let touches = M::touches(solver, state);
-    let touching = |k| touches.as_ref().and_then(|all| all.get(k).copied());
-    let contact = |(k, contact): (usize, &Contact<R::Si>)| ContactRecord {
-        touch: touching(k).map_or(
-            Touch::Surface {
-                vertex: contact.vertex,
-                surface: contact.surface,
-            },
-            |touching| touching.touch,
-        ),
-        direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
+    let contact = |contact: &Contact<R::Si>| ContactRecord {
+        touch: contact.touch,
+        direction: contact.direction.map(R::Si::widen),
         point: contact.point.map(R::Si::widen),
         normal: contact.normal.widen(),
         friction: contact.friction.widen(),
         sliding: contact.sliding,
     };
     contacts.clear();
-    contacts.extend(solver.contacts(state).iter().enumerate().map(contact));
+    contacts.extend(solver.contacts(state).iter().map(contact));
 }
 
 /// Gives contacts the indices of the scene file, if the solver's obstacles have others.

@@ -1,7 +1,7 @@
 //! A scene that is run sample by sample, whatever the type of its solver: the object behind the bindings for other languages.
 
-use stiction_core::Evolution;
-use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
+use stiction_core::{Evolution, Model};
+use stiction_scene::{HostSolver, InputError, Sample, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
@@ -31,7 +31,7 @@ impl Session {
     }
 
     /// Creates a session of a solver of any type, before its first sample.
-    pub fn of<R: Shared, M: HostModel>(running: Running<R, M>) -> Self
+    pub fn of<R: Shared, M: Model>(running: Running<R, M>) -> Self
     where
         HostSolver<R, M>: Send + Sync,
     {
@@ -69,7 +69,7 @@ trait Steps: Send + Sync {
     fn copy(&self) -> Box<dyn Steps>;
 }
 
-impl<R: Shared, M: HostModel> Steps for Running<R, M>
+impl<R: Shared, M: Model> Steps for Running<R, M>
 where
     HostSolver<R, M>: Send + Sync,
 {
@@ -95,7 +95,7 @@ struct Boxed;
 impl Task for Boxed {
     type Done = Session;
 
-    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Session
+    fn with<R: Shared, M: Model>(self, running: Running<R, M>) -> Session
     where
         HostSolver<R, M>: Send + Sync,
     {

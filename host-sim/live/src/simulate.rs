@@ -7,7 +7,7 @@ pub use again::Contacts;
 use stiction_core::{
     Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,
 };
-use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, Sample, SceneFile};
+use stiction_scene::{Among, HostSolver, Indices, InputError, Sample, SceneFile};
 use web_time::{Duration, Instant};
 
 use crate::number::Number;
@@ -45,13 +45,13 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 }
 
-impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
+impl<R: Real<Si: SiFloat>, M: Model> Running<R, M> {
     /// Creates a run of a scene, with the budget of a frame (units of work).
     ///
     /// # Errors
     /// The scene is refused.
     pub fn of(scene: &SceneFile, evolution: Evolution, budget: u32) -> Result<Self, InputError> {
-        let (scene, indices) = M::scene::<R>(scene)?;
+        let (scene, indices) = scene.written.scene_in()?;
         Ok(Self {
             indices,
             ..Self::new(Solver::new(scene, evolution).with_budget(budget))
@@ -105,7 +105,7 @@ pub trait Task {
     /// Result of the task.
     type Done;
     /// Runs the task.
-    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    fn with<R: Shared, M: Model>(self, running: Running<R, M>) -> Self::Done
     where
         HostSolver<R, M>: Send + Sync;
 }

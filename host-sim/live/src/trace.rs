@@ -151,7 +151,7 @@ impl<'a> ContactEntry<'a> {
             normal: value(contact.normal),
             friction: value(contact.friction),
             sliding: contact.sliding,
-            direction: contact.direction.map(|direction| direction.map(value)),
+            direction: (!scene.obstacles.is_empty()).then(|| contact.direction.map(value)),
         }
     }
 }

@@ -10,24 +10,20 @@ use crate::written::WrittenScene;
 /// The C code of a scene for the library of a number type: `static const stiction_scene NAME`, and the arrays that its pointers refer
 /// to. `name` is a C identifier.
 pub fn c_source(scene: &WrittenScene, number: NumberType, name: &str) -> String {
-    let code = |d: &Description<'_, f32>, o: &[ObstacleDescription<'_, f32>]| whole(name, d, o);
+    let code = |d: &Description<'_, f32>| whole(name, d);
     match number {
-        NumberType::F32 => scene.described_among::<f32, _>(code).0,
-        NumberType::Fixed => scene.described_among::<Fixed, _>(code).0,
+        NumberType::F32 => scene.described::<f32, _>(code).0,
+        NumberType::Fixed => scene.described::<Fixed, _>(code).0,
     }
 }
 
-fn whole(
-    name: &str,
-    d: &Description<'_, f32>,
-    obstacles: &[ObstacleDescription<'_, f32>],
-) -> String {
+fn whole(name: &str, d: &Description<'_, f32>) -> String {
     let mut code = points(&format!("{name}_vertices"), d.vertices);
     let surfaces = list(&mut code, "surface", name, d.surfaces.iter().map(surface));
-    for (i, obstacle) in obstacles.iter().enumerate() {
+    for (i, obstacle) in d.obstacles.iter().enumerate() {
         code += &points(&format!("{name}_obstacle_{i}"), obstacle.vertices);
     }
-    let numbered = obstacles.iter().enumerate();
+    let numbered = d.obstacles.iter().enumerate();
     let obstacles = list(
         &mut code,
         "obstacle",

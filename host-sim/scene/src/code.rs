@@ -16,7 +16,7 @@ const fn path(number: NumberType) -> &'static str {
 }
 
 /// The code of a scene in a model that has everything it needs, and of the evolution of a frame, as in
-/// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE`, `OBSTACLES` and `EVOLUTION`.
+/// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE` and `EVOLUTION`.
 pub fn rust_source(
     scene: &WrittenScene,
     model: SceneModel,
@@ -29,7 +29,7 @@ pub fn rust_source(
     )
 }
 
-/// The code of a scene alone: `CompiledScene`, `SCENE` and `OBSTACLES`.
+/// The code of a scene alone: `CompiledScene` and `SCENE`.
 pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: NumberType) -> String {
     let SceneModel {
         vertices,
@@ -38,53 +38,43 @@ pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: Number
         weight,
         obstacles: room,
     } = model;
-    let code = |d: &Description<'_, f32>, o: &[ObstacleDescription<'_, f32>]| {
-        (description(d), obstacles(o))
-    };
-    let ((description, obstacles), _) = match number {
-        NumberType::F32 => scene.described_among::<f32, _>(code),
-        NumberType::Fixed => scene.described_among::<Fixed, _>(code),
+    let (description, _) = match number {
+        NumberType::F32 => scene.described::<f32, _>(description),
+        NumberType::Fixed => scene.described::<Fixed, _>(description),
     };
     let number = path(number);
     let parts = format!("stiction_core::Parts<{friction}, {weight}>");
     let ObstacleRoom { count, corners } = room;
-    let (model, obstacles) = if room.is_empty() {
-        (parts, "() = ()".to_owned())
+    let model = if room.is_empty() {
+        parts
     } else {
-        let of = "stiction_core::ObstacleDescription<'static, f32>";
-        (
-            format!("stiction_core::WithObstacles<{count}, {corners}, {parts}>"),
-            format!("&[{of}] = &[{obstacles}]"),
-        )
+        format!("stiction_core::WithObstacles<{count}, {corners}, {parts}>")
     };
     format!(
         "pub(crate) type CompiledScene =
     stiction_core::Scene<{number}, {vertices}, {surfaces}, {model}>;
 pub(crate) const SCENE: stiction_core::Description<'static, f32> = {description};
-pub(crate) const OBSTACLES: {obstacles};
 "
     )
 }
 
-fn obstacles(all: &[ObstacleDescription<'_, f32>]) -> String {
-    let code = |d: &ObstacleDescription<'_, f32>| {
-        format!(
-            "
-    stiction_core::ObstacleDescription {{
-        vertices: &{:?},
-        friction_static: {:?},
-        friction_dynamic: {:?},
-        memory: {:?},
-    }},",
-            d.vertices, d.friction_static, d.friction_dynamic, d.memory
-        )
-    };
-    all.iter().map(code).collect()
+fn obstacle(d: &ObstacleDescription<'_, f32>) -> String {
+    format!(
+        "
+        stiction_core::ObstacleDescription {{
+            vertices: &{:?},
+            friction_static: {:?},
+            friction_dynamic: {:?},
+            memory: {:?},
+        }},",
+        d.vertices, d.friction_static, d.friction_dynamic, d.memory
+    )
 }
 
 /// The description, with decimals that read back to the same bits.
 fn description(d: &Description<'_, f32>) -> String {
-    let surfaces: Vec<String> = d.surfaces.iter().map(surface).collect();
+    let surfaces: String = d.surfaces.iter().map(surface).collect();
+    let obstacles: String = d.obstacles.iter().map(obstacle).collect();
     format!(
         "stiction_core::Description {{
     vertices: &{:?},
@@ -94,7 +84,8 @@ fn description(d: &Description<'_, f32>) -> String {
     reach: {:?},
     stiffness_translation: {:?},
     stiffness_rotation: {:?},
-    surfaces: &[{}],
+    surfaces: &[{surfaces}],
+    obstacles: &[{obstacles}],
 }}",
         d.vertices,
         d.start,
@@ -103,7 +94,6 @@ fn description(d: &Description<'_, f32>) -> String {
         d.reach,
         d.stiffness_translation,
         d.stiffness_rotation,
-        surfaces.concat()
     )
 }
 

@@ -3,11 +3,10 @@
 use std::env;
 use std::path::Path;
 
-use stiction_core::{Fixed, Full, Real};
+use stiction_core::{Fixed, Real};
 use stiction_wire::NumberType;
 
 use crate::code::scene_code;
-use crate::host_model::{Among, HostModel};
 use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
 use crate::written::WrittenScene;
@@ -61,14 +60,10 @@ pub fn code(
 /// Checks that the numbers make a scene. Returns the capacity that its obstacles need, as far as they are within the
 /// range of the number type.
 fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<ObstacleRoom, InputError> {
-    if scene.obstacles.is_empty() {
-        Full::scene::<R>(scene)?;
-    } else {
-        <Among>::scene::<R>(scene)?;
-    }
-    let (room, _) = scene.described_among::<R, _>(|_, obstacles| ObstacleRoom {
-        count: obstacles.len(),
-        corners: obstacles.iter().map(|o| o.vertices.len()).sum(),
+    scene.check_scene::<R>()?;
+    let (room, _) = scene.described::<R, _>(|description| ObstacleRoom {
+        count: description.obstacles.len(),
+        corners: description.obstacles.iter().map(|o| o.vertices.len()).sum(),
     });
     Ok(room)
 }

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! scene.toml ─ Source ─ document.rs ─ check.rs ─┬─ WrittenScene ─┬─ scene_in ─ Scene of the solver, or locate.rs: the key
-//!                                               │                ├─ HostModel: the same among obstacles, cut to size by clip.rs
+//!                                               │                │             (obstacles cut to size by clip.rs)
 //!                                               │                ├─ SceneModel: the smallest that it runs in, and why
 //!                                               │                ├─ board.rs, compile.rs, code.rs: scene.rs in a board's build
 //!                                               │                └─ c_code.rs: the same for the C library
@@ -23,7 +23,6 @@ mod document;
 mod friction;
 mod hand_path;
 mod hand_section;
-mod host_model;
 mod locate;
 mod model;
 mod name;
@@ -41,10 +40,9 @@ pub use code::rust_source;
 pub use compile::code;
 pub use hand_path::{HandPath, LivePlacement, Placement, Sample};
 pub use hand_section::{HandSection, Motion};
-pub use host_model::{Among, HostModel};
 pub use model::{ObstacleRoom, SceneModel};
 pub use obstacle::ObstacleInfo;
-pub use scene_file::{HostScene, HostSolver, SceneFile};
+pub use scene_file::{Among, HostScene, HostSolver, SceneFile};
 pub use source::{InputError, Source, story};
 pub use stiction_wire::NumberType;
 pub use surface::SurfaceInfo;

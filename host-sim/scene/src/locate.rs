@@ -2,6 +2,7 @@
 
 use stiction_core::{Parameter, SceneError, SiFloat};
 
+use crate::clip::Indices;
 use crate::document::{Document, Number};
 use crate::source::{InputError, Source};
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
@@ -89,12 +90,15 @@ impl WrittenScene {
         Err(self.source.error_at(first.span().start, problem))
     }
 
-    /// The error of a solver with capacity for this many vertices and surfaces, in the terms of the file.
+    /// The error of a solver with capacity for this many vertices and surfaces, in the terms of the file. `indices`: the meaning of its
+    /// obstacle indices if they differ from those of the file.
     pub(crate) fn explain<F: SiFloat>(
         &self,
         error: &SceneError<F>,
+        indices: Option<&Indices>,
         [vertices, surfaces]: [usize; 2],
     ) -> InputError {
+        let error = indices.map_or(*error, |indices| indices.error(*error));
         let allowed = allowed_count(error.parameter, [vertices, surfaces]);
         let allowed = allowed.unwrap_or_else(|| error.allowed.to_owned());
         if let Parameter::Penetration { surface, vertex } = error.parameter {
@@ -126,7 +130,7 @@ impl WrittenScene {
                 let problem = format!("`{key}` is {value}, allowed: {allowed}");
                 self.source.error_at(offset, problem)
             }
-            None => self.source.error(error),
+            None => self.source.error(&error),
         }
     }
 

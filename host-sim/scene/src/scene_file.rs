@@ -3,18 +3,21 @@
 use std::ops::Deref;
 use std::path::Path;
 
-use stiction_core::{Full, Model, Real, Scene, SiFloat, Solver};
+use stiction_core::{Full, Model, Real, Scene, SiFloat, Solver, WithObstacles};
 use toml::Spanned;
 
 use crate::check::Check;
 use crate::hand_section::HandSection;
 use crate::source::{InputError, Source};
-use crate::written::{SURFACES, VERTICES, WrittenScene};
+use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
+
+/// A model with obstacles, with the capacities of the host.
+pub type Among<M = Full> = WithObstacles<OBSTACLES, CORNERS, M>;
 
 /// A scene with the capacities of the host.
 pub type HostScene<R, M = Full> = Scene<R, VERTICES, SURFACES, M>;
 
-/// A solver for any scene file without obstacles; with [`Among`](crate::Among) as M, also for one with obstacles.
+/// A solver for any scene file without obstacles; with [`Among`] as M, also for one with obstacles.
 pub type HostSolver<R, M = Full> = Solver<R, VERTICES, SURFACES, M>;
 
 /// A scene file whose numbers, including those of its hand, are finite, in range and complete. [`SceneFile::scene`]
@@ -96,7 +99,8 @@ impl SceneFile {
         R: Real<Si: SiFloat>,
         M: Model,
     {
-        self.written.scene_in()
+        self.written.check_half_planes()?;
+        self.written.scene_in().map(|(scene, _)| scene)
     }
 }
 

@@ -4,18 +4,16 @@
 use std::path::Path;
 
 use stiction_core::{
-    Description, Full, Model, ObstacleDescription, Parameter, Real, Scene, SiFloat,
-    SurfaceDescription,
+    Description, Model, ObstacleDescription, Parameter, Real, Scene, SiFloat, SurfaceDescription,
 };
 
 use crate::check::Check;
 use crate::clip::{Indices, clipped};
 use crate::document::{Body, Document};
 use crate::friction::Fallback;
-use crate::host_model::{Among, HostModel};
 use crate::name::Names;
 use crate::obstacle::{ObstacleInfo, obstacles};
-use crate::scene_file::HostScene;
+use crate::scene_file::{Among, HostScene};
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
 
@@ -98,47 +96,67 @@ impl WrittenScene {
     /// # Errors
     /// The message names the key of the first number that is out of range or does not fit the others.
     pub fn check_numbers(&self) -> Result<(), InputError> {
-        self.described(|description| {
-            let surfaces = HostScene::<f64, Among>::new(description).map(drop);
+        let (checked, indices) = self.described::<f64, _>(|description| {
             // The solver checks where the body starts last: first surfaces, then obstacles.
-            let description = Description {
+            let surfaces = Description {
+                obstacles: &[],
+                ..*description
+            };
+            let obstacles = Description {
                 surfaces: &[],
                 ..*description
             };
-            let obstacles = Among::<Full>::build::<f64>(self, &description).map(drop);
-            for checked in [surfaces, obstacles] {
-                match checked {
-                    Err(error) if !is_of_start(error.parameter) => {
-                        return Err(self.explain(&error, [VERTICES, SURFACES]));
-                    }
-                    Ok(()) | Err(_) => {}
+            [surfaces, obstacles].map(|given| HostScene::<f64, Among>::new(&given).map(drop))
+        });
+        for checked in checked {
+            match checked {
+                Err(error) if !is_of_start(error.parameter) => {
+                    return Err(self.explain(&error, indices.as_ref(), [VERTICES, SURFACES]));
                 }
+                Ok(()) | Err(_) => {}
             }
-            Ok(())
-        })
+        }
+        Ok(())
     }
 
-    /// The scene for a solver without obstacles.
+    /// Checks that the numbers make a scene in a number type.
+    ///
+    /// # Errors
+    /// As for [`WrittenScene::scene_in`].
+    pub fn check_scene<R: Real<Si: SiFloat>>(&self) -> Result<(), InputError> {
+        let _: (HostScene<R, Among>, _) = self.scene_in()?;
+        Ok(())
+    }
+
+    /// The scene for a solver, and the meaning of its obstacle indices if they differ from those of the file.
     ///
     /// # Errors
     /// The numbers do not make a scene, or it does not fit: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) refers to. Or there are obstacles.
+    /// [`SceneError`](stiction_core::SceneError) refers to.
     pub fn scene_in<R, const V: usize, const S: usize, M>(
         &self,
-    ) -> Result<Scene<R, V, S, M>, InputError>
+    ) -> Result<(Scene<R, V, S, M>, Option<Indices>), InputError>
     where
         R: Real<Si: SiFloat>,
         M: Model,
     {
-        self.check_half_planes()?;
-        self.described(|description| Scene::new(description))
-            .map_err(|error| self.explain(&error, [V, S]))
+        let (scene, indices) = self.described::<R, _>(|description| Scene::new(description));
+        match scene {
+            Ok(scene) => Ok((scene, indices)),
+            Err(error) => Err(self.explain(&error, indices.as_ref(), [V, S])),
+        }
     }
 
-    /// The scene in the float of a solver, as it is passed to a solver or sent to a board.
-    pub fn described<F: SiFloat, T>(&self, take: impl FnOnce(&Description<'_, F>) -> T) -> T {
-        let narrow = F::narrow;
-        let vertices: Vec<_> = self.vertices.iter().map(|v| v.map(narrow)).collect();
+    /// The scene in the float of a solver, as it is passed to a solver or sent to a board, its obstacles clipped to what the number type can
+    /// represent; and the meaning of the solver's obstacle indices if they differ from those of the file.
+    pub fn described<R: Real<Si: SiFloat>, T>(
+        &self,
+        take: impl FnOnce(&Description<'_, R::Si>) -> T,
+    ) -> (T, Option<Indices>) {
+        let narrow = R::Si::narrow;
+        let points = |list: &[[f64; 2]]| -> Vec<[R::Si; 2]> {
+            list.iter().map(|point| point.map(narrow)).collect()
+        };
         let surface = |s: &SurfaceInfo| SurfaceDescription {
             normal: s.normal.map(narrow),
             offset: narrow(s.offset),
@@ -147,8 +165,18 @@ impl WrittenScene {
             memory: s.memory.map(narrow),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
-        take(&Description {
-            vertices: &vertices,
+        let (clipped, indices) = clipped::<R>(self);
+        let corners: Vec<_> = clipped.iter().map(|o| points(&o.vertices)).collect();
+        let obstacle = |(o, vertices): (&ObstacleInfo, _)| ObstacleDescription {
+            vertices,
+            friction_static: narrow(o.friction_static),
+            friction_dynamic: narrow(o.friction_dynamic),
+            memory: o.memory.map(narrow),
+        };
+        let corners = corners.iter().map(Vec::as_slice);
+        let obstacles: Vec<_> = clipped.iter().zip(corners).map(obstacle).collect();
+        let taken = take(&Description {
+            vertices: &points(&self.vertices),
             start: self.start.map(narrow),
             weight: narrow(self.weight),
             holding_point: self.holding_point.map(|point| point.map(narrow)),
@@ -156,48 +184,9 @@ impl WrittenScene {
             stiffness_translation: narrow(self.stiffness_translation),
             stiffness_rotation: narrow(self.stiffness_rotation),
             surfaces: &surfaces,
-        })
-    }
-
-    /// The scene and its obstacles, as they are passed to a solver or sent to a board; and the meaning of the solver's obstacle indices if
-    /// they differ from those of the file.
-    pub fn described_among<R: Real<Si: SiFloat>, T>(
-        &self,
-        take: impl FnOnce(&Description<'_, R::Si>, &[ObstacleDescription<'_, R::Si>]) -> T,
-    ) -> (T, Option<Indices>) {
-        self.described(|description| {
-            self.obstacles_in::<R, _>(|obstacles| take(description, obstacles))
-        })
-    }
-
-    /// The obstacles, clipped to what a number type can represent, in its float; and the meaning of their indices.
-    pub(crate) fn obstacles_in<R: Real<Si: SiFloat>, T>(
-        &self,
-        take: impl FnOnce(&[ObstacleDescription<'_, R::Si>]) -> T,
-    ) -> (T, Option<Indices>) {
-        let (obstacles, indices) = clipped::<R>(self);
-        (Self::described_obstacles(&obstacles, take), indices)
-    }
-
-    /// Obstacles in the float of a solver.
-    pub fn described_obstacles<F: SiFloat, T>(
-        obstacles: &[ObstacleInfo],
-        take: impl FnOnce(&[ObstacleDescription<'_, F>]) -> T,
-    ) -> T {
-        let narrow = F::narrow;
-        let corners = |o: &ObstacleInfo| -> Vec<[F; 2]> {
-            o.vertices.iter().map(|v| v.map(narrow)).collect()
-        };
-        let corners: Vec<_> = obstacles.iter().map(corners).collect();
-        let described = obstacles.iter().zip(&corners);
-        let described = described.map(|(o, vertices)| ObstacleDescription {
-            vertices,
-            friction_static: narrow(o.friction_static),
-            friction_dynamic: narrow(o.friction_dynamic),
-            memory: o.memory.map(narrow),
+            obstacles: &obstacles,
         });
-        let described: Vec<_> = described.collect();
-        take(&described)
+        (taken, indices)
     }
 
     /// Puts the body's start, the holding point and the reach where another scene has them.

@@ -1,7 +1,7 @@
 //! Obstacles of a scene file: what is read, which scenes they make, and what a solver without obstacles refuses.
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Touch};
-use stiction_scene::{Among, HostModel, HostSolver, SceneFile, SceneModel, Source};
+use stiction_scene::{Among, HostSolver, SceneFile, SceneModel, Source};
 
 const SCENE: &str = r#"[body]
 rectangle = [0.10, 0.06]
@@ -55,13 +55,13 @@ fn friction_is_that_of_the_file_unless_it_is_given() {
 }
 
 fn touched<R: Real<Si: SiFloat>>(text: &str) -> Vec<Touch> {
-    let (scene, indices) = <Among as HostModel>::scene::<R>(&scene(text)).expect("sound");
+    let (scene, indices) = scene(text).written.scene_in().expect("sound");
     let solver: HostSolver<R, Among> = Solver::new(scene, Evolution::Path);
     let hand = Hand::new(R::Si::narrow(0.0), R::Si::narrow(0.05), R::Si::narrow(0.0));
     let (state, _) = solver.start(hand);
-    let touches = <Among as HostModel>::touches(&solver, &state).expect("obstacles");
     let original = |touch| indices.as_ref().map_or(touch, |known| known.touch(touch));
-    touches.iter().map(|t| original(t.touch)).collect()
+    let contacts = solver.contacts(&state);
+    contacts.iter().map(|c| original(c.touch)).collect()
 }
 
 /// Side 2 of the table, however far away its end is.

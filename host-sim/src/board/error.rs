@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::firmware::process::EmulatorError;
 use stiction_scene::InputError;
-use stiction_wire::{VERSION, VERSION_AMONG};
+use stiction_wire::VERSION;
 
 use crate::files::WriteError;
 
@@ -41,9 +41,7 @@ pub enum BoardError {
         came: String,
     },
     /// Another version of the wire format.
-    #[error(
-        "{0}: the board speaks another version of the wire format, allowed: {VERSION}, and {VERSION_AMONG} for obstacles"
-    )]
+    #[error("{0}: the board speaks another version of the wire format, allowed: {VERSION}")]
     Version(String),
     /// The board refuses a command, or the scene is too large for it.
     #[error("{0}")]

@@ -60,16 +60,16 @@ pub(super) fn about(about: &About) -> String {
 }
 
 fn obstacles(about: &About) -> String {
-    match about.room.obstacles {
+    match about.corners {
         0 => "no obstacles".to_owned(),
-        count => format!("{count} obstacles with {} corners", about.room.corners),
+        count => format!("obstacles with {count} corners"),
     }
 }
 
 /// A note if the budget is too small for the largest piece of work. That piece is the same in every number type.
 fn budget(about: &About) -> String {
     let least = match about.surfaces {
-        0 | 1 if about.room.obstacles == 0 => Solver::<f32, 1, 1>::LEAST_BUDGET,
+        0 | 1 if about.corners == 0 => Solver::<f32, 1, 1>::LEAST_BUDGET,
         _ => Solver::<f32, 1, 2>::LEAST_BUDGET,
     };
     match about.budget {

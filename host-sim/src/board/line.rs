@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use stiction_wire::{
-    CommandAmong, Decoder, FaultKind, Faults, Frame, ReportAmong, Sequence, frame_bytes,
-    obstacle_bytes, scene_bytes, wire_bytes,
+    Command, Decoder, FaultKind, Faults, Frame, Report, Sequence, frame_bytes, scene_bytes,
+    wire_bytes,
 };
 
 use super::link::Open;
@@ -13,7 +13,7 @@ use super::message::Received;
 /// Room for the longest report: forces with 255 contacts.
 const LONGEST_REPORT: usize = frame_bytes(7200);
 /// Room for the longest command: a scene of 255 vertices, surfaces, obstacles and corners of these.
-const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255) + obstacle_bytes(255, 255));
+const LONGEST_COMMAND: usize = wire_bytes(scene_bytes([255; 4]));
 
 #[derive(Debug)]
 pub(super) struct Line {
@@ -65,7 +65,7 @@ impl Line {
     }
 
     /// Sends a command; returns its sequence number.
-    pub(super) fn send(&mut self, message: CommandAmong<'_>) -> Result<u8, String> {
+    pub(super) fn send(&mut self, message: Command<'_>) -> Result<u8, String> {
         let number = self.sequence;
         self.sequence = number.wrapping_add(1);
         let frame = Frame {
@@ -85,7 +85,7 @@ impl Line {
         let mut received = Vec::new();
         self.bytes += bytes.len() as u64;
         for &byte in bytes {
-            match self.decoder.push::<ReportAmong<'_>>(byte) {
+            match self.decoder.push::<Report<'_>>(byte) {
                 None => {}
                 Some(Ok(frame)) => {
                     self.frames += 1;

@@ -2,10 +2,9 @@
 
 use std::time::Instant;
 
-use stiction_core::{Contact, Event, Touch, Wrench};
+use stiction_core::{Contact, Event, Wrench};
 use stiction_wire::{
-    ContactAmong, Health, Info, Mode, NumberType, Pose, Reason, Reference, Reply, Report,
-    ReportAmong, Room, Subject,
+    Health, Info, Mode, NumberType, Pose, Reason, Reference, Reply, Report, Subject,
 };
 
 #[derive(Clone, Debug)]
@@ -25,8 +24,6 @@ pub(super) enum Said {
     Answer(Answer),
     About(About),
     Health(Health),
-    /// Precedes the board's description of itself.
-    Room(Room),
     Pong,
 }
 
@@ -35,49 +32,7 @@ pub(super) enum Said {
 pub(super) struct Forces {
     pub(super) wrench: Wrench<f32>,
     pub(super) turns: i32,
-    pub(super) contacts: Vec<Touched>,
-}
-
-/// A contact, on half-planes alone or among obstacles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Touched {
-    /// By the indices of the board's scene.
-    pub(super) touch: Touch,
-    /// The unit normal n towards the body; `None` without obstacles.
-    pub(super) direction: Option<[f32; 2]>,
-    pub(super) point: [f32; 2],
-    pub(super) normal: f32,
-    pub(super) friction: f32,
-    pub(super) sliding: i8,
-}
-
-impl From<Contact<f32>> for Touched {
-    fn from(contact: Contact<f32>) -> Self {
-        Self {
-            touch: Touch::Surface {
-                vertex: contact.vertex,
-                surface: contact.surface,
-            },
-            direction: None,
-            point: contact.point,
-            normal: contact.normal,
-            friction: contact.friction,
-            sliding: contact.sliding,
-        }
-    }
-}
-
-impl From<ContactAmong> for Touched {
-    fn from(contact: ContactAmong) -> Self {
-        Self {
-            touch: contact.touch,
-            direction: Some(contact.direction),
-            point: contact.point,
-            normal: contact.normal,
-            friction: contact.friction,
-            sliding: contact.sliding,
-        }
-    }
+    pub(super) contacts: Vec<Contact<f32>>,
 }
 
 /// [`stiction_wire::Events`].
@@ -109,7 +64,7 @@ pub(super) struct Answer {
     pub(super) allowed: String,
 }
 
-/// [`stiction_wire::Info`], and the room that was reported before it.
+/// [`stiction_wire::Info`].
 #[derive(Clone, Debug)]
 pub(super) struct About {
     pub(super) name: String,
@@ -117,8 +72,7 @@ pub(super) struct About {
     pub(super) number: NumberType,
     pub(super) vertices: u8,
     pub(super) surfaces: u8,
-    /// None if the board did not report it.
-    pub(super) room: Room,
+    pub(super) corners: u8,
     pub(super) friction: bool,
     pub(super) weight: bool,
     pub(super) actuators: bool,
@@ -139,7 +93,7 @@ impl From<Report<'_>> for Said {
             Report::Forces(forces) => Self::Forces(Forces {
                 wrench: forces.wrench,
                 turns: forces.turns,
-                contacts: forces.contacts.iter().map(Touched::from).collect(),
+                contacts: forces.contacts.iter().collect(),
             }),
             Report::Events(events) => Self::Events(Events {
                 slips: events.slips,
@@ -150,20 +104,6 @@ impl From<Report<'_>> for Said {
             Report::Info(info) => Self::About(info.into()),
             Report::Health(health) => Self::Health(health),
             Report::Pong(_) => Self::Pong,
-        }
-    }
-}
-
-impl From<ReportAmong<'_>> for Said {
-    fn from(report: ReportAmong<'_>) -> Self {
-        match report {
-            ReportAmong::Common(report) => report.into(),
-            ReportAmong::Room(room) => Self::Room(room),
-            ReportAmong::ForcesAmong(forces) => Self::Forces(Forces {
-                wrench: forces.wrench,
-                turns: forces.turns,
-                contacts: forces.contacts.iter().map(Touched::from).collect(),
-            }),
         }
     }
 }
@@ -189,7 +129,7 @@ impl From<Info<'_>> for About {
             number: info.number,
             vertices: info.vertices,
             surfaces: info.surfaces,
-            room: Room::default(),
+            corners: info.corners,
             friction: info.friction,
             weight: info.weight,
             actuators: info.actuators,

@@ -48,7 +48,7 @@ impl Recorder {
                 .iter()
                 .map(|contact| ContactRecord {
                     touch: contact.touch,
-                    direction: contact.direction.map(|n| n.map(f64::from)),
+                    direction: contact.direction.map(f64::from),
                     point: contact.point.map(f64::from),
                     normal: f64::from(contact.normal),
                     friction: f64::from(contact.friction),

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
-use stiction_wire::{Command, CommandAmong, FaultKind, Health, Reason, Room};
+use stiction_wire::{Command, FaultKind, Health, Reason};
 
 use super::address::Address;
 use super::error::BoardError;
@@ -74,8 +74,6 @@ impl Inbox {
 pub(super) struct Session {
     pub(super) line: Line,
     pub(super) health: Option<Health>,
-    /// The latest report of the board's room for obstacles.
-    room: Room,
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
     /// What arrived while a command waited for its answer.
@@ -109,7 +107,6 @@ impl Session {
         let mut session = Self {
             line,
             health: None,
-            room: Room::default(),
             last_sample: None,
             before_answer: VecDeque::new(),
             after_answer: VecDeque::new(),
@@ -122,22 +119,19 @@ impl Session {
 
     /// Sends hello; returns the board's description of itself.
     pub(super) fn greet(&mut self, inbox: &mut Inbox) -> Result<About, BoardError> {
-        self.room = Room::default();
-        let about = self.ask(inbox, Command::Hello.into(), |said, _| match said {
+        self.ask(inbox, Command::Hello, |said, _| match said {
             Said::About(about) => Some(about.clone()),
             _ => None,
-        })?;
-        let room = self.room;
-        Ok(About { room, ..about })
+        })
     }
 
     /// Sends a command that is answered by a reply. Returns the reply if it is a refusal.
-    pub(super) fn order<'a>(
+    pub(super) fn order(
         &mut self,
         inbox: &mut Inbox,
-        command: impl Into<CommandAmong<'a>>,
+        command: Command<'_>,
     ) -> Result<Option<Answer>, BoardError> {
-        let answer = self.ask(inbox, command.into(), |said, sent| match said {
+        let answer = self.ask(inbox, command, |said, sent| match said {
             Said::Answer(answer) if sent.contains(&answer.command.sequence) => Some(answer.clone()),
             _ => None,
         })?;
@@ -145,20 +139,19 @@ impl Session {
     }
 
     /// As [`Self::order`]; a refusal is an error.
-    pub(super) fn demand<'a>(
+    pub(super) fn demand(
         &mut self,
         inbox: &mut Inbox,
-        command: impl Into<CommandAmong<'a>>,
+        command: Command<'_>,
         names: &Names,
     ) -> Result<(), BoardError> {
-        let command = command.into();
-        let name = match command {
-            CommandAmong::SceneAmong(_) => "scene",
-            CommandAmong::Common(command) => command.name(),
-        };
         match self.order(inbox, command)? {
             None => Ok(()),
-            Some(refusal) => Err(BoardError::Refused(explain(name, &refusal, names))),
+            Some(refusal) => Err(BoardError::Refused(explain(
+                command.name(),
+                &refusal,
+                names,
+            ))),
         }
     }
 
@@ -166,7 +159,7 @@ impl Session {
     fn ask<T>(
         &mut self,
         inbox: &mut Inbox,
-        command: CommandAmong<'_>,
+        command: Command<'_>,
         mut pick: impl FnMut(&Said, &[u8]) -> Option<T>,
     ) -> Result<T, BoardError> {
         let end = Instant::now() + self.timeout;
@@ -251,16 +244,12 @@ impl Session {
         match said {
             Said::Health(health) => self.health = Some(*health),
             Said::Pose(pose) => self.last_sample = Some(pose.sample),
-            Said::Room(room) => self.room = *room,
             Said::Forces(_) | Said::Events(_) | Said::Answer(_) | Said::About(_) | Said::Pong => {}
         }
     }
 
-    pub(super) fn send<'a>(
-        &mut self,
-        command: impl Into<CommandAmong<'a>>,
-    ) -> Result<u8, BoardError> {
-        let sent = self.line.send(command.into());
+    pub(super) fn send(&mut self, command: Command<'_>) -> Result<u8, BoardError> {
+        let sent = self.line.send(command);
         sent.map_err(|problem| self.gone(problem))
     }
 

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use stiction_core::{Description, Evolution, Fixed, ObstacleDescription};
+use stiction_core::{Description, Evolution, Fixed};
 use stiction_firmware::station::SLOWEST_TICK;
 use stiction_scene::{Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 use stiction_wire::{
-    Command, CommandAmong, Mode, NumberType, Parameters, Reason, SceneAmong, SceneCommand,
-    Stepping, Subject, frame_bytes, obstacle_bytes, scene_bytes,
+    Command, Mode, NumberType, Parameters, Reason, SceneCommand, Stepping, Subject, frame_bytes,
+    scene_bytes,
 };
 
 use super::error::BoardError;
@@ -124,64 +124,46 @@ impl Setup {
         about: &About,
         inbox: &mut Inbox,
     ) -> Result<(), BoardError> {
-        if !self.scene.obstacles.is_empty() {
-            return self.send_scene_among(session, about, inbox);
-        }
-        let (vertices, surfaces) = (self.scene.vertices.len(), self.scene.surfaces.len());
-        let bytes = frame_bytes(scene_bytes(vertices, surfaces));
-        check_frame(
-            about,
-            bytes,
-            &format!("{vertices} vertices and {surfaces} surfaces"),
-        )?;
-        let names = self.names();
-        self.scene.described(|description| {
+        let names = self.names_on(about);
+        let (sent, _) = self.described_on(about, |description| {
+            let obstacles = description.obstacles;
+            let corners = obstacles.iter().map(|obstacle| obstacle.vertices.len());
+            let corners = corners.sum();
+            if corners > usize::from(about.corners) {
+                return Err(BoardError::Refused(too_many(
+                    about,
+                    obstacles.len(),
+                    corners,
+                )));
+            }
+            let counts = [
+                description.vertices.len(),
+                description.surfaces.len(),
+                obstacles.len(),
+                corners,
+            ];
+            check_frame(about, counts)?;
             let scene = SceneCommand::from(description);
             session.demand(inbox, Command::Scene(scene), &names)
-        })
-    }
-
-    /// Sends the scene with its obstacles, if the board has room for them.
-    fn send_scene_among(
-        &self,
-        session: &mut Session,
-        about: &About,
-        inbox: &mut Inbox,
-    ) -> Result<(), BoardError> {
-        let names = self.names_on(about);
-        let (sent, _) = self.described_on(about, |description, obstacles| {
-            let (count, corners) = (obstacles.len(), corner_count(obstacles));
-            let room = [about.room.obstacles, about.room.corners].map(usize::from);
-            if count > room[0] || corners > room[1] {
-                return Err(BoardError::Refused(too_many(about, count, corners)));
-            }
-            let (vertices, surfaces) = (description.vertices.len(), description.surfaces.len());
-            let what = format!(
-                "{vertices} vertices, {surfaces} surfaces and {count} obstacles with {corners} corners"
-            );
-            let bytes = scene_bytes(vertices, surfaces) + obstacle_bytes(count, corners);
-            check_frame(about, frame_bytes(bytes), &what)?;
-            let scene = SceneAmong::new(description, obstacles);
-            session.demand(inbox, CommandAmong::SceneAmong(scene), &names)
         });
         sent
     }
 
-    /// The scene with its obstacles in the board's number type.
+    /// The scene in the board's number type.
     fn described_on<T>(
         &self,
         about: &About,
-        take: impl FnOnce(&Description<'_, f32>, &[ObstacleDescription<'_, f32>]) -> T,
+        take: impl FnOnce(&Description<'_, f32>) -> T,
     ) -> (T, Option<Indices>) {
         match about.number {
-            NumberType::F32 => self.scene.described_among::<f32, T>(take),
-            NumberType::Fixed => self.scene.described_among::<Fixed, T>(take),
+            NumberType::F32 => self.scene.described::<f32, T>(take),
+            NumberType::Fixed => self.scene.described::<Fixed, T>(take),
         }
     }
 
     /// The indices of the board's obstacles in the scene file, if they differ.
     pub(super) fn indices(&self, about: &About) -> Option<Indices> {
-        self.described_on(about, |_, _| ()).1
+        self.described_on(about, |_| ()).1
     }
 
     fn names(&self) -> Names {
@@ -255,41 +237,43 @@ impl Setup {
 }
 
 /// The board would count a longer frame and never answer it.
-fn check_frame(about: &About, bytes: usize, what: &str) -> Result<(), BoardError> {
+fn check_frame(about: &About, counts: [usize; 4]) -> Result<(), BoardError> {
+    let bytes = frame_bytes(scene_bytes(counts));
     if bytes <= usize::from(about.longest_frame) {
         return Ok(());
     }
-    let (vertices, surfaces) = (about.vertices, about.surfaces);
-    let obstacles = match about.room.obstacles {
-        0 => String::new(),
-        count => format!(", {count} obstacles with {} corners", about.room.corners),
+    let shown = |[vertices, surfaces]: [usize; 2], corners: String| {
+        format!("{vertices} vertices, {surfaces} surfaces{corners}")
     };
+    let [vertices, surfaces, obstacles, corners] = counts;
+    let scene = shown(
+        [vertices, surfaces],
+        match obstacles {
+            0 => String::new(),
+            count => format!(", {count} obstacles with {corners} corners"),
+        },
+    );
+    let board = shown(
+        [about.vertices, about.surfaces].map(usize::from),
+        match about.corners {
+            0 => String::new(),
+            count => format!(", obstacles with {count} corners"),
+        },
+    );
     Err(BoardError::Refused(format!(
-        "the scene has {what}, a frame of {bytes} bytes, allowed: {vertices} vertices, {surfaces} surfaces{obstacles}, {} bytes",
+        "the scene has {scene}, a frame of {bytes} bytes, allowed: {board}, {} bytes",
         about.longest_frame
     )))
 }
 
-fn corner_count(obstacles: &[ObstacleDescription<'_, f32>]) -> usize {
-    obstacles
-        .iter()
-        .map(|obstacle| obstacle.vertices.len())
-        .sum()
-}
-
-/// The message that there is no room for so many obstacles, or for any.
+/// The message that there is no room for so many corners, or for any obstacle.
 fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
     let scene = format!("the scene has {obstacles} obstacles with {corners} corners");
-    match about.room.obstacles {
+    match about.corners {
         0 => format!(
-            "{scene}, allowed on this board: none; an image of the feature `obstacles` has room for some, and speaks version {} of \
-             the wire format",
-            stiction_wire::VERSION_AMONG
+            "{scene}, allowed on this board: none; an image of the feature `obstacles` has room for some"
         ),
-        count => format!(
-            "{scene}, allowed on this board: {count} with {} in all",
-            about.room.corners
-        ),
+        most => format!("{scene}, allowed on this board: {most} corners in all"),
     }
 }
 

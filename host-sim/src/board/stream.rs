@@ -275,7 +275,7 @@ impl<'a, A: Audience> Stream<'a, A> {
                     &Names::default(),
                 )));
             }
-            Said::Answer(_) | Said::About(_) | Said::Room(_) | Said::Pong => {}
+            Said::Answer(_) | Said::About(_) | Said::Pong => {}
         }
         session.note(&received.said);
         Ok(())

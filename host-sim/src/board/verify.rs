@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use stiction_core::{Fixed, Hand, Output, Parts, Real, SiFloat, State, Wrench};
-use stiction_scene::{Among, HostModel, HostSolver, InputError, SceneFile};
-use stiction_wire::{ContactAmong, EventSet, NumberType};
+use stiction_core::{Contacts, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Wrench};
+use stiction_scene::{Among, HostSolver, InputError, SceneFile};
+use stiction_wire::{EventSet, NumberType};
 
-use super::message::{About, Touched};
+use super::message::About;
 use super::steps::Step;
 use stiction_live::simulate::Running;
 
@@ -15,7 +15,7 @@ use stiction_live::simulate::Running;
 pub(super) struct Expected {
     output: Output<f32>,
     wrench: Wrench<f32>,
-    contacts: Vec<Touched>,
+    contacts: Contacts<f32>,
     has_budget: bool,
 }
 
@@ -31,7 +31,7 @@ pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
-impl<R: Real<Si = f32> + Send, M: HostModel> Twin for Running<R, M>
+impl<R: Real<Si = f32> + Send, M: Model> Twin for Running<R, M>
 where
     HostSolver<R, M>: Send,
 {
@@ -40,24 +40,8 @@ where
         Expected {
             output,
             wrench: solver.wrench(state),
-            contacts: touched(solver, state),
+            contacts: solver.contacts(state),
             has_budget: solver.budget() < u32::MAX,
-        }
-    }
-}
-
-/// The contacts as a board reports them: among obstacles, with the features that touch.
-fn touched<R: Real<Si = f32>, M: HostModel>(
-    solver: &HostSolver<R, M>,
-    state: &State<R>,
-) -> Vec<Touched> {
-    let contacts = solver.contacts(state);
-    match M::touches(solver, state) {
-        None => contacts.iter().copied().map(Touched::from).collect(),
-        Some(touches) => {
-            let pairs = contacts.iter().zip(touches.iter());
-            let among = pairs.map(|(contact, touching)| ContactAmong::new(contact, touching));
-            among.map(Touched::from).collect()
         }
     }
 }
@@ -100,7 +84,7 @@ where
     }
 }
 
-fn host<R: Real<Si = f32> + Send + 'static, M: HostModel>(
+fn host<R: Real<Si = f32> + Send + 'static, M: Model>(
     about: &About,
     scene: &SceneFile,
 ) -> Result<Box<dyn Twin>, InputError>
@@ -181,14 +165,18 @@ fn compare_forces(step: &Step, expected: &Expected) -> Result<(), String> {
     )?;
     same("turns", forces.turns, expected.output.angle.turns)?;
     same("contacts", forces.contacts.len(), expected.contacts.len())?;
-    for (i, (board, host)) in forces.contacts.iter().zip(&expected.contacts).enumerate() {
+    for (i, (board, host)) in forces
+        .contacts
+        .iter()
+        .zip(expected.contacts.iter())
+        .enumerate()
+    {
         same(
             &format!("what touches what in contact {i}"),
             board.touch,
             host.touch,
         )?;
-        let direction = |contact: &Touched| contact.direction.unwrap_or_default();
-        let ([n_x, n_y], [host_x, host_y]) = (direction(board), direction(host));
+        let ([n_x, n_y], [host_x, host_y]) = (board.direction, host.direction);
         for (what, board, host) in [
             ("normal x", n_x, host_x),
             ("normal y", n_y, host_y),

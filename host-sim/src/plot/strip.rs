@@ -131,15 +131,15 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     let body = placed(&run.scene.vertices, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
-    forces(&view, run, frame, scale)?;
+    forces(&view, frame, scale)?;
     hand(&view, run, frame, scale)?;
     let edge = Rectangle::new([(0, 0), (px(SIDE) - 1, px(SIDE) - 1)], stroke(FAINT, 1.0));
     area.draw(&edge)
 }
 
-fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
+fn forces(view: &View, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
-        let [nx, ny] = contact.normal_among(&run.scene.surfaces);
+        let [nx, ny] = contact.direction;
         let point = contact.point.into();
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;

@@ -27,7 +27,7 @@ fn drag(count: usize) -> Run {
         let (normal, friction) = (10.0, -3.0 - 2.0 * phase);
         let contact = |vertex, x| ContactRecord {
             touch: Touch::Surface { vertex, surface: 0 },
-            direction: None,
+            direction: [0.0, 1.0],
             point: [x, 0.0],
             normal: 0.5 * normal,
             friction: 0.5 * friction,

@@ -74,7 +74,7 @@ fn what_goes_wrong_on_the_line_is_named() {
         (
             tricks(|t| t.is_of_version_1 = true),
             "",
-            &["another version of the wire format, allowed: 2"],
+            &["another version of the wire format, allowed: 4"],
         ),
         (
             tricks(|t| t.measures = true),

@@ -55,6 +55,7 @@ function plugIn(page) {
               number: 0,
               vertices: 16,
               surfaces: 8,
+              corners: 0,
               has: 3,
               longest_frame: 378,
               fastest_tick: 5000,
@@ -118,8 +119,8 @@ function plugIn(page) {
           const contact =
             normal > 0
               ? [
-                  [0, 0, x - 0.05, 0, normal / 2, 0, 0],
-                  [1, 0, x + 0.05, 0, normal / 2, 0, 0],
+                  [0, 255, 0, 0, 1, x - 0.05, 0, normal / 2, 0, 0],
+                  [1, 255, 0, 0, 1, x + 0.05, 0, normal / 2, 0, 0],
                 ]
               : [];
           say({

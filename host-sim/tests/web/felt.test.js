@@ -25,7 +25,7 @@ function loudness(live, what) {
     const contact = { vertex: 0, point: [0, 0], normal: 1, friction: 0.3, sliding };
     const message = (/** @type {number} */ k) => ({
       frame: { t: k * step, pose: [k * step * speed * size, 0, 0], contacts: [contact] },
-      slips: slip !== undefined && k === 1 ? [{ n: 1, t: step, point: [0, 0], length: slip * size }] : [],
+      slips: slip !== undefined && k === 1 ? [{ n: 1, t: step, point: [0, 0], direction: [0, 1], length: slip * size }] : [],
     });
     for (const k of [0, 1]) felt.take(message(k), scene);
     const samples = (await context.startRendering()).getChannelData(0);

@@ -61,7 +61,7 @@ function pressed(force, length, wrench) {
   for (const contact of message.frame.contacts) Object.assign(contact, { normal: force, friction: -0.5 * force, sliding: 1 });
   message.frame.wrench = wrench;
   message.strip = [[0, force, -0.5 * force]];
-  if (length > 0) message.slips = [{ n: 1, t: 0, point: [0, 0], length }];
+  if (length > 0) message.slips = [{ n: 1, t: 0, point: [0, 0], direction: [0, 1], length }];
   return message;
 }
 

@@ -3,7 +3,7 @@
 use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::{Evolution, Fixed};
 use stiction_judge::{Contact, Frame, Touch};
-use stiction_statics::{self as core, Output, Solver as Core, State};
+use stiction_statics::{Output, Solver as Core, State};
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::scene::{SURFACES, VERTICES};
 use stiction_tests::run::planar;
@@ -57,7 +57,7 @@ impl<R: Number> Run<R> {
             Some(vertex) => self.setup.world(pose, self.setup.vertices[vertex]),
             None => point.map(wide),
         };
-        let contact = |c: &core::Contact<R::Si>| Contact {
+        let contact = |c: &stiction_core::Contact<R::Si>| Contact {
             touch: c.touch,
             point: at(c.touch, c.point),
             direction: None,

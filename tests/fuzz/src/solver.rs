@@ -123,7 +123,7 @@ fn holds<R: Number>(
 fn shared(a: &Frame, b: &Frame) -> usize {
     let [a, b] = [a, b].map(|frame| {
         let contacts = frame.contacts.iter();
-        contacts.map(|c| (c.vertex, c.surface)).collect::<Vec<_>>()
+        contacts.map(|c| c.touch).collect::<Vec<_>>()
     });
     a.iter().filter(|contact| b.contains(contact)).count()
 }
@@ -132,7 +132,8 @@ fn shared(a: &Frame, b: &Frame) -> usize {
 fn clamps<R: Number>(case: &Case, frame: &Frame) -> bool {
     let setup = &case.setup;
     let reaction = |c: &Contact<f64>| {
-        let slope = setup.surfaces[c.surface].friction_static;
+        let surface = c.touch.surface().expect("there is nothing else");
+        let slope = setup.surfaces[surface].friction_static;
         (c.normal, c.friction, slope)
     };
     clamp::clamps::<R>(setup, frame.contacts.iter().map(reaction))

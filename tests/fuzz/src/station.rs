@@ -9,15 +9,13 @@ use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
-use stiction_wire::{
-    Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
-};
+use stiction_wire::{Decoder, Mode, NumberType, Report, Sequence, frame_bytes, scene_bytes};
 
 const V: usize = 8;
 const S: usize = 2;
-const ROOM: usize = frame_bytes(scene_bytes(V, S));
+const ROOM: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
 /// For a board with capacity for obstacles.
-const ROOM_AMONG: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(3, 9));
+const ROOM_AMONG: usize = frame_bytes(scene_bytes([V, S, 3, 9]));
 type Among = WithObstacles<3, 9, Full>;
 /// Further bytes are ignored.
 const LONGEST_TRAFFIC: usize = 8192;
@@ -103,7 +101,7 @@ impl Line {
     /// The client receives what the board has sent: whole frames, none lost.
     fn hear(&mut self) {
         for byte in self.said.drain(..) {
-            let Some(received) = self.client.push::<ReportAmong>(byte) else {
+            let Some(received) = self.client.push::<Report>(byte) else {
                 continue;
             };
             let frame = received.expect("a client accepts what a board sends");

@@ -4,12 +4,12 @@
 use crate::station;
 use stiction_core::{Axis, Projection};
 use stiction_wire::{
-    Command, CommandAmong, Decoder, Fault, Frame, LogitechDecoder, Message, Report, ReportAmong,
-    frame_bytes, obstacle_bytes, scene_bytes, wire_bytes,
+    Command, Decoder, Fault, Frame, LogitechDecoder, Message, Report, frame_bytes, scene_bytes,
+    wire_bytes,
 };
 
 /// The longest possible payload: 255 vertices, surfaces, obstacles and corners.
-const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
+const PAYLOAD: usize = scene_bytes([255; 4]);
 /// Capacity for every frame.
 const LONGEST: usize = frame_bytes(PAYLOAD);
 const WIRE: usize = wire_bytes(PAYLOAD);
@@ -37,49 +37,32 @@ pub fn wire(bytes: &[u8]) {
     station::receives(&traffic, kind & 2 == 0, kind & 4 != 0);
 }
 
-/// Boards and clients receive the same traffic, both those without capacity for obstacles and those with it.
+/// A board and a client receive the same traffic.
 fn hear<const ROOM: usize>(traffic: &[u8]) {
     let (mut board, mut client) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
-    let (mut board_among, mut client_among) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
     let mut faults = [0; 2];
     for &byte in traffic {
-        let command = board.push::<Command>(byte).and_then(Result::ok);
-        let command = command.map(|frame| encoded(&frame));
-        match board_among.push::<CommandAmong>(byte) {
-            Some(Ok(frame)) => same_again(&frame, command, taken_by_board),
+        match board.push::<Command>(byte) {
+            Some(Ok(frame)) => same_again(&frame, taken_by_board),
             Some(Err(_)) => faults[0] += 1,
             None => {}
         }
-        let report = client.push::<Report>(byte).and_then(Result::ok);
-        let report = report.map(|frame| encoded(&frame));
-        match client_among.push::<ReportAmong>(byte) {
-            Some(Ok(frame)) => same_again(&frame, report, taken_by_client),
+        match client.push::<Report>(byte) {
+            Some(Ok(frame)) => same_again(&frame, taken_by_client),
             Some(Err(_)) => faults[1] += 1,
             None => {}
         }
     }
-    assert_eq!(
-        [board_among.faults().total(), client_among.faults().total()],
-        faults,
-        "every fault is counted"
-    );
-    for (without, with) in [(board, board_among), (client, client_among)] {
-        assert!(
-            without.faults().total() >= with.faults().total(),
-            "with obstacles more is understood"
-        );
-    }
+    let counted = [board, client].map(|decoder| decoder.faults().total());
+    assert_eq!(counted, faults, "every fault is counted");
 }
 
-/// A frame is encoded again and decodes to the same message. A peer that knows no obstacles decoded it to the same message or
-/// rejected it.
+/// A frame is encoded again and decodes to the same message.
 fn same_again<'a, M: Message<'a>>(
     frame: &Frame<M>,
-    without: Option<Vec<u8>>,
     taken: impl Fn(&mut Decoder<LONGEST>, u8) -> Result<Vec<u8>, Fault>,
 ) {
     let sent = encoded(frame);
-    assert!(without.is_none_or(|without| without == sent));
     let (&end, before) = sent.split_last().expect("a frame has bytes");
     let mut decoder = Decoder::new();
     for &byte in before {
@@ -97,13 +80,13 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
 
 /// The frame that a board, with its last byte, would send again.
 fn taken_by_board(decoder: &mut Decoder<LONGEST>, end: u8) -> Result<Vec<u8>, Fault> {
-    let frame = decoder.push::<CommandAmong>(end).expect("a whole frame");
+    let frame = decoder.push::<Command>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }
 
 /// As [`taken_by_board`], for a client.
 fn taken_by_client(decoder: &mut Decoder<LONGEST>, end: u8) -> Result<Vec<u8>, Fault> {
-    let frame = decoder.push::<ReportAmong>(end).expect("a whole frame");
+    let frame = decoder.push::<Report>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }
 

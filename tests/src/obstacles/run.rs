@@ -63,17 +63,14 @@ fn frame<R: Number>(
 ) -> Frame {
     let wide = |p: [R::Si; 2]| p.map(R::wide);
     let (hand, wrench) = (state.hand(), solver.wrench(state));
-    let (forces, touches) = (solver.contacts(state), solver.touches(state));
-    assert_eq!(forces.len(), touches.len(), "as many touches as contacts");
-    let contact =
-        |(force, touch): (&stiction_core::Contact<_>, &stiction_core::Touching<_>)| Contact {
-            touch: touch.touch,
-            point: wide(force.point),
-            direction: Some(wide(touch.direction)),
-            normal: R::wide(force.normal),
-            friction: R::wide(force.friction),
-            sliding: Some(force.sliding),
-        };
+    let contact = |contact: &stiction_core::Contact<_>| Contact {
+        touch: contact.touch,
+        point: wide(contact.point),
+        direction: Some(wide(contact.direction)),
+        normal: R::wide(contact.normal),
+        friction: R::wide(contact.friction),
+        sliding: Some(contact.sliding),
+    };
     let pose = |[x, y]: [f64; 2], angle| [x, y, R::wide_angle(angle)];
     let [fx, fy] = wide(wrench.force);
     Frame {
@@ -83,7 +80,7 @@ fn frame<R: Number>(
         pose: pose(wide(output.position), output.angle),
         depth: 0.0,
         state: output.state,
-        contacts: forces.iter().zip(touches.iter()).map(contact).collect(),
+        contacts: solver.contacts(state).iter().map(contact).collect(),
         complete: true,
         wrench: [fx, fy, R::wide(wrench.moment)],
         slips: output.slips,

@@ -7,7 +7,9 @@ use crate::number::Number;
 use crate::reference::{self, Touch};
 use crate::setup::Setup;
 use std::fmt::Write;
-use stiction_core::{ObstacleDescription, SceneError, SurfaceDescription, WithObstacles};
+use stiction_core::{
+    Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
+};
 
 /// Capacity for vertices of the body.
 pub const VERTICES: usize = 8;
@@ -79,7 +81,12 @@ impl Among {
         };
         let corners = corners.iter().map(Vec::as_slice);
         let obstacles: Vec<_> = self.obstacles.iter().zip(corners).map(obstacle).collect();
-        (self.setup).described::<R, _>(|description| Scene::among(description, &obstacles))
+        (self.setup).described::<R, _>(|description| {
+            Scene::new(&Description {
+                obstacles: &obstacles,
+                ..*description
+            })
+        })
     }
 
     /// The scene of the judge, as the number type rounds it.

@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 use stiction_wire::{
-    Command, ContactAmong, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType,
-    Pose, Reason, Reference, Reply, Report, ReportAmong, Room, SceneCommand, Subject,
+    Command, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType, Pose, Reason,
+    Reference, Reply, Report, SceneCommand, Subject,
 };
 
 /// Reports of a board that own their data; FRAME.md describes them.
@@ -18,12 +18,6 @@ pub enum Said {
         turns: i32,
         contacts: Vec<Contact<f32>>,
     },
-    ForcesAmong {
-        wrench: Wrench<f32>,
-        turns: i32,
-        contacts: Vec<ContactAmong>,
-    },
-    Room(Room),
     Events {
         slips: u32,
         longest_slip: f32,
@@ -67,7 +61,7 @@ impl PartialEq for Answer {
 pub struct Known {
     pub version: [u8; 3],
     pub number: NumberType,
-    pub room: [u8; 2],
+    pub room: [u8; 3],
     pub has: [bool; 3],
     pub longest_frame: u16,
     pub fastest_tick: u16,
@@ -101,20 +95,6 @@ impl From<Report<'_>> for Said {
     }
 }
 
-impl From<ReportAmong<'_>> for Said {
-    fn from(report: ReportAmong<'_>) -> Self {
-        match report {
-            ReportAmong::Common(report) => report.into(),
-            ReportAmong::Room(room) => Self::Room(room),
-            ReportAmong::ForcesAmong(forces) => Self::ForcesAmong {
-                wrench: forces.wrench,
-                turns: forces.turns,
-                contacts: forces.contacts.iter().collect(),
-            },
-        }
-    }
-}
-
 fn said_forces(forces: &Forces<'_>) -> Said {
     Said::Forces {
         wrench: forces.wrench,
@@ -139,7 +119,7 @@ fn known(info: &Info<'_>) -> Known {
     Known {
         version: info.version,
         number: info.number,
-        room: [info.vertices, info.surfaces],
+        room: [info.vertices, info.surfaces, info.corners],
         has: [info.friction, info.weight, info.actuators],
         longest_frame: info.longest_frame,
         fastest_tick: info.fastest_tick,
@@ -199,7 +179,7 @@ impl Client {
     /// Bytes from the board.
     pub fn listen(&mut self, bytes: &[u8]) {
         for &byte in bytes {
-            if let Some(Ok(frame)) = self.decoder.push::<ReportAmong>(byte) {
+            if let Some(Ok(frame)) = self.decoder.push::<Report>(byte) {
                 self.inbox.push_back(Received {
                     sequence: frame.sequence,
                     time: frame.time,

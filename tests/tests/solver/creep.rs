@@ -48,7 +48,7 @@ mod cases {
                 run.frame
                     .contacts
                     .iter()
-                    .map(|c| (c.vertex, c.point))
+                    .map(|c| (c.touch, c.point))
                     .collect::<Vec<_>>()
             };
             let settled = feet(&run);

@@ -99,7 +99,7 @@ fn hardly_out_of_line<R: Number>() {
                     let what = format!("{} {evolution:?} {along} {out}", R::NAME);
                     assert_eq!(frame.status, Status::Ok, "{what}: {frame:?}");
                     if frame.state == StateKind::Edge {
-                        let vertices = frame.contacts.iter().map(|c| c.vertex);
+                        let vertices = frame.contacts.iter().map(|c| c.touch.vertex().unwrap());
                         edges.push(vertices.collect::<Vec<_>>());
                     }
                 }

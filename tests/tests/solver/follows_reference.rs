@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::obstacles::Among;
-use stiction_tests::reference::{Foot, Reference, Scene, Touch};
+use stiction_tests::reference::{Foot, Reference, Scene};
 use stiction_tests::{Frame, Run, Setup, times};
 
 /// Number of scenes, each of a hundred frames.
@@ -121,10 +121,7 @@ fn reference_at(setup: &Setup, frame: &Frame, stiction: bool) -> Reference {
         .contacts
         .iter()
         .map(|c| Foot {
-            touch: Touch::Surface {
-                vertex: c.vertex,
-                surface: c.surface,
-            },
+            touch: c.touch,
             slides: c.sliding,
         })
         .collect();

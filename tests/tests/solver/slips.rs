@@ -9,7 +9,7 @@ use stiction_tests::{Frame, Number, Run, scenes, times};
 fn way(before: &Frame, after: &Frame) -> Option<f64> {
     let pairs = |frame: &Frame| -> Vec<_> {
         let contacts = frame.contacts.iter();
-        contacts.map(|c| (c.vertex, c.surface)).collect()
+        contacts.map(|c| c.touch).collect()
     };
     let only_slips = after.events.iter().all(|event| *event == Event::Slip);
     let slides = [before, after].map(|frame| frame.contacts.iter().any(|c| c.sliding != 0));

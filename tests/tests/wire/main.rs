@@ -1,12 +1,12 @@
 //! The wire: FRAME.md and the code agree, and no line turns a valid message into a wrong one.
 
-mod among;
 mod examples;
 mod faulty_line;
 mod logitech;
 mod malformed;
 mod meanings;
 mod names;
+mod obstacles;
 #[cfg(not(miri))] // It starts a process.
 mod other_client;
 mod random;
@@ -14,12 +14,11 @@ mod round_trip;
 mod said;
 
 use stiction_wire::{
-    Command, CommandAmong, Decoder, Fault, Frame, Message, Report, ReportAmong, frame_bytes,
-    obstacle_bytes, scene_bytes, wire_bytes,
+    Command, Decoder, Fault, Frame, Message, Report, frame_bytes, scene_bytes, wire_bytes,
 };
 
 /// The longest possible payload: 255 vertices, surfaces, obstacles and corners.
-const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
+const PAYLOAD: usize = scene_bytes([255; 4]);
 /// Capacity for every frame.
 const LONGEST: usize = frame_bytes(PAYLOAD);
 const WIRE: usize = wire_bytes(PAYLOAD);
@@ -36,8 +35,8 @@ fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
 
 /// A frame in either direction.
 enum Either<'a> {
-    Command(Frame<CommandAmong<'a>>),
-    Report(Frame<ReportAmong<'a>>),
+    Command(Frame<Command<'a>>),
+    Report(Frame<Report<'a>>),
 }
 
 impl Either<'_> {
@@ -77,41 +76,22 @@ fn bare(wire: &[u8]) -> Vec<u8> {
     raw
 }
 
-/// A decoder that has received all but the last of these bytes, which end the only frame in them.
-fn almost(wire: &[u8]) -> (Decoder<LONGEST>, u8) {
+/// The result of `look` on the only frame in these bytes.
+fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
     let (&last, bytes) = wire.split_last().expect("a frame has bytes");
-    let mut decoder = Decoder::new();
+    let mut decoder = Decoder::<LONGEST>::new();
     for &byte in bytes {
         assert!(
             decoder.push::<Command>(byte).is_none(),
             "a frame ends at its delimiter"
         );
     }
-    (decoder, last)
-}
-
-/// The result of `look` on the only frame in these bytes, received by a peer with room for obstacles.
-fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
-    let (mut decoder, last) = almost(wire);
     let end = "a delimiter ends a frame";
     look(if to_board {
         decoder.push(last).expect(end).map(Either::Command)
     } else {
         decoder.push(last).expect(end).map(Either::Report)
     })
-}
-
-/// The only frame in these bytes, as a peer without room for obstacles receives it and would send it on.
-fn without_obstacles(wire: &[u8], to_board: bool) -> Result<Vec<u8>, Fault> {
-    let (mut decoder, last) = almost(wire);
-    let end = "a delimiter ends a frame";
-    if to_board {
-        let frame = decoder.push::<Command>(last).expect(end);
-        frame.map(|frame| encoded(&frame))
-    } else {
-        let frame = decoder.push::<Report>(last).expect(end);
-        frame.map(|frame| encoded(&frame))
-    }
 }
 
 /// A raw frame: any header, any payload, a valid checksum.

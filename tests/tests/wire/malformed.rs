@@ -1,20 +1,16 @@
 //! An invalid message is reported by its kind, and changes nothing.
 
 use crate::random::{Random, Store};
-use crate::{Either, bare, decoded, encoded, first, sealed, times, without_obstacles};
+use crate::{Either, bare, decoded, encoded, first, sealed, times};
 use stiction_core::Status;
 use stiction_wire::{
-    Command, CommandAmong, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply,
-    Report, ReportAmong, SceneCommand, VERSION, VERSION_AMONG, frame_bytes,
+    Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report, VERSION,
+    frame_bytes,
 };
 
-/// Of a frame with this header and payload; version 2 is read by a peer without room for obstacles.
+/// Of a frame with this header and payload.
 fn fault(bytes: &[u8], to_board: bool) -> Option<Fault> {
-    if bytes.first() == Some(&VERSION_AMONG) {
-        decoded(&sealed(bytes), to_board, |received| received.err())
-    } else {
-        without_obstacles(&sealed(bytes), to_board).err()
-    }
+    decoded(&sealed(bytes), to_board, |received| received.err())
 }
 
 /// A text may have any length.
@@ -22,7 +18,7 @@ fn ends_with_text(frame: &Either<'_>) -> bool {
     matches!(
         frame,
         Either::Report(Frame {
-            message: ReportAmong::Common(Report::Reply(_) | Report::Info(_)),
+            message: Report::Reply(_) | Report::Info(_),
             ..
         })
     )
@@ -35,7 +31,7 @@ fn truncated_and_extended_payloads_have_the_wrong_length() {
         let store = Store::fill(&mut random, 3);
         let frame = store.frame(&mut random);
         let (bytes, to_board) = (bare(&frame.encoded()), frame.to_board());
-        let fault = |bytes: &[u8]| decoded(&sealed(bytes), to_board, |received| received.err());
+        let fault = |bytes: &[u8]| fault(bytes, to_board);
         let length = |frame| {
             Some(Fault {
                 kind: FaultKind::Length,
@@ -64,17 +60,15 @@ fn truncated_and_extended_payloads_have_the_wrong_length() {
 
 #[test]
 fn unknown_types_and_other_versions_are_faults() {
-    for (version, commands, last_report) in [(VERSION, 1..=8, 0x95), (VERSION_AMONG, 1..=9, 0x97)] {
-        for code in 0..=255_u8 {
-            let is_command = commands.contains(&code);
-            let is_report = (0x80..=0x85).contains(&code) || (0x90..=last_report).contains(&code);
-            for (to_board, known) in [(true, is_command), (false, is_report)] {
-                let kind = fault(&[version, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
-                if known {
-                    assert!(matches!(kind, None | Some(FaultKind::Length)), "{code:#x}");
-                } else {
-                    assert_eq!(kind, Some(FaultKind::UnknownType), "{code:#x}");
-                }
+    for code in 0..=255_u8 {
+        let is_command = (1..=8).contains(&code);
+        let is_report = (0x80..=0x85).contains(&code) || (0x90..=0x95).contains(&code);
+        for (to_board, known) in [(true, is_command), (false, is_report)] {
+            let kind = fault(&[VERSION, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
+            if known {
+                assert!(matches!(kind, None | Some(FaultKind::Length)), "{code:#x}");
+            } else {
+                assert_eq!(kind, Some(FaultKind::UnknownType), "{code:#x}");
             }
         }
     }
@@ -89,40 +83,33 @@ fn unknown_types_and_other_versions_are_faults() {
     for version in (0..=255).filter(|v| *v != VERSION) {
         // Whatever else is in its head.
         for bytes in [&[version, 7, 5, 0, 0, 0, 0][..], &[version, 7, 5]] {
-            let wire = sealed(bytes);
-            assert_eq!(without_obstacles(&wire, true).err(), expected);
-            if version != VERSION_AMONG {
-                assert_eq!(decoded(&wire, true, |received| received.err()), expected);
-            }
+            assert_eq!(fault(bytes, true), expected);
         }
     }
 }
 
 #[test]
 fn codes_without_a_meaning_are_faults() {
-    let of =
-        |version: u8, code: u8, payload: &[u8]| [&[version, code, 0, 0, 0, 0, 0], payload].concat();
-    let with = |code: u8, payload: &[u8]| of(VERSION, code, payload);
-    let among = |code: u8, payload: &[u8]| of(VERSION_AMONG, code, payload);
+    let with = |code: u8, payload: &[u8]| [&[VERSION, code, 0, 0, 0, 0, 0], payload].concat();
     let set = |mut payload: Vec<u8>, at: usize, byte: u8| {
         payload[at] = byte;
         payload
     };
     let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-    let scene = [&[0, 1], [0; 62].as_slice()].concat();
-    let contact = [vec![0; 28], vec![1], vec![0; 19]].concat();
-    let info = [vec![0; 44], mode.clone(), b"name".to_vec()].concat();
+    let scene = [&[0, 1], [0; 64].as_slice()].concat();
+    // The last contact is a vertex on a half-plane.
+    let contact = [vec![0; 28], vec![1], vec![0; 28]].concat();
+    let half_plane = set(contact.clone(), 30, 255);
+    let info = [vec![0; 45], mode.clone(), b"name".to_vec()].concat();
     let subject = |code: u8| set(vec![0; 14], 3, code);
     // Two obstacles with one corner each.
     let mut pins = vec![0; 41 + 2 * 14 + 2 * 8];
-    (pins[39], pins[40], pins[41], pins[55]) = (2, 2, 1, 1);
-    let touching = [vec![0; 28], vec![1], vec![0; 28]].concat();
-    let half_plane = set(touching.clone(), 30, 255);
+    (pins[2], pins[3], pins[41], pins[55]) = (2, 2, 1, 1);
     for (to_board, bytes) in [
-        (true, among(0x09, &pins)),
-        (false, among(0x97, &touching)),
-        (false, among(0x97, &half_plane)),
-        (false, among(0x92, &subject(24))),
+        (true, with(0x04, &pins)),
+        (false, with(0x90, &contact)),
+        (false, with(0x90, &half_plane)),
+        (false, with(0x92, &subject(24))),
     ] {
         assert_eq!(fault(&bytes, to_board), None, "{bytes:?}");
     }
@@ -131,8 +118,8 @@ fn codes_without_a_meaning_are_faults() {
         (true, with(0x01, &set(vec![0; 21], 20, 2)), "held"),
         (true, with(0x02, &set(vec![0; 29], 28, 255)), "held"),
         (true, with(0x03, &set(vec![0; 21], 16, 2)), "has_memory"),
-        (true, with(0x04, &set(vec![0; 39], 2, 2)), "has_point"),
-        (true, with(0x04, &set(scene, 59, 2)), "has_memory"),
+        (true, with(0x04, &set(vec![0; 41], 4, 2)), "has_point"),
+        (true, with(0x04, &set(scene, 61, 2)), "has_memory"),
         (true, with(0x05, &set(mode.clone(), 0, 2)), "evolution"),
         (true, with(0x05, &set(mode.clone(), 1, 2)), "stepping"),
         (true, with(0x05, &set(mode.clone(), 2, 3)), "axis_x"),
@@ -143,26 +130,23 @@ fn codes_without_a_meaning_are_faults() {
         (false, with(0x80, &set(vec![0; 20], 16, 1 << 6)), "flags"),
         (false, with(0x80, &set(vec![0; 20], 18, 1 << 3)), "events"),
         (false, with(0x80, &set(vec![0; 20], 18, 1 << 4)), "events"),
-        (false, with(0x90, &set(contact.clone(), 47, 2)), "sliding"),
-        (false, with(0x90, &set(contact, 47, 0xfe)), "sliding"),
+        (false, with(0x90, &set(contact.clone(), 56, 2)), "sliding"),
+        (false, with(0x90, &set(contact, 56, 0xfe)), "sliding"),
         (false, with(0x91, &event), "event"),
         (false, with(0x92, &set(vec![0; 14], 2, 9)), "reason"),
-        (false, with(0x92, &subject(16)), "subject"),
+        (false, with(0x92, &subject(25)), "subject"),
         (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
         (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
-        (false, with(0x93, &set(info.clone(), 6, 8)), "has"),
-        (false, with(0x93, &set(info.clone(), 39, 2)), "has_memory"),
-        (false, with(0x93, &set(info.clone(), 44, 2)), "mode"),
-        (false, with(0x93, &set(info, 57, 0x7f)), "name"),
+        (false, with(0x93, &set(info.clone(), 7, 8)), "has"),
+        (false, with(0x93, &set(info.clone(), 40, 2)), "has_memory"),
+        (false, with(0x93, &set(info.clone(), 45, 2)), "mode"),
+        (false, with(0x93, &set(info, 58, 0x7f)), "name"),
         (false, with(0x94, &set(vec![0; 61], 0, 3)), "drive"),
-        (true, among(0x09, &set(pins.clone(), 2, 2)), "has_point"),
-        (true, among(0x09, &set(pins.clone(), 50, 2)), "has_memory"),
-        (true, among(0x09, &set(pins.clone(), 64, 2)), "has_memory"),
-        (true, among(0x09, &set(pins.clone(), 41, 2)), "3 of 2"),
-        (true, among(0x09, &set(pins, 55, 0)), "1 of 2"),
-        (false, among(0x97, &set(touching, 56, 2)), "sliding"),
-        (false, among(0x97, &set(half_plane, 29, 0x80)), "its corner"),
-        (false, among(0x92, &subject(25)), "subject"),
+        (true, with(0x04, &set(pins.clone(), 50, 2)), "has_memory"),
+        (true, with(0x04, &set(pins.clone(), 64, 2)), "has_memory"),
+        (true, with(0x04, &set(pins.clone(), 41, 2)), "3 of 2"),
+        (true, with(0x04, &set(pins, 55, 0)), "1 of 2"),
+        (false, with(0x90, &set(half_plane, 29, 0x80)), "its corner"),
     ];
     for (to_board, bytes, field) in cases {
         let kind = fault(&bytes, to_board).map(|f| f.kind);
@@ -247,24 +231,21 @@ fn faults_are_counted_apart_and_stay_at_their_greatest() {
 
 /// What is sent on without its unused bits, which are ignored.
 fn has_unused_bits(frame: &Either<'_>, bytes: &[u8]) -> bool {
-    let of_scene = |scene: &SceneCommand<'_>| {
-        let without_memory = scene.surfaces.iter().any(|s| s.memory.is_none());
-        scene.holding_point.is_none() || without_memory
-    };
     match frame {
         Either::Command(Frame { message, .. }) => match message {
-            CommandAmong::Common(Command::Scene(scene)) => of_scene(scene),
-            CommandAmong::Common(Command::Parameters(p)) => p.memory.is_none(),
-            CommandAmong::SceneAmong(among) => {
-                of_scene(&among.scene) || !among.obstacles.is_empty()
+            Command::Scene(scene) => {
+                let without_memory = scene.surfaces.iter().any(|s| s.memory.is_none());
+                let has_obstacles = !scene.obstacles.is_empty();
+                scene.holding_point.is_none() || without_memory || has_obstacles
             }
-            CommandAmong::Common(_) => false,
+            Command::Parameters(p) => p.memory.is_none(),
+            _ => false,
         },
         Either::Report(Frame { message, .. }) => match message {
-            ReportAmong::Common(Report::Info(info)) => info.memory_now.is_none(),
-            ReportAmong::Common(Report::Pose(pose)) => pose.status == Status::Ambiguous,
-            ReportAmong::Common(Report::Reply(_)) => bytes[11..13] != [0, 0],
-            ReportAmong::Common(_) | ReportAmong::Room(_) | ReportAmong::ForcesAmong(_) => false,
+            Report::Info(info) => info.memory_now.is_none(),
+            Report::Pose(pose) => pose.status == Status::Ambiguous,
+            Report::Reply(_) => bytes[11..13] != [0, 0],
+            _ => false,
         },
     }
 }
@@ -274,10 +255,9 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
     let mut random = Random(15);
     let (mut messages, mut faults) = (0, Faults::new());
     for i in 0..times(300_000) {
-        let (version, code) = match i % 3 {
-            0 => (VERSION, 1 + random.byte() % 8),
-            1 => (VERSION, 0x80 + random.byte() % 0x16),
-            _ => (VERSION_AMONG, [0x09, 0x97, 0x92, 0x96][random.below(4)]),
+        let code = match i % 2 {
+            0 => 1 + random.byte() % 8,
+            _ => 0x80 + random.byte() % 0x16,
         };
         // Mostly small bytes, so that counts and codes are often valid.
         let lengths = [
@@ -294,7 +274,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             49,
             54,
             55,
-            57,
+            58,
             61,
             63,
             85,
@@ -309,7 +289,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             }
         };
         let payload: Vec<u8> = (0..length).map(|_| byte(&mut random)).collect();
-        let bytes = [&[version, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
+        let bytes = [&[VERSION, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
         let is_command = code < 0x80;
         decoded(&sealed(&bytes), is_command, |received| match received {
             Err(fault) => faults.count(fault.kind),

@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::{Either, bare, decoded, encoded, first};
 use stiction_core::{Event, Status};
-use stiction_wire::{EventSet, Frame, Pose, Report, ReportAmong, VERSION};
+use stiction_wire::{EventSet, Frame, Pose, Report, VERSION};
 
 /// FRAME.md 5.1.
 #[test]
@@ -61,7 +61,7 @@ fn status_to_come_is_taken_for_ambiguous() {
         raw.extend([code | 1 << 4, 5, 0xe0, 8]);
         decoded(&crate::sealed(&raw), false, |received| {
             let Ok(Either::Report(Frame {
-                message: ReportAmong::Common(Report::Pose(pose)),
+                message: Report::Pose(pose),
                 ..
             })) = received
             else {

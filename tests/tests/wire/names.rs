@@ -3,9 +3,7 @@
 use std::fmt::Debug;
 
 use stiction_core::{Event, Evolution, StateKind, Status};
-use stiction_wire::{
-    CommandAmong, Drive, FaultKind, Frame, NumberType, Reason, ReportAmong, Reset, Stepping,
-};
+use stiction_wire::{Drive, FaultKind, Frame, NumberType, Reason, Reset, Stepping};
 
 use crate::Either;
 use crate::random::{Random, Store};
@@ -45,16 +43,8 @@ fn messages_are_named_by_what_they_are() {
     for _ in 0..400 {
         let store = Store::fill(&mut random, 3);
         let (name, named) = match store.frame(&mut random) {
-            Either::Command(Frame { message, .. }) => match message {
-                CommandAmong::Common(command) => (command.name(), hyphenated(&command)),
-                CommandAmong::SceneAmong(_) => (message.name(), hyphenated(&message)),
-            },
-            Either::Report(Frame { message, .. }) => match message {
-                ReportAmong::Common(report) => (report.name(), hyphenated(&report)),
-                ReportAmong::Room(_) | ReportAmong::ForcesAmong(_) => {
-                    (message.name(), hyphenated(&message))
-                }
-            },
+            Either::Command(Frame { message, .. }) => (message.name(), hyphenated(&message)),
+            Either::Report(Frame { message, .. }) => (message.name(), hyphenated(&message)),
         };
         assert_eq!(name, named);
     }

@@ -53,6 +53,7 @@ const INFO: Info<'_> = Info {
     number: NumberType::F32,
     vertices: 4,
     surfaces: 1,
+    corners: 0,
     friction: true,
     weight: true,
     actuators: false,

@@ -1,16 +1,17 @@
 //! Random messages of every type, the same in every run.
 
-mod among;
+mod obstacles;
 
-use self::among::{contact_among, obstacles};
+use self::obstacles::obstacles;
+use crate::Either;
 use stiction_core::{
     Angle, Axis, Contact, Event, Evolution, Hand, ObstacleDescription, Parameter, StateKind,
     Status, SurfaceDescription, TrackerSample, Wrench,
 };
 use stiction_wire::FaultKind;
 use stiction_wire::{
-    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Health, Info, List, Mode,
-    NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand,
+    Command, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List, Mode, NumberType,
+    ObstacleList, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand,
     Stepping, Subject, Text,
 };
 
@@ -87,7 +88,9 @@ impl Random {
     }
     fn subject(&mut self) -> Subject {
         let (i, j) = (self.below(256), self.below(256));
+        let of_obstacles = Subject::Scene(self.parameter());
         self.one(&[
+            of_obstacles,
             Subject::Command,
             Subject::TickRate,
             Subject::LineRate,
@@ -120,7 +123,6 @@ pub(crate) struct Store {
     surfaces: Vec<SurfaceDescription<f32>>,
     obstacles: Vec<ObstacleDescription<'static, f32>>,
     contacts: Vec<Contact<f32>>,
-    contacts_among: Vec<ContactAmong>,
     events: Vec<Event>,
     text: String,
 }
@@ -140,7 +142,6 @@ impl Store {
             surfaces: (0..s).map(|_| surface(random)).collect(),
             obstacles: obstacles(random, longest),
             contacts: (0..c).map(|_| contact(random)).collect(),
-            contacts_among: (0..c).map(|_| contact_among(random)).collect(),
             events: (0..e).map(|_| random.one(&Event::ALL)).collect(),
             text: (0..t)
                 .map(|_| char::from(b' ' + random.below(95) as u8))
@@ -158,7 +159,29 @@ impl Store {
             stiffness_translation: random.float(),
             stiffness_rotation: random.float(),
             surfaces: List::from(self.surfaces.as_slice()),
+            obstacles: ObstacleList::from(self.obstacles.as_slice()),
         }
+    }
+
+    /// Of every type; half the commands are scenes.
+    pub(crate) fn frame(&self, random: &mut Random) -> Either<'_> {
+        let (sequence, time) = (random.byte(), random.word());
+        if random.flag() {
+            let message = match random.flag() {
+                true => Command::Scene(self.scene(random)),
+                false => self.command(random),
+            };
+            return Either::Command(Frame {
+                sequence,
+                time,
+                message,
+            });
+        }
+        Either::Report(Frame {
+            sequence,
+            time,
+            message: self.report(random),
+        })
     }
 
     fn reply(&self, random: &mut Random) -> Reply<'_> {
@@ -224,6 +247,7 @@ impl Store {
                 number: random.one(&NumberType::ALL),
                 vertices: random.byte(),
                 surfaces: random.byte(),
+                corners: random.byte(),
                 friction: random.flag(),
                 weight: random.flag(),
                 actuators: random.flag(),
@@ -305,8 +329,8 @@ fn wrench([x, y, moment]: [f32; 3]) -> Wrench<f32> {
 
 fn contact(random: &mut Random) -> Contact<f32> {
     Contact {
-        vertex: random.below(256),
-        surface: random.below(256),
+        touch: random.touch(),
+        direction: random.floats(),
         point: random.floats(),
         normal: random.float(),
         friction: random.float(),

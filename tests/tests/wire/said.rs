@@ -1,14 +1,12 @@
 //! The content of a frame, with the field names of FRAME.md.
 
-mod among;
+mod obstacles;
 
-use self::among::subject_among;
+use self::obstacles::{contact, of_obstacle};
 use crate::Either;
 use serde_json::{Map, Value as Json};
 use std::collections::BTreeMap;
-use stiction_core::{
-    Contact, Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench,
-};
+use stiction_core::{Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench};
 use stiction_wire::{
     Command, Events, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
 };
@@ -39,8 +37,8 @@ impl Said {
             .int("sequence", sequence)
             .int("time", time);
         match frame {
-            Either::Command(f) => said.command_among(&f.message),
-            Either::Report(f) => said.report_among(&f.message),
+            Either::Command(f) => said.command(&f.message),
+            Either::Report(f) => said.report(&f.message),
         }
         said
     }
@@ -160,6 +158,7 @@ impl Said {
             scene.vertices.iter().map(|v| floats(&v)),
         );
         self.list("surfaces", "surface", scene.surfaces.iter().map(surface));
+        self.obstacles(&scene.obstacles);
     }
 
     fn mode(&mut self, mode: &Mode) {
@@ -276,7 +275,8 @@ impl Said {
         }
         self.int("number", i64::from(info.number.name() == "fixed"));
         self.int("vertices", info.vertices)
-            .int("surfaces", info.surfaces);
+            .int("surfaces", info.surfaces)
+            .int("corners", info.corners);
         let has = [info.friction, info.weight, info.actuators].map(i64::from);
         self.int("has", has[0] + 2 * has[1] + 4 * has[2]);
         self.int("longest_frame", info.longest_frame)
@@ -289,14 +289,6 @@ impl Said {
         self.mode(&info.mode);
         self.text("name", &info.name.to_string());
     }
-}
-
-fn contact(c: Contact<f32>) -> Value {
-    let [x, y] = c.point;
-    let indices = [c.vertex, c.surface].map(|i| Value::Int(i as i64));
-    let numbers = [x, y, c.normal, c.friction].map(float);
-    let sliding = [Value::Int(c.sliding.into())];
-    Value::List(indices.into_iter().chain(numbers).chain(sliding).collect())
 }
 
 fn status(status: Status) -> i64 {
@@ -340,7 +332,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Parameter::FrictionDynamic(i) => (13, [i, 0]),
         Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
         Parameter::Memory(i) => (15, [i, 0]),
-        of_obstacle => subject_among(of_obstacle),
+        other => of_obstacle(other),
     }
 }
 

@@ -42,8 +42,9 @@ fn scene_on(
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
         surfaces,
+        obstacles: &list,
     };
-    Scene::among(&description, &list).expect("a sound scene")
+    Scene::new(&description).expect("a sound scene")
 }
 
 const ROD: [[f64; 2]; 2] = [[0.0, 0.0], [1.0, 0.0]];

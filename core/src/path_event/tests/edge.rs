@@ -29,6 +29,7 @@ fn rod() -> Scene<f64, 2, 1> {
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
         surfaces: &[floor],
+        obstacles: &[],
     });
     scene.expect("a sound scene")
 }

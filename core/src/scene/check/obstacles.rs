@@ -27,15 +27,27 @@ pub(in crate::scene) fn check_vertices_among<F: Real>(vertices: &[[F; 2]]) -> Ch
     require(fits, Parameter::VertexCount, count(vertices), allowed)
 }
 
+/// There are no more obstacles than the solver has room for.
+pub(crate) fn check_obstacle_count<F: Real>(
+    given: &[ObstacleDescription<'_, F>],
+    capacity: usize,
+) -> Checked<F> {
+    let allowed = "0 to the capacity of the solver";
+    require(
+        given.len() <= capacity,
+        Parameter::ObstacleCount,
+        count(given),
+        allowed,
+    )
+}
+
 /// All obstacles, in their order.
 pub(in crate::scene) fn check_obstacles<R: Real, M: Model>(
     given: &[ObstacleDescription<'_, R::Si>],
     room: &Room,
     units: &Units<R::Si>,
 ) -> Checked<R::Si> {
-    let fits = given.len() <= room.obstacles;
-    let allowed = "0 to the capacity of the solver";
-    require(fits, Parameter::ObstacleCount, count(given), allowed)?;
+    check_obstacle_count(given, room.obstacles)?;
     for (i, obstacle) in given.iter().enumerate() {
         let corners = count(obstacle.vertices);
         let some = !obstacle.vertices.is_empty();

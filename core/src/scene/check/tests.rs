@@ -13,6 +13,7 @@ fn size(ratio: f64, lever: Option<[f64; 2]>) -> f64 {
         stiffness_translation: 3.0,
         stiffness_rotation: 3.0 * ratio,
         surfaces: &[],
+        obstacles: &[],
     })
 }
 

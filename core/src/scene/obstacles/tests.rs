@@ -57,7 +57,7 @@ impl Setup {
         }
     }
 
-    fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Built<R, V, S>>(
+    fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
         &self,
     ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {
         let nd = |x: f64| <R::Si as SiFloat>::narrow(x);
@@ -91,27 +91,9 @@ impl Setup {
             stiffness_translation: nd(1.0),
             stiffness_rotation: nd(1.0),
             surfaces: &surfaces,
+            obstacles: &obstacles,
         };
-        M::build(&description, &obstacles)
-    }
-}
-
-/// A model with some capacity for obstacles.
-trait Built<R: Real, const V: usize, const S: usize>: Model + Sized {
-    fn build(
-        description: &Description<'_, R::Si>,
-        obstacles: &[ObstacleDescription<'_, R::Si>],
-    ) -> Result<Scene<R, V, S, Self>, SceneError<R::Si>>;
-}
-
-impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
-    Built<R, V, S> for WithObstacles<O, C, M>
-{
-    fn build(
-        description: &Description<'_, R::Si>,
-        obstacles: &[ObstacleDescription<'_, R::Si>],
-    ) -> Result<Scene<R, V, S, Self>, SceneError<R::Si>> {
-        Scene::among(description, obstacles)
+        Scene::new(&description)
     }
 }
 

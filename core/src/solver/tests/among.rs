@@ -82,8 +82,9 @@ impl Setting {
             stiffness_translation: si(1.0),
             stiffness_rotation: si(self.stiffness),
             surfaces: &[surface],
+            obstacles: &obstacles,
         };
-        Scene::among(&description, &obstacles).expect("a sound scene")
+        Scene::new(&description).expect("a sound scene")
     }
 }
 
@@ -166,10 +167,8 @@ where
         let count = self.setting.body.len() as f64;
         let middle = |k: usize| self.setting.body.iter().map(|v| v[k]).sum::<f64>() / count;
         left[2] += moment_of(place([middle(0), middle(1)]), weight);
-        let contacts = self.solver.contacts(&self.state);
-        let touches = self.solver.touches(&self.state);
-        for (contact, touch) in contacts.iter().zip(touches.iter()) {
-            let n: [f64; 2] = touch.direction.map(Into::into);
+        for contact in self.solver.contacts(&self.state).iter() {
+            let n: [f64; 2] = contact.direction.map(Into::into);
             let (normal, friction): (f64, f64) = (contact.normal.into(), contact.friction.into());
             let at: [f64; 2] = contact.point.map(Into::into);
             let f = [

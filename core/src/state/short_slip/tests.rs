@@ -46,6 +46,7 @@ impl Case {
             stiffness_translation: 1.0,
             stiffness_rotation: self.stiffness,
             surfaces: &[floor],
+            obstacles: &[],
         })
         .expect("a sound scene");
         let pivot = Pivot {

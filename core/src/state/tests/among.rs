@@ -25,8 +25,9 @@ fn among(vertices: &[[f64; 2]], obstacles: &[&[[f64; 2]]], (stiffness, mu): (f64
         stiffness_translation: 1.0,
         stiffness_rotation: stiffness,
         surfaces: &[],
+        obstacles: &list[..obstacles.len()],
     };
-    Scene::among(&description, &list[..obstacles.len()]).expect("a sound scene")
+    Scene::new(&description).expect("a sound scene")
 }
 
 /// A box of diagonal 1, tilted between a wall that a vertex touches and the corner of a block, without friction. The hand pulls it down

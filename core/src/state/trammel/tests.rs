@@ -52,6 +52,7 @@ fn case(random: &mut Random) -> Option<Case> {
         stiffness_translation: 1.0,
         stiffness_rotation: random.next().abs(),
         surfaces: &surfaces,
+        obstacles: &[],
     });
     let first = Pair {
         vertex: 0,

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use stiction_core::{Contact, Evolution, Hand, Real, Solver, State, Touch};
-use stiction_scene::{HostModel, HostSolver, SceneFile, Source, c_source};
+use stiction_core::{Evolution, Hand, Model, Real, Solver, State, Touch};
+use stiction_scene::{HostSolver, SceneFile, Source, c_source};
 
 use crate::library::{Library, folder};
 
@@ -53,30 +53,19 @@ pub(crate) fn scenes_header(library: &Library) -> String {
     code
 }
 
-/// The contacts of a state: feature and other as the library numbers them, and the rest of a contact.
-fn contacts<R: Real<Si = f32>, M: HostModel>(
-    solver: &HostSolver<R, M>,
-    state: &State<R>,
-) -> impl Iterator<Item = ([usize; 2], Contact<f32>)> {
-    let touches = M::touches(solver, state);
-    let contacts = solver.contacts(state);
-    (0..contacts.len()).map(move |i| {
-        let contact = contacts[i];
-        let touch = touches.as_ref().map(|touches| touches[i].touch);
-        let features = match touch {
-            None => [contact.vertex, contact.surface],
-            Some(Touch::Surface { vertex, surface }) => [vertex, surface],
-            Some(Touch::Side {
-                vertex, obstacle, ..
-            }) => [vertex, obstacle],
-            Some(Touch::Corner {
-                obstacle,
-                body_side,
-                ..
-            }) => [body_side, obstacle],
-        };
-        (features, contact)
-    })
+/// Feature and other of a contact as the library numbers them.
+fn features(touch: Touch) -> [usize; 2] {
+    match touch {
+        Touch::Surface { vertex, surface } => [vertex, surface],
+        Touch::Side {
+            vertex, obstacle, ..
+        } => [vertex, obstacle],
+        Touch::Corner {
+            obstacle,
+            body_side,
+            ..
+        } => [body_side, obstacle],
+    }
 }
 
 /// Marsaglia's xorshift of 32 bits.
@@ -113,20 +102,22 @@ impl Hash {
     }
 }
 
-pub(crate) fn hashes<R: Real<Si = f32>, M: HostModel>(library: &Library, frames: u32) -> Vec<u32> {
+pub(crate) fn hashes<R: Real<Si = f32>, M: Model>(library: &Library, frames: u32) -> Vec<u32> {
     let names = library.scenes().iter().enumerate();
     names
         .map(|(i, name)| {
             let file = scene(name);
-            let (scene, _) = M::scene::<R>(&file.written).expect("a sound scene");
+            let (scene, _) = file.written.scene_in().expect("a sound scene");
             let solver = Solver::new(scene, Evolution::ALL[i % 2]);
-            let start = file.written.described(|description| description.start);
+            let (start, _) = file
+                .written
+                .described::<R, _>(|description| description.start);
             hash::<R, M>(&solver, start, 2_463_534_242 + i as u32, frames)
         })
         .collect()
 }
 
-fn hash<R: Real<Si = f32>, M: HostModel>(
+fn hash<R: Real<Si = f32>, M: Model>(
     solver: &HostSolver<R, M>,
     start: [f32; 3],
     seed: u32,
@@ -160,7 +151,8 @@ fn hash<R: Real<Si = f32>, M: HostModel>(
         let wrench = solver.wrench(state);
         hash.take_floats(&wrench.force);
         hash.take_floats(&[wrench.moment]);
-        for ([feature, other], contact) in contacts(solver, state) {
+        for contact in solver.contacts(state).iter() {
+            let [feature, other] = features(contact.touch);
             hash.take_floats(&[contact.point[0], contact.normal, contact.friction]);
             let sliding = u32::from(contact.sliding as u8);
             hash.take(feature as u32 | (other as u32) << 8 | sliding << 16);

@@ -2,9 +2,9 @@
 
 use std::fmt::Display;
 
-use stiction_core::{Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, narrow_hand};
+use stiction_core::{Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand};
 use stiction_judge::{Bounds, Contact, Evolution, Frame, Scene};
-use stiction_scene::{Among, HostModel, HostSolver, Indices, Motion, SceneFile, Source};
+use stiction_scene::{Among, HostSolver, Indices, Motion, SceneFile, Source};
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,11 +62,11 @@ fn of_number<R: Real<Si: SiFloat + Display>>(file: &SceneFile, evolution: Evolut
     }
 }
 
-fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
+fn of_model<R: Real<Si: SiFloat + Display>, M: Model>(
     file: &SceneFile,
     evolution: Evolution,
 ) -> Vec<Frame> {
-    let (scene, indices) = M::scene::<R>(file).expect("a scene");
+    let (scene, indices) = file.written.scene_in().expect("a scene");
     let solver: HostSolver<R, M> = Solver::new(scene, evolution);
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {
         panic!("a scene with keyframes");
@@ -85,7 +85,7 @@ fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
         printed_frame::<R, M>(
             sample.t,
             (&solver, state.as_ref().expect("one"), &output),
-            indices.as_ref(),
+            (indices.as_ref(), !file.obstacles.is_empty()),
         )
     };
     path.frames(file.hand.rate).map(frame).collect()
@@ -96,28 +96,19 @@ fn printed(x: impl Display) -> f64 {
     x.to_string().parse().expect("a number")
 }
 
-fn printed_frame<R: Real<Si: SiFloat + Display>, M: HostModel>(
+fn printed_frame<R: Real<Si: SiFloat + Display>, M: Model>(
     t: f64,
     (solver, state, output): (&HostSolver<R, M>, &State<R>, &Output<R::Si>),
-    indices: Option<&Indices>,
+    (indices, has_obstacles): (Option<&Indices>, bool),
 ) -> Frame {
     let placed = |[x, y]: [R::Si; 2], angle: R::Si| [printed(x), printed(y), printed(angle)];
-    let touches = M::touches(solver, state);
-    let contact = |(k, contact): (usize, &stiction_core::Contact<R::Si>)| {
-        let touching = touches.as_ref().and_then(|all| all.get(k).copied());
-        let of_surface = stiction_core::Touch::Surface {
-            vertex: contact.vertex,
-            surface: contact.surface,
-        };
-        let touch = touching.map_or(of_surface, |touching| touching.touch);
-        Contact {
-            touch: indices.map_or(touch, |indices| indices.touch(touch)),
-            point: contact.point.map(printed),
-            direction: touching.map(|touching| touching.direction.map(printed)),
-            normal: printed(contact.normal),
-            friction: printed(contact.friction),
-            sliding: Some(contact.sliding),
-        }
+    let contact = |contact: &stiction_core::Contact<R::Si>| Contact {
+        touch: indices.map_or(contact.touch, |indices| indices.touch(contact.touch)),
+        point: contact.point.map(printed),
+        direction: has_obstacles.then(|| contact.direction.map(printed)),
+        normal: printed(contact.normal),
+        friction: printed(contact.friction),
+        sliding: Some(contact.sliding),
     };
     let (hand, wrench) = (state.hand(), solver.wrench(state));
     Frame {
@@ -127,9 +118,7 @@ fn printed_frame<R: Real<Si: SiFloat + Display>, M: HostModel>(
         pose: placed(output.position, output.angle.radians()),
         depth: printed(output.depth),
         state: output.state,
-        contacts: (solver.contacts(state).iter().enumerate())
-            .map(contact)
-            .collect(),
+        contacts: solver.contacts(state).iter().map(contact).collect(),
         complete: true,
         wrench: placed(wrench.force, wrench.moment),
         slips: output.slips,

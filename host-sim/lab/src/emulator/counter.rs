@@ -6,8 +6,8 @@ use std::fs;
 use stiction_core::{Evolution, Hand, narrow_hand};
 use stiction_firmware::count::Totals;
 use stiction_host_sim::firmware::process::EmulatorError;
-use stiction_scene::{NumberType, SceneFile, WrittenScene};
-use stiction_wire::{Command, CommandAmong, Decoder, Mode, Pose, Report, SceneAmong, SceneCommand};
+use stiction_scene::{NumberType, SceneFile};
+use stiction_wire::{Command, Decoder, Mode, Pose, Report, SceneCommand};
 
 use super::image::Image;
 use super::{Board, Profile};
@@ -97,29 +97,22 @@ impl Counted {
 /// A job for a [`Counter`]: the scene, the evolution, and a hand sample for every frame, as messages to a board.
 pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    scene.described(|description| {
-        WrittenScene::described_obstacles(&scene.obstacles, |obstacles| {
-            let scene = match obstacles {
-                [] => CommandAmong::Common(Command::Scene(SceneCommand::from(description))),
-                _ => CommandAmong::SceneAmong(SceneAmong::new(description, obstacles)),
-            };
-            add(&mut bytes, scene);
-        });
+    scene.described::<f32, _>(|description| {
+        add(&mut bytes, Command::Scene(SceneCommand::from(description)));
     });
     let mode = Mode {
         evolution,
         ..Mode::DEFAULT
     };
-    add(&mut bytes, CommandAmong::Common(Command::Mode(mode)));
+    add(&mut bytes, Command::Mode(mode));
     for hand in hands {
-        let hand = Command::Hand(narrow_hand(hand));
-        add(&mut bytes, CommandAmong::Common(hand));
+        add(&mut bytes, Command::Hand(narrow_hand(hand)));
     }
     bytes
 }
 
 /// Adds a message. One that is too long is left out, and the board refuses the job.
-fn add(bytes: &mut Vec<u8>, message: CommandAmong<'_>) {
+fn add(bytes: &mut Vec<u8>, message: Command<'_>) {
     let frame = stiction_wire::Frame {
         sequence: 0,
         time: 0,

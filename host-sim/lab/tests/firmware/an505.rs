@@ -74,7 +74,7 @@ fn random_drags(frames: u32) -> Option<Drags> {
     };
     for case in drags::random() {
         case.scene
-            .described(|scene| board.done(Command::Scene(SceneCommand::from(scene))));
+            .described::<f32, _>(|scene| board.done(Command::Scene(SceneCommand::from(scene))));
         board.settle();
         let before = board.health();
         let path = case.path.frames(Some(RATE.into())).take(LONGEST);

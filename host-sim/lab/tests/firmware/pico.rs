@@ -55,7 +55,7 @@ impl Bench {
 
     fn drag(&mut self, case: &Case) -> u32 {
         case.scene
-            .described(|scene| self.done(Command::Scene(SceneCommand::from(scene))));
+            .described::<f32, _>(|scene| self.done(Command::Scene(SceneCommand::from(scene))));
         let mut frames = 0;
         for sample in case.path.frames(Some(1000.0)) {
             self.send(Command::Hand(narrow_hand(&sample.hand)));

@@ -3,7 +3,7 @@
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT, SMALL_MICROBIT, bundled};
 use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
-use stiction_scene::{Among, HostModel, Motion, SceneFile, WrittenScene};
+use stiction_scene::{Among, Motion, SURFACES, SceneFile, VERTICES, WrittenScene};
 use stiction_tests::station::BOX;
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Said, scene};
@@ -59,7 +59,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
         return;
     };
     let info = board.info();
-    assert_eq!((info.room, info.has), ([1, 1], [true, false, false]));
+    assert_eq!((info.room, info.has), ([1, 1, 0], [true, false, false]));
     assert_eq!((info.stiffness, info.friction), ([500.0, 0.5], [0.5, 0.3]));
     board.send(scene(&ROD));
     let refused = board.wait(|_, said| match said {
@@ -73,7 +73,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
         ..info.mode
     }));
     let written = WrittenScene::read(&bundled(SCENE), f64::from(f32::MAX)).unwrap();
-    let mut beside = written.described(|scene| Beside::<R>::of(scene, &info.mode));
+    let (mut beside, _) = written.described::<R, _>(|scene| Beside::<R>::of(scene, &info.mode));
     beside.solver = beside.solver.with_budget(info.budget);
     let mut slips = 0;
     for i in 0..SAMPLES {
@@ -127,7 +127,10 @@ fn runs_its_obstacles<R: Real<Si = f32>>(chip: &'static Chip) {
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {
         panic!("{OBSTACLES} has no keyframes");
     };
-    let (scene, _) = <Among as HostModel>::scene::<R>(&file.written).unwrap();
+    let (scene, _) = file
+        .written
+        .scene_in::<R, VERTICES, SURFACES, Among>()
+        .unwrap();
     let mut beside = Beside::solving(scene, info.mode.evolution);
     beside.solver = beside.solver.with_budget(info.budget);
     let mut tips = 0;

@@ -56,7 +56,7 @@ type Row = (&'static str, fn(&Column) -> String);
 
 const ROWS: [Row; 16] = [
     ("number type, room for vertices and surfaces", |c| {
-        let [vertices, surfaces] = c.taken.about.room;
+        let [vertices, surfaces, _] = c.taken.about.room;
         format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
     }),
     ("flash (bytes)", |c| thousands(c.taken.flash)),

@@ -2,12 +2,12 @@
 //! words of the page. Computes a solver and its state from a [`Present`].
 
 use stiction_core::{
-    CarryError, Description, Evolution, Output, Present, Real, SiFloat, Solver, State,
+    CarryError, Description, Evolution, Model, Output, Present, Real, Scene, SiFloat, Solver, State,
 };
-use stiction_scene::{HostModel, HostSolver, Indices, WrittenScene};
+use stiction_scene::{HostSolver, Indices, WrittenScene};
 
 /// A solver with the state that continues, and the answer of settling. Its turns count from `Present::angle.turns`.
-pub(super) struct Begun<R: Real, M: HostModel> {
+pub(super) struct Begun<R: Real, M: Model> {
     pub(super) solver: HostSolver<R, M>,
     pub(super) indices: Option<Indices>,
     pub(super) state: State<R>,
@@ -15,18 +15,17 @@ pub(super) struct Begun<R: Real, M: HostModel> {
 }
 
 /// Returns the body of `present` in a scene.
-pub(super) fn carried<R: Real<Si: SiFloat>, M: HostModel>(
+pub(super) fn carried<R: Real<Si: SiFloat>, M: Model>(
     written: &WrittenScene,
     evolution: Evolution,
     present: &Present<f64>,
 ) -> Result<Begun<R, M>, String> {
-    let mut indices = None;
     let solver_of = |description: &Description<'_, R::Si>| {
-        let built = M::build(written, description).map_err(|error| error.to_string())?;
-        indices = built.1;
-        Ok(Solver::new(built.0, evolution))
+        let scene = Scene::new(description).map_err(|error| error.to_string())?;
+        Ok(Solver::new(scene, evolution))
     };
-    let carried = written.described(|description| Solver::carry(present, description, solver_of));
+    let (carried, indices) =
+        written.described::<R, _>(|description| Solver::carry(present, description, solver_of));
     let carried = carried.map_err(|error| match error {
         CarryError::Scene(error) => error,
         CarryError::Unsettled(status) => format!(

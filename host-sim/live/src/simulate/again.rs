@@ -1,8 +1,8 @@
 //! Contacts of a run. Computing them takes longer than the steps and they are not always needed: the run is repeated to compute
 //! them on demand.
 
-use stiction_core::{Hand, narrow_hand};
-use stiction_scene::{HostModel, HostSolver, Sample};
+use stiction_core::{Hand, Model, narrow_hand};
+use stiction_scene::{HostSolver, Sample};
 
 use super::{Running, Shared};
 use crate::record::{ContactRecord, Frame, rename, set_contacts};
@@ -13,12 +13,12 @@ pub trait Contacts: Send + Sync {
     fn each(&self, take: &mut dyn FnMut(&[ContactRecord]));
 }
 
-struct Again<R: Shared, M: HostModel> {
+struct Again<R: Shared, M: Model> {
     start: Running<R, M>,
     hands: Vec<Hand<R::Si>>,
 }
 
-impl<R: Shared, M: HostModel> Contacts for Again<R, M>
+impl<R: Shared, M: Model> Contacts for Again<R, M>
 where
     HostSolver<R, M>: Send + Sync,
 {
@@ -34,7 +34,7 @@ where
     }
 }
 
-impl<R: Shared, M: HostModel> Running<R, M>
+impl<R: Shared, M: Model> Running<R, M>
 where
     HostSolver<R, M>: Send + Sync,
 {

@@ -18,7 +18,7 @@ use super::made::{OF_VERSION_1, info};
 
 pub(crate) const VERTICES: usize = 16;
 pub(crate) const SURFACES: usize = 8;
-pub(crate) const LONGEST: usize = frame_bytes(scene_bytes(VERTICES, SURFACES));
+pub(crate) const LONGEST: usize = frame_bytes(scene_bytes([VERTICES, SURFACES, 0, 0]));
 pub(crate) const FASTEST: u16 = 5000;
 
 #[derive(Clone, Debug, Default)]
@@ -293,7 +293,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
             memory: None,
         };
         let (mut vertices, mut surfaces) = ([[0.0; 2]; VERTICES], [nothing; SURFACES]);
-        let description = scene.description(&mut vertices, &mut surfaces)?;
+        let description = scene.description([&mut vertices, &mut []], &mut surfaces, &mut [])?;
         self.scene = Some(Scene::new(&description)?);
         self.state = None;
         Ok(())

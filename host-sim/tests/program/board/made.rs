@@ -16,6 +16,7 @@ pub(crate) fn info<R: Real>(mode: Mode, budget: u32) -> Info<'static> {
         },
         vertices: VERTICES as u8,
         surfaces: SURFACES as u8,
+        corners: 0,
         friction: true,
         weight: true,
         actuators: false,

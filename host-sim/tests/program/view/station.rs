@@ -18,7 +18,7 @@ use stiction_wire::{Mode, NumberType, frame_bytes, scene_bytes};
 
 const V: usize = 8;
 const S: usize = 2;
-const LONGEST: usize = frame_bytes(scene_bytes(V, S));
+const LONGEST: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
 
 /// A board, until it is dropped.
 pub(crate) struct Board {

@@ -34,8 +34,9 @@ fn scene(obstacles: &[&[[f64; 2]]], weight: f64) -> Among {
         stiffness_translation: 1.0,
         stiffness_rotation: 0.5,
         surfaces: &[],
+        obstacles: &list,
     };
-    Scene::among(&description, &list).expect("a sound scene")
+    Scene::new(&description).expect("a sound scene")
 }
 
 fn table([from, to]: [f64; 2]) -> [[f64; 2]; 4] {

@@ -38,6 +38,7 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
         surfaces: &surfaces,
+        obstacles: &[],
     });
     let scene = scene.ok()?;
     let pivot = Pivot::at(&scene, &pose, pair(0, 0));

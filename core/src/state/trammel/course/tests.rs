@@ -108,19 +108,17 @@ fn case<R: Digits>(seed: u64, corners: [bool; 2]) -> Case<R> {
         memory: None,
     });
     let p = pose.position;
-    let scene = Room::<R>::among(
-        &Description {
-            vertices: &VERTICES.map(|v| v.map(si)),
-            start: [p.x, p.y, pose.orientation.angle().radians()].map(si),
-            weight: si(0.3 * next().abs()),
-            holding_point: None,
-            reach: si(0.0),
-            stiffness_translation: si(1.0),
-            stiffness_rotation: si(next().abs()),
-            surfaces: &[],
-        },
-        &obstacles,
-    );
+    let scene = Room::<R>::new(&Description {
+        vertices: &VERTICES.map(|v| v.map(si)),
+        start: [p.x, p.y, pose.orientation.angle().radians()].map(si),
+        weight: si(0.3 * next().abs()),
+        holding_point: None,
+        reach: si(0.0),
+        stiffness_translation: si(1.0),
+        stiffness_rotation: si(next().abs()),
+        surfaces: &[],
+        obstacles: &obstacles,
+    });
     let scene = scene.expect("a sound scene");
     let second = if corners[0] { 1 } else { 2 };
     let [first, other] = [0, second].map(|index| scene.surface_indices().end + index);
@@ -423,9 +421,10 @@ fn a_piece_in_a_slit_is_one_branch() {
             stiffness_translation: 1.0,
             stiffness_rotation: 1.0,
             surfaces: &[],
+            obstacles: &[obstacle(&wall), obstacle(&pin)],
         };
         type Slit = Scene<f64, 2, 1, WithObstacles<2, 3, Full>>;
-        let slit = Slit::among(&description, &[obstacle(&wall), obstacle(&pin)]);
+        let slit = Slit::new(&description);
         let slit = slit.expect("a sound scene");
         let first = slit.surface_indices().end;
         let (vertex, surface) = (0, first);

@@ -78,6 +78,7 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
             stiffness_translation: 1.0,
             stiffness_rotation: 0.0,
             surfaces: &[surface([0.0, 1.0]), surface([-sin as f32, -cos as f32])],
+            obstacles: &[],
         });
         let scene = scene.expect("a lawful scene");
         let surfaces = [0, 1].map(|surface| scene.surface(surface));
@@ -123,6 +124,7 @@ fn upright_between_parallel_surfaces_it_slides_without_a_turn() {
                 friction_dynamic: 0.06,
                 memory: None,
             }),
+            obstacles: &[],
         });
         let scene = scene.expect("a lawful scene");
         let surfaces = [0, 1].map(|surface| scene.surface(surface));

@@ -14,7 +14,10 @@ fn obstacle<'a>(vertices: &'a [[f64; 2]], mu: f64) -> ObstacleDescription<'a, f6
 }
 
 fn scene(vertices: &[[f64; 2]], obstacles: &[ObstacleDescription<'_, f64>]) -> Scene2 {
-    let scene = Scene2::among(&description(vertices), obstacles);
+    let scene = Scene2::new(&Description {
+        obstacles,
+        ..description(vertices)
+    });
     scene.expect("a sound scene")
 }
 
@@ -28,6 +31,7 @@ fn description(vertices: &[[f64; 2]]) -> Description<'_, f64> {
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
         surfaces: &[],
+        obstacles: &[],
     }
 }
 
@@ -170,14 +174,14 @@ fn side_slides_past_a_place_that_two_walls_share() {
     let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];
     let walls = [[-0.6, -0.4], [-0.6, 0.1]].map(|from| [from, [-0.14, -0.2]]);
     let [low, high] = &walls;
-    let scene = Scene::<f64, 4, 1, WithObstacles<3, 8, Full>>::among(
-        &description(&body),
-        &[
+    let scene = Scene::<f64, 4, 1, WithObstacles<3, 8, Full>>::new(&Description {
+        obstacles: &[
             obstacle(low, 0.3),
             obstacle(high, 0.3),
             obstacle(&[[0.14, 0.3]], 0.3),
         ],
-    );
+        ..description(&body)
+    });
     let scene = scene.expect("a sound scene");
     let first = scene.surface_indices().end;
     for held in [first + 1, first + 3] {

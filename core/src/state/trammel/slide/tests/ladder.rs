@@ -209,6 +209,7 @@ impl Ladder {
             stiffness_translation: 1.0,
             stiffness_rotation: self.stiffness,
             surfaces: &surfaces,
+            obstacles: &[],
         });
         let [first, second] = [0, 1].map(|i| Pair {
             vertex: i,

@@ -1,14 +1,14 @@
-//! What is about obstacles, version 3: a scene goes through, and what cannot be counted is not written.
+//! Obstacles: a scene goes through, and what cannot be counted is not written.
 
 use crate::round_trip::scene;
 use crate::{Either, decoded, encoded, first};
 use stiction_core::{
-    Description, ObstacleDescription, Scene, SurfaceDescription, Touch, WithObstacles, Wrench,
+    Contact, Description, ObstacleDescription, Scene, SurfaceDescription, Touch, WithObstacles,
+    Wrench,
 };
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{
-    CommandAmong, ContactAmong, Forces, Frame, List, ObstacleList, ReportAmong, SceneAmong,
-    obstacle_bytes, scene_bytes, wire_bytes,
+    Command, Forces, Frame, List, ObstacleList, Report, SceneCommand, scene_bytes, wire_bytes,
 };
 
 const PIN: ObstacleDescription<'static, f32> = ObstacleDescription {
@@ -19,7 +19,7 @@ const PIN: ObstacleDescription<'static, f32> = ObstacleDescription {
 };
 
 fn is_sent(touch: Touch) -> bool {
-    let contact = [ContactAmong {
+    let contact = [Contact {
         touch,
         direction: [0.0, 1.0],
         point: [0.0; 2],
@@ -27,7 +27,7 @@ fn is_sent(touch: Touch) -> bool {
         friction: 0.5,
         sliding: 0,
     }];
-    let message = ReportAmong::ForcesAmong(Forces {
+    let message = Report::Forces(Forces {
         wrench: Wrench::default(),
         feedback: Wrench::default(),
         turns: 0,
@@ -66,42 +66,38 @@ fn scene_among_obstacles_goes_through_and_is_refused_where_it_does_not_fit() {
         start: [-0.1, 0.06, 0.0],
         weight: 2.0,
         surfaces: &surfaces,
+        obstacles: &obstacles,
         ..BOX
     };
-    let sent = SceneAmong::new(&described, &obstacles);
-    let wire = encoded(&first(CommandAmong::SceneAmong(sent)));
-    assert!(wire.len() <= wire_bytes(scene_bytes(64, 16) + obstacle_bytes(3, 7)));
+    let sent = SceneCommand::from(&described);
+    let wire = encoded(&first(Command::Scene(sent)));
+    assert!(wire.len() <= wire_bytes(scene_bytes([64, 16, 3, 7])));
     decoded(&wire, true, |received| {
         let Ok(Either::Command(Frame {
-            message: CommandAmong::SceneAmong(received),
+            message: Command::Scene(received),
             ..
         })) = received
         else {
             panic!("no scene");
         };
-        let (mut v, mut s) = ([[0.0; 2]; 64], [FLOOR; 16]);
-        let (mut c, mut o) = ([[0.0; 2]; 7], [PIN; 3]);
-        let scene = received.scene.description(&mut v, &mut s);
-        let scene = scene.expect("it fits");
-        let there = received.obstacles.descriptions(&mut c, &mut o);
-        let there = there.expect("they fit");
-        assert_eq!((scene, there), (described, &obstacles[..]));
-        Scene::<f32, 64, 16, WithObstacles<3, 7>>::among(&scene, there).expect("a scene");
-        let error = |corners: usize, obstacles: usize| {
-            let (mut c, mut o) = ([[0.0; 2]; 7], [PIN; 3]);
-            let there = received.obstacles;
-            let error = there.descriptions(&mut c[..corners], &mut o[..obstacles]);
-            error.expect_err("one too many").to_string()
+        // With room for so many vertices, surfaces, obstacles and corners.
+        let made = |[vertices, surfaces, obstacles, corners]: [usize; 4]| {
+            let (mut v, mut c) = (vec![[0.0; 2]; vertices], vec![[0.0; 2]; corners]);
+            let (mut s, mut o) = (vec![FLOOR; surfaces], vec![PIN; obstacles]);
+            let made = received.description([&mut v, &mut c], &mut s, &mut o)?;
+            assert_eq!(made, described);
+            Scene::<f32, 64, 16, WithObstacles<3, 7>>::new(&made)
         };
-        assert!(error(7, 2).starts_with("number of obstacles is 3.0"));
-        assert!(error(6, 3).starts_with("number of corners of all obstacles is 7.0"));
-        let refused = |vertices: usize, surfaces: usize| {
-            let (mut v, mut s) = ([[0.0; 2]; 64], [FLOOR; 16]);
-            let scene = received.scene;
-            let error = scene.description(&mut v[..vertices], &mut s[..surfaces]);
-            error.expect_err("too many").value
-        };
-        assert_eq!([refused(63, 16), refused(64, 1)], [64.0, 16.0]);
+        assert!(made([64, 16, 3, 7]).is_ok());
+        for (room, error) in [
+            ([63, 16, 3, 7], "number of vertices is 64.0"),
+            ([64, 1, 3, 7], "number of surfaces is 16.0"),
+            ([64, 16, 2, 7], "number of obstacles is 3.0"),
+            ([64, 16, 3, 6], "number of corners of all obstacles is 7.0"),
+        ] {
+            let refused = made(room).expect_err("one too many").to_string();
+            assert!(refused.starts_with(error), "{refused}");
+        }
     });
 }
 
@@ -121,9 +117,9 @@ fn more_than_can_be_counted_is_not_written() {
         (&[round(200), round(56)], false),
         (&[], true),
     ] {
-        let message = CommandAmong::SceneAmong(SceneAmong {
-            scene: scene(&[[0.0; 2]]),
+        let message = Command::Scene(SceneCommand {
             obstacles: ObstacleList::from(obstacles),
+            ..scene(&[[0.0; 2]])
         });
         let sent = first(message).encode(&mut [0; crate::WIRE]).is_some();
         assert_eq!(sent, fits, "{}", obstacles.len());

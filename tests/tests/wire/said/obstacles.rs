@@ -1,8 +1,8 @@
-//! The content of a frame about obstacles.
+//! Obstacles, and what touches them, as the content of a frame.
 
 use super::{Said, Value, float, floats};
-use stiction_core::{ObstacleDescription, Parameter, Touch};
-use stiction_wire::{CommandAmong, ContactAmong, ReportAmong, SceneAmong};
+use stiction_core::{Contact, ObstacleDescription, Parameter, Touch};
+use stiction_wire::ObstacleList;
 
 const NO_OBSTACLE: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[],
@@ -12,33 +12,10 @@ const NO_OBSTACLE: ObstacleDescription<'static, f32> = ObstacleDescription {
 };
 
 impl Said {
-    pub(super) fn command_among(&mut self, command: &CommandAmong<'_>) {
-        match command {
-            CommandAmong::Common(command) => self.command(command),
-            CommandAmong::SceneAmong(scene) => self.scene_among(scene),
-        }
-    }
-
-    pub(super) fn report_among(&mut self, report: &ReportAmong<'_>) {
-        match report {
-            ReportAmong::Common(report) => self.report(report),
-            ReportAmong::Room(room) => {
-                self.int("obstacles", room.obstacles)
-                    .int("corners", room.corners);
-            }
-            ReportAmong::ForcesAmong(f) => {
-                let contacts = f.contacts.iter().map(contact_among);
-                self.forces([f.wrench, f.feedback], f.turns, contacts);
-            }
-        }
-    }
-
-    fn scene_among(&mut self, among: &SceneAmong<'_>) {
-        self.scene(&among.scene);
-        let count = among.obstacles.len();
-        let mut corners = vec![[0.0; 2]; among.obstacles.corner_count()];
-        let mut places = vec![NO_OBSTACLE; count];
-        let obstacles = among.obstacles.descriptions(&mut corners, &mut places);
+    pub(super) fn obstacles(&mut self, list: &ObstacleList<'_>) {
+        let mut corners = vec![[0.0; 2]; list.corner_count()];
+        let mut places = vec![NO_OBSTACLE; list.len()];
+        let obstacles = list.descriptions(&mut corners, &mut places);
         let obstacles = obstacles.expect("there is room");
         let row = |o: &ObstacleDescription<'_, f32>| {
             let [mu_s, mu_d] = [o.friction_static, o.friction_dynamic].map(float);
@@ -53,7 +30,7 @@ impl Said {
     }
 }
 
-fn contact_among(c: ContactAmong) -> Value {
+pub(super) fn contact(c: Contact<f32>) -> Value {
     let touch = match c.touch {
         Touch::Surface { vertex, surface } => [vertex, 255, surface],
         Touch::Side {
@@ -75,7 +52,7 @@ fn contact_among(c: ContactAmong) -> Value {
 }
 
 /// The code and the indices of a refusal about an obstacle.
-pub(super) fn subject_among(parameter: Parameter) -> (i64, [usize; 2]) {
+pub(super) fn of_obstacle(parameter: Parameter) -> (i64, [usize; 2]) {
     match parameter {
         Parameter::ObstacleCount => (16, [0; 2]),
         Parameter::CornerCount => (17, [0; 2]),
