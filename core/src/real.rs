@@ -5,6 +5,7 @@
 //! moments / (k_h L²), angles as whole turns and a remainder. [`Real::Si`] is the float in which such a
 //! number meets the outside world in SI units; for `f32` and `f64` it is the type itself.
 
+use crate::si::SiFloat;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -37,7 +38,7 @@ pub trait Real:
     + 'static
 {
     /// The float in which this number type takes and returns SI values.
-    type Si: Real<Si = Self::Si>;
+    type Si: SiFloat;
 
     /// 0
     const ZERO: Self;

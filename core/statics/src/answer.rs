@@ -1,11 +1,10 @@
 //! The answers of the solver in SI units: the pose and what happened in every step, the forces on request.
 
-use crate::contact::Feature;
-use crate::log::{Log, kind};
+use crate::log::Log;
 use crate::output::Output;
 use crate::real::Real;
 use crate::solver::{Solver, State};
-use stiction_core::{Angle, Contact, Contacts, Touch, Wrench};
+use stiction_core::{Angle, Contact, Contacts, Wrench};
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
     pub(crate) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
@@ -21,7 +20,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 rest: rest.to_si(R::Si::ONE),
             },
             depth: state.hand.depth,
-            state: kind(&body.contacts),
+            state: self.statics(state).kind(&body.contacts),
             slips: log.slips,
             longest_slip: log.longest_slip.to_si(units.length),
             status: log.status,
@@ -69,7 +68,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 body.holding + frame.r
             };
             Contact {
-                touch: touch_of(contact.feature),
+                touch: statics.touch_of(contact),
                 point: units.place(point),
                 direction: [frame.n.x, frame.n.y].map(|x| x.to_si(R::Si::ONE)),
                 normal: n.to_si(units.force),
@@ -82,20 +81,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             }
         });
         contacts.collect()
-    }
-}
-
-/// A feature as the description counts it.
-fn touch_of(feature: Feature) -> Touch {
-    match feature {
-        Feature::Vertex { vertex, side } => Touch::Surface {
-            vertex: usize::from(vertex),
-            surface: usize::from(side),
-        },
-        Feature::Corner { corner, body_side } => Touch::Corner {
-            obstacle: 0,
-            corner: usize::from(corner),
-            body_side: usize::from(body_side),
-        },
     }
 }

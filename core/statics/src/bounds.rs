@@ -36,6 +36,8 @@ pub(crate) struct Pace<R> {
 pub(crate) struct Bound<R> {
     /// What the pivot adds to the second derivative of a point that turns about it: c2.
     pub(crate) pivot: R,
+    /// |theta'|
+    pub(crate) theta: R,
     /// theta'² + |theta''|: q
     pub(crate) turn: R,
     /// |G''|: G2
@@ -148,6 +150,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let r = i.r.length_bound();
         let none = Bound {
             pivot: R::ZERO,
+            theta: rate,
             turn,
             holding: R::ZERO,
             foot: [R::ZERO; 2],
@@ -157,6 +160,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Line => {
                 let theta = m.line.theta_u.abs() * rate;
                 Bound {
+                    theta,
                     turn: theta * theta,
                     way: m.line.g_u.length_bound() * rate + self.size() * theta,
                     ..none
@@ -191,6 +195,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let more = if turns { theta * xi1 } else { R::ZERO };
                 Bound {
                     pivot: pivot + more.doubled(),
+                    theta,
                     turn: turning,
                     holding: sup.holding.along(pace, R::ZERO),
                     foot: [xi1, pivot],

@@ -101,7 +101,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let [_, xi2] = bound.foot;
         let may_press = !body.stiction && friction.threshold - n < half;
         let may_halt = m.first().sense.along(advance) * way.whole < xi2;
-        if n < half || may_press || may_halt {
+        if n < half || may_press || may_halt || !self.is_short_of_end(m.first(), i.foot) {
             return Calm::Unsure;
         }
         match self.room_after(body, &m, &i, &bound) {
@@ -135,9 +135,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let gap = surface.normal.dot(at) - surface.offset;
                 if gap > sag {
                     room = room.min(gap);
-                } else if !body.contacts.contains(Feature::Vertex { vertex, side }) {
+                } else if !self.holds(&body.contacts, Feature::Vertex { vertex, side }) {
                     return None;
                 }
+            }
+        }
+        if C > 0 {
+            for (index, _) in self.obstacles() {
+                room = room.min(self.room_before(body, m, i, bound, index)?);
             }
         }
         Some(room)
@@ -189,7 +194,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let half = bound.holding.halved();
         let normals = [&begin, &i].map(|i| -frame.n.dot(i.force));
         let is_pressed = normals.iter().all(|&n| n >= half);
-        if !is_pressed || place.fall.doubled() * place.p < bound.holding {
+        let stays = is_pressed && self.is_short_of_end(m.first(), i.foot);
+        if !stays || place.fall.doubled() * place.p < bound.holding {
             return false;
         }
         match self.room_after(body, &m, &i, &bound) {

@@ -158,7 +158,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (mut first, mut slack) = (None, R::HUGE);
         for facet in cone.facets() {
             let v1 = facet.margin(end);
-            if v1 >= -R::EPSILON * R::from_int(8) {
+            if v1 >= -R::of_balance(end.size()) * facet.inward.size() {
                 slack = slack.min(v1 / facet.inward.size());
                 continue;
             }

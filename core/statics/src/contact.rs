@@ -11,7 +11,6 @@ pub(crate) enum Feature {
     /// V: a vertex of the body on a side of the world.
     Vertex { vertex: u8, side: u8 },
     /// C: a corner of the world on the side of the body that begins at a vertex.
-    #[allow(dead_code, reason = "corners are detected in a later stage")]
     Corner { corner: u8, body_side: u8 },
 }
 
@@ -166,9 +165,27 @@ impl Contacts {
     }
     /// Adds a contact that sticks, if there is room for it.
     pub(crate) fn add(&mut self, feature: Feature) {
+        self.push(Contact::at(feature));
+    }
+    /// Adds a contact with its sign, if there is room for it.
+    pub(crate) fn push(&mut self, contact: Contact) {
         if let Some(place) = self.list.get_mut(usize::from(self.count)) {
-            *place = Contact::at(feature);
+            *place = contact;
             self.count = self.count.saturating_add(1);
+        }
+    }
+    /// Contact i becomes another one.
+    pub(crate) fn replace(&mut self, i: usize, contact: Contact) {
+        if let Some(place) = self.list.get_mut(i) {
+            *place = contact;
+        }
+    }
+    /// Contact i goes, the others keep their order.
+    pub(crate) fn remove(&mut self, i: usize) {
+        let count = self.len();
+        if let Some(rest @ [_, ..]) = self.list.get_mut(i..count) {
+            rest.rotate_left(1);
+            self.count = self.count.saturating_sub(1);
         }
     }
     pub(crate) fn clear(&mut self) {
@@ -210,10 +227,5 @@ impl Contacts {
     pub(crate) fn turn_about_first(&self) -> bool {
         let first = self.first();
         !self.is_empty() && self.iter().skip(1).all(|c| c.shares_vertex(first))
-    }
-    /// Two contacts in one line.
-    pub(crate) fn are_edge(&self) -> bool {
-        let [first, second] = self.pair();
-        self.count == 2 && first.is_in_line(second)
     }
 }

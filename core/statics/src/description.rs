@@ -2,11 +2,15 @@
 
 use crate::geometry::{Vec2, normalized, one_in};
 use crate::list::gather;
+use crate::obstacles::union::unite;
 use crate::real::Real;
 use crate::state::HandPose;
 use crate::world::{Cone, Friction, Side, Stiffness, World};
 use heapless::Vec;
-use stiction_core::{Angle, Description, Parameter, Scene, SceneError, SurfaceDescription};
+use stiction_core::{
+    Angle, Description, ObstacleDescription, Parameter, Scene, SceneError, SurfaceDescription,
+    WithObstacles,
+};
 
 /// The size of 1 inside the solver, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +25,7 @@ pub(crate) struct Units<F> {
     per_length: F,
     /// The place (m) of the origin inside the solver, where the first vertex starts: so coordinates keep their digits far from that of the
     /// world.
-    origin: [F; 2],
+    pub(crate) origin: [F; 2],
 }
 
 /// A checked scene.
@@ -142,8 +146,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
     /// Those of [`Scene::new`].
     pub(crate) fn new(d: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
         let units = Units::of(d);
-        check::<R, V, S>(d, &units)?;
+        check::<R, V, S, C>(d, &units)?;
         let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
+        let (corners, obstacles) = if C > 0 {
+            unite::<R, S, C>(d.surfaces, d.obstacles, &units)
+        } else {
+            (Vec::new(), Vec::new())
+        };
         let centroid = centroid(&vertices);
         let k = d.stiffness_rotation;
         let [x, y, theta] = d.start;
@@ -152,7 +161,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
             vertices,
             centroid,
             sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
-            corners: gather([]),
+            normals: gather(normals::<R>(d.vertices)),
+            corners,
+            obstacles,
             stiffness: Stiffness::new(
                 R::from_si(k, units.per_moment(1)),
                 R::from_si(k, units.per_moment(64)),
@@ -174,7 +185,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Described<R, V, S,
 }
 
 /// The checks are those of the crate that this one will be part of, of the scene seen from where the body starts.
-fn check<R: Real, const V: usize, const S: usize>(
+fn check<R: Real, const V: usize, const S: usize, const C: usize>(
     d: &Description<'_, R::Si>,
     units: &Units<R::Si>,
 ) -> Result<(), SceneError<R::Si>> {
@@ -202,6 +213,23 @@ fn check<R: Real, const V: usize, const S: usize>(
         ..*s
     });
     let surfaces: Vec<_, S> = gather(shifted);
+    let corners = d.obstacles.iter().flat_map(|obstacle| obstacle.vertices);
+    let corners: Vec<_, C> = gather(corners.map(|&[x, y]| {
+        let [x, y, _] = units.seen(x, y, R::Si::ZERO);
+        [x, y]
+    }));
+    let mut rest = corners.as_slice();
+    let obstacles: Vec<_, C> = gather(d.obstacles.iter().map(|obstacle| {
+        let count = obstacle.vertices.len();
+        let (vertices, after) = rest.split_at_checked(count).unwrap_or((rest, &[]));
+        rest = after;
+        ObstacleDescription {
+            vertices,
+            ..*obstacle
+        }
+    }));
+    let counts = d.obstacles.iter().map(|obstacle| obstacle.vertices.len());
+    let fits = d.obstacles.len() <= C && counts.fold(0, usize::saturating_add) <= C;
     let near = Description {
         start: units.seen(x, y, theta),
         surfaces: if d.surfaces.len() > S {
@@ -209,15 +237,32 @@ fn check<R: Real, const V: usize, const S: usize>(
         } else {
             &surfaces
         },
+        obstacles: if fits { &obstacles } else { d.obstacles },
         ..*d
     };
-    Scene::<R, V, S>::new(&near).map_err(|mut error| {
+    let checked = if C > 0 {
+        Scene::<R, V, S, WithObstacles<C, C>>::new(&near).map(drop)
+    } else {
+        Scene::<R, V, S>::new(&near).map(drop)
+    };
+    checked.map_err(|mut error| {
         if let Parameter::Offset(i) = error.parameter {
             error.value = d.surfaces.get(i).map_or(error.value, |s| s.offset);
         }
         error
-    })?;
-    Ok(())
+    })
+}
+
+/// The inward normals of the body's sides, each from its first vertex to the next; a point has none.
+fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = Vec2<R>> {
+    let is_point = vertices.len() < 2;
+    let next = vertices.iter().skip(1).chain(vertices.first());
+    let sides = vertices.iter().zip(next).filter(move |_| !is_point);
+    sides.map(|(&[ax, ay], &[bx, by])| {
+        let (x, y) = normalized(bx - ax, by - ay);
+        let number = |x| R::from_si(x, R::Si::ONE);
+        Vec2::new(number(-y), number(x))
+    })
 }
 
 fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {
@@ -228,17 +273,25 @@ fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {
 fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
     let [x, y] = unit(s.normal);
     let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
-    // L/4096 unless it is given.
-    let memory = s.memory.map_or(one_in(4096), |memory| units.length(memory));
     Side {
         normal,
         tangent: Vec2::new(normal.y, -normal.x),
         offset: units.length(units.offset([x, y], s.offset)),
-        friction: Friction::new(s.friction_static, s.friction_dynamic, memory),
+        friction: Friction::described([s.friction_static, s.friction_dynamic], s.memory, units),
     }
 }
 
 impl<R: Real> Friction<R> {
+    /// From mu_s and mu_d, and the memory length (m).
+    pub(crate) fn described(
+        [fixed, sliding]: [R::Si; 2],
+        memory: Option<R::Si>,
+        units: &Units<R::Si>,
+    ) -> Self {
+        // L/4096 unless it is given.
+        let memory = memory.map_or(one_in(4096), |memory| units.length(memory));
+        Self::new(fixed, sliding, memory)
+    }
     /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; it is at least the shortest that the number types
     /// distinguish.
     fn new(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {

@@ -35,11 +35,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let frames = pair.map(|c| self.frame(c, body.rotation, body.holding));
         let [first, second] = &frames;
         let g = gap_slope(&frames);
-        let twist = Vec2::new(g.y, -g.x) * (R::ONE / g.length());
+        let slope = g.length();
+        let twist = Vec2::new(g.y, -g.x) * (R::ONE / slope);
         let velocity = first.t * twist.x - first.r.turned() * twist.y;
         let v = [twist.x, second.advance(velocity, twist.y)];
         let [v1, v2] = v;
-        if v1.abs().min(v2.abs()) < R::ahead() {
+        if v1.abs().min(v2.abs()) * slope < R::of_turn() {
             return self.driven_at_turn(body, hand, contacts, pressing);
         }
         let senses = v.map(Sense::of);

@@ -15,6 +15,8 @@ pub(crate) enum Ending {
     Fold,
     /// A gap closes.
     Touch(Feature),
+    /// A contact slides off the end of its side.
+    Ends(Which),
     /// The cone of a stick ends on the side of a slide.
     Yields(Sense),
     /// The reaction of a single contact vanishes.

@@ -131,9 +131,9 @@ pub(crate) struct Judging<R> {
     pub(crate) pair: Option<PairSup<R>>,
     /// |p''|: 0 where x = p.
     pub(crate) p_bend: R,
-    /// |E''| of a frozen motion, |E_u''| along u.
+    /// |E''| of a frozen motion; what bounds -E_u along u.
     pub(crate) drive: R,
-    pub(crate) stable: R,
+    pub(crate) stable: Order<R>,
     /// The width of the window.
     pub(crate) width: R,
 }
@@ -257,9 +257,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 out.fill(&[t + -normal.times(friction.sliding.sin), normal]);
             }
             Watch::Slide => {
-                let slack = R::of_displacement(m.hand_p.size()) * rates.p;
+                // Per unit of the displacement: a slow hand is no halt.
+                let size = m.hand_p.size();
+                let slack = R::of_displacement(size) * rates.p;
                 let halt = Value {
-                    v: m.first().sense.along(rates.xi) + slack,
+                    v: (m.first().sense.along(rates.xi) + slack) / size,
                     d: R::ZERO,
                 };
                 out.fill(&[normal, halt, self.stiction(&friction, normal)]);
@@ -283,6 +285,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     pub(crate) fn order(&self, function: Function, i: &Instant<R>, on: &Judging<R>) -> Order<R> {
         let turns = self.motion.first().is_corner();
         let h_p = self.motion.hand_p.at.length_bound();
+        let size = self.motion.hand_p.size();
         // Of the force in a direction that turns with the body, or not.
         let force = if turns {
             let way = h_p * on.pace.extent.way;
@@ -310,14 +313,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Function::Drive => Order::Second(on.drive),
             Function::Halt => {
                 let [_, xi2] = on.bound.foot;
-                Order::First(xi2 / on.width)
+                Order::First(xi2 / on.width / size)
             }
-            Function::Advance => Order::First(on.pace.mixed * on.pace.rate),
-            Function::Share(_) | Function::Foot(_) => self.pair_order(function, on),
-            // Monotonous.
-            Function::Memory => Order::First(R::ZERO),
+            Function::Advance => Order::First(on.pace.mixed * on.pace.rate / size),
+            Function::Share(_) | Function::Foot(_) | Function::Memory => {
+                self.pair_order(function, on)
+            }
             Function::Path => Order::Second(on.p_bend),
-            Function::Stable => Order::Second(on.stable),
+            Function::Stable => on.stable,
         }
     }
 }

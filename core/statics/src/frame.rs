@@ -56,28 +56,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn friction(&self, contact: Contact) -> Friction<R> {
         match contact.feature {
             Feature::Vertex { side, .. } => self.side(side).friction,
-            Feature::Corner { corner, .. } => {
-                let corner = self.world.corners.get(usize::from(corner));
-                corner.map_or(Friction::NONE, |corner| corner.friction)
-            }
+            Feature::Corner { corner, .. } => self.corner(corner).side.friction,
         }
     }
-    /// The place of a corner of the world.
-    fn corner(&self, corner: u8) -> Vec2<R> {
-        let corner = self.world.corners.get(usize::from(corner));
-        corner.map_or(Vec2::ZERO, |corner| corner.place)
-    }
     /// n_b: the inward normal of the body's side that begins at a vertex, body frame, of length 1.
-    fn inward(&self, body_side: u8) -> Vec2<R> {
-        let last = body_side.saturating_add(1);
-        let next = if usize::from(last) < self.world.vertices.len() {
-            last
-        } else {
-            0
-        };
-        let side = self.vertex(next) - self.vertex(body_side);
-        let length = side.length();
-        Vec2::new(-side.y / length, side.x / length)
+    pub(crate) fn inward(&self, body_side: u8) -> Vec2<R> {
+        let normal = self.world.normals.get(usize::from(body_side));
+        normal.copied().unwrap_or(Vec2::ZERO)
     }
 
     /// The frame of a contact of the body with this rotation and holding point.
@@ -97,7 +82,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 Frame {
                     n,
                     t: Vec2::new(n.y, -n.x),
-                    r: self.corner(corner) - g,
+                    r: self.corner(corner).place - g,
                     turns: true,
                 }
             }
@@ -121,7 +106,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let n = self.inward(body_side);
                 let eta = n.dot(self.vertex(body_side));
                 Foot {
-                    c: self.corner(corner),
+                    c: self.corner(corner).place,
                     r: rotation.apply(n * eta - Vec2::new(n.y, -n.x) * xi),
                 }
             }

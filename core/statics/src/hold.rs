@@ -162,7 +162,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Contacts that fix the pose when a hand takes hold: they have stiction if one of them is pressed hard enough by a load that they bear
     /// with it (R24).
     fn press(&self, body: &mut Body<R>) {
-        if body.contacts.len() < 2 || body.contacts.are_edge() {
+        if body.contacts.len() < 2 || self.is_edge(&body.contacts) {
             return;
         }
         body.stiction = true;

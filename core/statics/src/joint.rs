@@ -44,8 +44,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         if self.watch == Watch::JointSlip {
             return out.fill(&[self.drive(i, rates), share1, share2, foot1, foot2]);
         }
+        // Per unit of the displacement: a slow hand is no halt.
+        let size = m.hand_p.size();
         let advance = Value {
-            v: i.e_p + R::of_displacement(m.hand_p.size()),
+            v: (i.e_p + R::of_displacement(size)) / size,
             d: R::ZERO,
         };
         out.fill(&[share1, share2, advance, foot1, foot2, self.memory(i, rates)]);
@@ -137,7 +139,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         if self.body.stiction {
             return Value::NONE;
         }
-        if !c1.is_in_line(c2) {
+        if !self.statics.is_even(c1, c2) {
             return Value {
                 v: self.statics.room_to_stiction(self.motion, i),
                 d: R::ZERO,
@@ -163,6 +165,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         let h_p = m.hand_p.at.length_bound();
         let [r1, r2] = sup.r;
         let [f1, f2] = sup.f;
+        let [c1, c2] = m.contacts;
+        let is_line = c1.is_in_line(c2);
         match function {
             Function::Foot(which) => {
                 let tangent = which.other().of(sup.f);
@@ -180,8 +184,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 let r = which.of([r2, r1]);
                 let couple = self.statics.couple_sup(sup.turn);
                 let bend = (r * sup.force + couple).along(&on.pace, r.slope * h_p);
-                Order::Second(bend + r.value * h_p * on.p_bend)
+                let couple_p = self.statics.stiffness.of(m.hand_p.angle.abs());
+                let moment_p = couple_p + r.value * h_p;
+                Order::Second(bend + moment_p * on.p_bend)
             }
+            // In one line N* - N; otherwise monotonous.
+            Function::Memory if is_line => {
+                let bend = sup.holding.along(&on.pace, R::ZERO);
+                Order::Second(bend + h_p * on.p_bend)
+            }
+            Function::Memory => Order::First(R::ZERO),
             Function::Margin(_)
             | Function::Low
             | Function::High
@@ -191,7 +203,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             | Function::Drive
             | Function::Halt
             | Function::Advance
-            | Function::Memory
             | Function::Path
             | Function::Stable => Order::First(R::ZERO),
         }

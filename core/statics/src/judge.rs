@@ -23,13 +23,44 @@ pub(crate) struct Found<R> {
 }
 
 /// An event function at both ends of a window.
-struct Track<R> {
+pub(crate) struct Track<R> {
     ending: Ending,
     begin: Value<R>,
     end: Value<R>,
     order: Order<R>,
     /// Its second derivative is at least this.
     least: R,
+}
+
+impl<R: Real> Track<R> {
+    /// With its bound of the second derivative.
+    pub(crate) fn gap(ending: Ending, [begin, end]: [Value<R>; 2], bend: R) -> Self {
+        Self {
+            ending,
+            begin,
+            end,
+            order: Order::Second(bend),
+            least: -bend,
+        }
+    }
+    /// By its values alone.
+    pub(crate) fn monotonous(ending: Ending, [begin, end]: [Value<R>; 2]) -> Self {
+        Self {
+            ending,
+            begin,
+            end,
+            order: Order::First(R::ZERO),
+            least: R::LEAST,
+        }
+    }
+    /// Where it counts as zero without a step to its zero: a gap that is closed within its accuracy is closed, others at `exact`.
+    fn level(&self, exact: R) -> R {
+        if matches!(self.ending, Ending::Touch(_)) {
+            R::zero()
+        } else {
+            exact
+        }
+    }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
@@ -49,7 +80,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             self.know_low();
             let begin = self.lo.values.get(place);
             // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
-            if function == Function::Memory && begin.v <= R::ZERO {
+            let is_level = function != Function::Memory
+                || self.watched.statics.is_edge(&self.watched.body.contacts);
+            if !is_level && begin.v <= R::ZERO {
                 continue;
             }
             let least = match order {
@@ -96,7 +129,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     continue;
                 }
                 let feature = Feature::Vertex { vertex, side };
-                if body.contacts.contains(feature) {
+                if statics.holds(&body.contacts, feature) {
                     continue;
                 }
                 *room = room.min(gap);
@@ -114,7 +147,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 self.judge(found, &track);
             }
         }
-        None
+        if C == 0 {
+            return None;
+        }
+        self.judge_obstacles(on, room, found)
     }
     /// A lower bound of the second derivative of a gap: if the body turns about a fixed or straight moving point it is -n·R a theta'².
     fn least_bend(&self, on: &Judging<R>, normal: Vec2<R>, arm: Vec2<R>) -> R {
@@ -136,16 +172,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(_) if self.bracket.round >= 2 => false,
             Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
         };
-        self.bracket.certain == R::ZERO && a.v <= R::zero() && b.v < a.v.max(R::ZERO) && falls
+        let is_zero = a.v <= track.level(R::of_products());
+        self.bracket.certain == R::ZERO && is_zero && b.v < a.v.max(R::ZERO) && falls
     }
     /// A zero beyond the end of the search is none (R10); gaps that are closed within their accuracy are closed.
     fn is_reached(&self, track: &Track<R>, newton: R) -> bool {
-        let level = if matches!(track.ending, Ending::Touch(_)) {
-            R::zero()
-        } else {
-            R::ZERO
-        };
-        let is_closed = track.end.v <= level;
+        let is_closed = track.end.v <= track.level(R::ZERO);
         is_closed || self.bracket.hi + newton <= self.bracket.end
     }
     /// One more step of Newton's iteration from the end of the window leads to the zero.
@@ -167,33 +199,41 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
         true
     }
-    /// One event function on the window.
-    fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
-        let tol = R::zero();
+    /// How fast it changes at the end of the window, or on it.
+    fn slope(&self, track: &Track<R>) -> R {
+        match track.order {
+            Order::Second(_) => track.end.d,
+            Order::First(_) => (track.end.v - track.begin.v) / self.bracket.width(),
+        }
+    }
+    /// Where what is below zero at the end crosses zero, by Newton's step or the chord.
+    pub(crate) fn crossing(&self, track: &Track<R>) -> R {
         let (x0, w) = (self.bracket.certain, self.bracket.width());
+        let (slope, end) = (self.slope(track), track.end.v);
+        let is_newton = match track.order {
+            Order::Second(_) => slope < R::ZERO && self.bracket.round % 4 != 3,
+            Order::First(_) => false,
+        };
+        let by_newton = x0 + w - end / slope;
+        if is_newton && by_newton > x0 {
+            return by_newton;
+        }
+        let begin = track.begin.v.max(R::ZERO);
+        x0 + w * (begin / (begin - end))
+    }
+    /// One event function on the window.
+    pub(crate) fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
+        let tol = R::zero();
+        let w = self.bracket.width();
         let (a, b) = (track.begin, track.end);
         let begin = a.v.max(R::ZERO);
-        let slope = match track.order {
-            Order::Second(_) => b.d,
-            Order::First(_) => (b.v - a.v) / w,
-        };
+        let slope = self.slope(track);
         let newton = -b.v / slope;
         if slope < R::ZERO && self.is_hit(found, track, newton) {
             return;
         }
         if b.v < -tol {
-            let chord = x0 + w * (begin / (begin - b.v));
-            let is_newton = match track.order {
-                Order::Second(_) => slope < R::ZERO && self.bracket.round % 4 != 3,
-                Order::First(_) => false,
-            };
-            let by_newton = x0 + w + newton;
-            let at = if is_newton && by_newton > x0 {
-                by_newton
-            } else {
-                chord
-            };
-            found.cross = found.cross.min(at);
+            found.cross = found.cross.min(self.crossing(track));
             found.crossing = found.crossing.or(Some(track.ending));
             return;
         }
@@ -202,8 +242,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let is_certain = a.v >= -tol && from_begin >= -tol;
         match track.order {
             Order::First(k) => {
-                if b.v <= tol {
-                    found.hit = found.hit.or(Some((track.ending, R::ZERO)));
+                // The last step is that of the chord.
+                let is_near = newton <= w / R::from_int(16);
+                if b.v <= tol && slope < R::ZERO && is_near && self.is_reached(track, newton) {
+                    found.hit = found.hit.or(Some((track.ending, newton)));
                 }
                 found.unsure |= begin + b.v.max(R::ZERO) < k;
             }

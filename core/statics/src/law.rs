@@ -3,7 +3,6 @@
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
 use crate::events::{Ending, Watch, Which};
-use crate::log::kind;
 use crate::modes::Mode;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
@@ -20,6 +19,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match ending {
             Ending::End | Ending::GoesOn | Ending::Stopped => {}
             Ending::Touch(feature) => self.touches(feature),
+            Ending::Ends(which) => self.leaves_side(which.index()),
             // (R24)
             Ending::Pressed => {
                 self.body.contacts.rest();
@@ -97,8 +97,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.statics.lead(self.body, which.other().index());
         self.body.contacts.keep(&[lasting]);
         self.body.forget();
-        self.log
-            .open(kind(&before.contacts), kind(&self.body.contacts));
+        self.log.open(
+            self.statics.kind(&before.contacts),
+            self.statics.kind(&self.body.contacts),
+        );
         if !lasting.sense.slides() {
             self.body.stiction = false;
             return;
@@ -107,7 +109,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let frame = self
             .statics
             .frame(lost, self.body.rotation, self.body.holding);
-        let is_edge = lost.is_in_line(lasting);
+        let is_edge = self.statics.is_in_line(lost, lasting);
         let gap_opens = rates.map(|rates| frame.opening(rates.g, rates.theta) >= R::ZERO);
         match gap_opens {
             Some(opens) if opens || is_edge => {}
@@ -260,6 +262,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if let Ending::Touch(feature) = ending {
             self.touch(feature);
             return self.errand.settle(Next::Relax(sense));
+        }
+        if let Ending::Ends(which) = ending {
+            // Beyond the end where the foot is.
+            let contact = self.body.contacts.get(which.index());
+            let beyond = self.statics.beyond(contact, self.body.at());
+            self.hand_on(which.index(), beyond);
+            let next = self.handed(sense);
+            return self.errand.settle(next);
         }
         if ending == Ending::Clear {
             self.log.event(Event::Lift);

@@ -33,6 +33,7 @@ mod list;
 mod log;
 mod modes;
 mod motion;
+mod obstacles;
 mod output;
 mod pair;
 mod pair_bounds;

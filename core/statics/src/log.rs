@@ -1,6 +1,5 @@
 //! What happens during a step, collected for its output.
 
-use crate::contact::Contacts;
 use crate::real::Real;
 use heapless::Vec;
 use stiction_core::{Event, MAX_EVENTS, StateKind, Status};
@@ -62,18 +61,5 @@ impl<R: Real> Log<R> {
                 StateKind::NonContact | StateKind::SingleVertex | StateKind::Locked => Event::Tip,
             },
         });
-    }
-}
-
-/// The name of what the contacts are.
-pub(crate) fn kind(contacts: &Contacts) -> StateKind {
-    let [first, second] = contacts.pair();
-    match contacts.len() {
-        0 => StateKind::NonContact,
-        1 => StateKind::SingleVertex,
-        2 if first.is_in_line(second) => StateKind::Edge,
-        2 if first.shares_vertex(second) => StateKind::Corner,
-        2 => StateKind::TwoVertex,
-        _ => StateKind::Locked,
     }
 }

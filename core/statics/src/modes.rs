@@ -278,7 +278,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 if first.shares_vertex(second) {
                     return None;
                 }
-                if first.is_in_line(second) {
+                if self.is_even(first, second) {
                     let frame = frame(i);
                     self.is_driven(&frame, first, of_i, load).then_some(())?;
                     (frame.t * of_i.number(), R::ZERO, [i, j])

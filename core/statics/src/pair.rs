@@ -101,7 +101,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             flip: R::ONE,
             slope,
             // In one line the angle stays: the motion is straight.
-            reach: if m.first().is_in_line(second_contact) {
+            reach: if self.is_in_line(m.first(), second_contact) {
                 R::HUGE
             } else {
                 slope / (bend * R::from_int(5))
@@ -113,7 +113,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let g_u = first.t * twist.x - first.r.turned() * twist.y;
         let mut v = frames.map(|frame| frame.advance(g_u, twist.y));
         let [v1, v2] = v;
-        if v1.abs().min(v2.abs()) < R::ahead() {
+        if v1.abs().min(v2.abs()) * slope < R::of_turn() {
             let ahead = Spot {
                 u: R::ahead(),
                 p: R::ZERO,
@@ -341,7 +341,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The pair has enough to its stiction: N rises to N* in one line, a slip would be as long as D_c otherwise.
     pub(crate) fn has_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
         let [c1, c2] = m.contacts;
-        if c1.is_in_line(c2) {
+        if self.is_even(c1, c2) {
             self.friction(c1).is_pressed(self.normal_of_edge(m, i))
         } else {
             self.room_to_stiction(m, i) <= R::ZERO

@@ -1,7 +1,7 @@
 //! The ends of a search's windows: where the body is there, and the bounds in between.
 
 use crate::bounds::{Extent, Pace};
-use crate::events::{Ending, Judging, Watched};
+use crate::events::{Ending, Judging, Order, Watched};
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
@@ -91,7 +91,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             pace,
             p_bend: R::ZERO,
             drive,
-            stable: R::ZERO,
+            stable: Order::First(R::ZERO),
             width,
         })
     }
@@ -115,30 +115,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 break;
             }
         }
+        let along = statics.along_u(motion, i, width)?;
+        let square = width * width;
+        let p_bend = along.bend * square;
         let extent = Extent {
-            way: (p - branch.p).abs(),
+            way: along.rate * width,
             strip: width,
         };
-        let curvature = statics.curvature(motion, i, extent);
-        let (k, j) = (curvature.k, curvature.j);
-        let least = i.e_p.abs() - j * width * (R::TWO + width);
-        if least < i.e_p.abs().halved() {
-            let part = i.e_p.abs().halved() / (j * width * (R::TWO + width));
-            return Err(part.max(R::ONE / R::from_int(8)).min(R::HALF));
-        }
-        // (E13)
-        let inverse = R::ONE / least;
-        let rate = (i.e_u.abs() + k * width) * inverse;
-        let bend = (k + j * rate * (width + R::TWO)) * inverse;
-        let square = width * width;
-        let p_bend = bend * square;
-        let way = rate * width;
-        let strip = width;
         let pace = Pace {
             rate: width,
             bent: R::ZERO,
-            mixed: j,
-            extent: Extent { way, strip },
+            mixed: along.mixed,
+            extent,
         };
         let go = statics.foot_per_p(motion) * p_bend;
         let mut bound = statics.bound(motion, i, &pace);
@@ -152,7 +140,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             pace,
             p_bend,
             drive: R::ZERO,
-            stable: (k.doubled() + (j * rate).doubled() + j * bend) * square,
+            stable: match along.stable {
+                Order::First(slope) => Order::First(slope * width),
+                Order::Second(bend) => Order::Second(bend * square),
+            },
             width,
         })
     }
@@ -167,15 +158,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let l = &self.lo.instant;
             if l.e_p != R::ZERO && l.e_u < R::ZERO {
                 let begin = (width * part * l.e_p / l.e_u).abs().min(R::HALF.halved());
+                let direction = l.e_p.sign();
                 let reach = if motion.kind == Kind::Pair {
-                    motion.pair.reach
+                    motion.pair.reach - l.u * direction
                 } else {
                     R::from_int(64)
                 };
                 let branch = Branch {
                     u: l.u,
                     p: l.p,
-                    direction: l.e_p.sign(),
+                    direction,
                 };
                 *self.bracket = Bracket {
                     hi: begin.min(reach),

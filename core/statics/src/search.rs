@@ -252,6 +252,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if let Some(ended) = self.judge_functions(&on, &mut found) {
             return Some(ended);
         }
+        if C > 0
+            && let Some(ended) = self.judge_ends(&mut found)
+        {
+            return Some(ended);
+        }
         let mut room = self.bracket.room - on.bound.way;
         if room <= R::ZERO {
             room = R::HUGE;

@@ -4,7 +4,6 @@ use crate::contact::{Contact, Sense};
 use crate::errand::{Leg, Next, Stage};
 use crate::events::{Ending, Watch};
 use crate::geometry::Vec2;
-use crate::log::kind;
 use crate::modes::{Mode, Picked, Pressing};
 use crate::motion::{Kind, Motion, Spot};
 use crate::real::Real;
@@ -102,7 +101,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn renew(&mut self) {
         let contacts = &self.body.contacts;
         let first = contacts.first();
-        let is_one = contacts.len() == 1 || contacts.are_edge();
+        let is_one = contacts.len() == 1 || self.statics.is_edge(contacts);
         if self.body.stiction || first.sense.slides() || !is_one {
             return;
         }
@@ -144,7 +143,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if body.contacts.len() != 2 {
             return false;
         }
-        if !body.contacts.are_edge() {
+        if !statics.is_edge(&body.contacts) {
             let driven = statics.driven(body, &body.hand, [0, 1], Pressing::Always);
             return driven.is_some();
         }
@@ -167,7 +166,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let start = self.errand.start;
             let contact = Contact::at(feature);
             let gap = self.statics.gap(contact, start.rotation, start.holding);
-            if sense.slides() && gap <= R::met_before() {
+            // What comes to lie in its line does not block it.
+            let is_flat = C > 0 && self.statics.is_in_line(contact, start.contacts.first());
+            if sense.slides() && gap <= R::met_before() && !is_flat {
                 // It blocks the turn: the slip goes on.
                 *self.body = start;
             } else {
@@ -246,22 +247,26 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// No motion is left: contacts that were let go are taken back, to try others.
     fn take_back(&mut self) {
         let body = *self.body;
-        let next = match self.statics.closed(&body, R::TOUCH).next() {
-            Some(feature) => {
-                self.touch(feature);
-                self.errand.settling.ranking.restart();
-                Next::Relax(Sense::Rests)
-            }
-            None => {
-                self.log.limit(Status::Ambiguous);
-                Next::Rest
-            }
+        let statics = self.statics;
+        let closed = statics.closed(&body, R::TOUCH).next();
+        let closed = if C > 0 {
+            closed.or_else(|| statics.closed_obstacle(&body, R::TOUCH))
+        } else {
+            closed
         };
-        self.settled(next);
+        if let Some(feature) = closed {
+            self.touch(feature);
+            if C == 0 || self.body.contacts.len() > body.contacts.len() {
+                self.errand.settling.ranking.restart();
+                return self.settled(Next::Relax(Sense::Rests));
+            }
+        }
+        self.log.limit(Status::Ambiguous);
+        self.settled(Next::Rest);
     }
     /// Only the contacts of a motion remain.
     pub(crate) fn keep(&mut self, mode: &Mode) {
-        let before = kind(&self.body.contacts);
+        let before = self.statics.kind(&self.body.contacts);
         let contacts = self.body.contacts;
         let (lead, other) = match *mode {
             Mode::Lift => return,
@@ -279,7 +284,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.body.forget();
         if self.body.contacts.len() < contacts.len() {
-            self.log.open(before, kind(&self.body.contacts));
+            self.log
+                .open(before, self.statics.kind(&self.body.contacts));
         }
     }
 

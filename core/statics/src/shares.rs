@@ -6,7 +6,7 @@ use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
 use crate::motion::Motion;
 use crate::real::Real;
-use crate::state::{Body, Freedom, HandPose};
+use crate::state::{Body, Freedom, HandPose, gap_slope};
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 use heapless::Vec;
@@ -220,7 +220,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Freedom::Slides => add(self.reaction(body)),
             Freedom::Turns if body.contacts.len() == 1 => add(self.reaction(body)),
             Freedom::Together => self.sliding_shares(body).into_iter().for_each(add),
-            Freedom::Fixed if body.contacts.are_edge() => {
+            Freedom::Fixed if self.is_edge(&body.contacts) => {
                 self.edge_shares(body).into_iter().for_each(add);
             }
             Freedom::Turns | Freedom::Fixed => {
@@ -233,7 +233,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Two contacts that slide: on their edges.
     fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
         let [first, second] = body.contacts.pair();
-        if first.is_in_line(second) {
+        if self.is_even(first, second) {
             return self.edge_shares(body);
         }
         let m = self.sliding_pair(body, HandPose::REST);
@@ -284,21 +284,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The contacts bear the load, but only with reactions beyond the limit.
     pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
         let load = self.present_load(body);
-        let is_fixed = body.freedom() == Freedom::Fixed && !body.contacts.are_edge();
+        let is_fixed = body.freedom() == Freedom::Fixed && !self.is_edge(&body.contacts);
         is_fixed && self.cone(body).shared(load, little(load)).is_jammed
     }
-    /// The motion of two contacts that slide, in the direction of their senses.
+    /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as
+    /// a foot that turns back goes the same way in both.
     pub(crate) fn sliding_pair(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
-        let [first, second] = body.contacts.pair();
-        let m = self.pair(body, hand_p, R::ONE);
-        let [along1, along2] = m.contacts;
-        let is_back = first.sense.opposes(along1.sense)
-            || !along1.sense.slides() && second.sense.opposes(along2.sense);
-        if is_back {
-            self.pair(body, hand_p, -R::ONE)
-        } else {
-            m
-        }
+        let pair = body.contacts.pair();
+        let frames = pair.map(|c| self.frame(c, body.rotation, body.holding));
+        let [first, second] = &frames;
+        let g = gap_slope(&frames);
+        let velocity = first.t * g.y + first.r.turned() * g.x;
+        let [v1, v2] = [first, second].map(|frame| frame.advance(velocity, -g.x));
+        let [c1, c2] = pair;
+        let along = c1.sense.along(v1) + c2.sense.along(v2);
+        self.pair(body, hand_p, if along < R::ZERO { -R::ONE } else { R::ONE })
     }
 }
 

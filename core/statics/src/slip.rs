@@ -3,7 +3,6 @@
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
 use crate::events::{Ending, Watch, Which};
-use crate::log::kind;
 use crate::modes::{Mode, Pressing};
 use crate::motion::Motion;
 use crate::real::Real;
@@ -27,7 +26,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.errand.feet = [self.body.foot; 2];
             return self.slide_on(sense);
         }
-        let motion = if self.body.contacts.are_edge() {
+        let motion = if statics.is_edge(&self.body.contacts) {
             statics.pair_along(self.body, HandPose::REST, sense)
         } else {
             let driven = |pressing| statics.driven(self.body, &self.body.hand, [0, 1], pressing);
@@ -90,6 +89,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.touch(feature);
                 Next::Relax(sense)
             }
+            Ending::Ends(_) => {
+                if self.hand_on(0, sense) {
+                    self.handed(sense)
+                } else if self.body.contacts.len() > 1 {
+                    Next::Relax(sense)
+                } else {
+                    return self.slide_on(sense);
+                }
+            }
             Ending::Clear => {
                 self.log.event(Event::Lift);
                 self.body.lift();
@@ -136,6 +144,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.touch(feature);
                 Next::Relax(sense)
             }
+            Ending::Ends(which) => {
+                self.body.contacts.slide_pair(senses);
+                let [first, second] = senses;
+                self.hand_on(which.index(), which.of([first, second]));
+                self.handed(self.body.contacts.first().sense)
+            }
             Ending::Opens(which) => match self.opens_in_slip(&m, which) {
                 Some(next) => next,
                 None => return,
@@ -164,7 +178,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             .iter()
             .zip(self.errand.feet)
             .map(|(now, then)| *now - then);
-        let is_pressed = if first.is_in_line(second) {
+        let is_pressed = if statics.is_even(first, second) {
             let [normal, _] = statics.reaction(self.body);
             statics.friction(first).is_pressed(normal)
         } else {
@@ -217,11 +231,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 return None;
             }
         }
-        let before = kind(&self.body.contacts);
+        let before = self.statics.kind(&self.body.contacts);
         self.statics.lead(self.body, contact);
         self.body.contacts.keep(&[lasting.with(Sense::Rests)]);
         self.body.forget();
-        self.log.open(before, kind(&self.body.contacts));
+        self.log
+            .open(before, self.statics.kind(&self.body.contacts));
         Some(Next::Relax(lasting.sense))
     }
     /// The slip of two from here on, in the same direction, if it is driven.

@@ -135,15 +135,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         };
         // In floats: not every number type represents this.
         let near = R::from_si(one_in(100_000), R::Si::ONE);
-        let (statics, body) = (self.statics(&state), state.body);
-        for feature in statics.closed(&body, near) {
-            state.body.contacts.add(feature);
-        }
-        if !state.body.contacts.is_empty() {
-            let contact = state.body.contacts.first();
-            state.body.foot = statics.foot_of(contact, state.body.rotation, holding);
-            statics.seat(&mut state.body);
-        }
+        self.statics(&state).join_closed(&mut state.body, near);
         state
     }
 

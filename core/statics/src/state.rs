@@ -194,6 +194,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn.
     pub(crate) fn seat(&self, body: &mut Body<R>) {
+        if body.contacts.is_empty() {
+            return;
+        }
         for _ in 0..3 {
             self.stand(body);
             let first = body.contacts.first();
@@ -203,7 +206,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let slope = gap_slope(&frames);
                 let gap = self.gap(contact, body.rotation, body.holding);
                 let step = gap / slope.dot(slope).max(R::EPSILON);
-                if !first.is_in_line(contact) {
+                if !self.is_in_line(first, contact) {
                     body.foot = body.foot - step * slope.x;
                 }
                 body.angle = body.angle - step * slope.y;

@@ -150,6 +150,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                     Ending::End | Ending::GoesOn | Ending::Stopped => Stage::Still,
                     ending @ (Ending::Fold
                     | Ending::Touch(_)
+                    | Ending::Ends(_)
                     | Ending::Yields(_)
                     | Ending::Clear
                     | Ending::Pressed
@@ -267,7 +268,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if self.statics.is_jammed(self.body) {
             return self.log.limit(Status::Jammed);
         }
-        let may_press = !self.body.stiction && self.body.contacts.are_edge();
+        let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
             let load = self.statics.present_load(self.body);
             self.body.slack = slack.min(R::ONE + load.size());
@@ -275,7 +276,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
     fn presses(&self, way: &Displacement<R>) -> Option<R> {
-        if self.body.stiction || !self.body.contacts.are_edge() {
+        if self.body.stiction || !self.statics.is_edge(&self.body.contacts) {
             return None;
         }
         let contact = self.body.contacts.first();

@@ -23,9 +23,13 @@ pub(crate) trait Thresholds: Real {
     fn far() -> Self {
         Self::RANGE
     }
-    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero. Sums of four products are known to 4 ε.
+    /// 4 ε (L or k_h L): what a sum of four products near 1 is known to.
+    fn of_products() -> Self {
+        Self::EPSILON.doubled().doubled()
+    }
+    /// touch/64, at least 4 ε (L or k_h L): an event function that is no farther from zero is zero, up to a last step of its search.
     fn zero() -> Self {
-        (Self::TOUCH / Self::from_int(64)).max(Self::EPSILON.doubled().doubled())
+        (Self::TOUCH / Self::from_int(64)).max(Self::of_products())
     }
     /// Its square is rounding: after a Newton step du with du² <= ε (rad² or L²) the rest is linear.
     fn is_last(step: Self) -> bool {
@@ -70,6 +74,11 @@ pub(crate) trait Thresholds: Real {
     fn met_before() -> Self {
         Self::TOUCH.doubled()
     }
+    /// 2 zero (L): a foot whose velocity, times the slope of the other gap, is less turns back here. Its zero is known to one *zero*, and found
+    /// to another.
+    fn of_turn() -> Self {
+        Self::zero().doubled()
+    }
     /// sqrt(touch) (L or rad): over this much of a motion its second order is a touch, its first order far more than rounding.
     fn ahead() -> Self {
         Self::TOUCH.sqrt()
@@ -82,6 +91,15 @@ pub(crate) trait Thresholds: Real {
     /// 1/64 (1): a quotient with a larger divisor is known to 64 roundings, as accurately as the result of a search.
     fn divisor() -> Self {
         Self::ONE / Self::from_int(64)
+    }
+    /// 2^-10 (1): normals at a smaller angle (its sine) are those of one line: a body that lies on a step of 2^-19 L turns by less if its
+    /// contacts are 2^-9 L or more apart.
+    fn one_line() -> Self {
+        Self::ONE / Self::from_int(1024)
+    }
+    /// 2^-17 (L): four times what counts as one place; a neighbour that reaches less far through the line of a contact is on it.
+    fn beside() -> Self {
+        Self::MICRO.doubled().doubled()
     }
     /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {

@@ -1,7 +1,6 @@
 //! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
 use crate::contact::{Contact, Feature, Sense};
-use crate::log::kind;
 use crate::motion::{Kind, Motion, Rates, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
@@ -59,31 +58,53 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             .flat_map(move |vertex| (0..sides).map(move |side| Feature::Vertex { vertex, side }));
         features.filter(move |&feature| {
             let gap = self.gap(Contact::at(feature), rotation, holding);
-            !contacts.contains(feature) && gap <= tolerance
+            gap <= tolerance && !self.holds(&contacts, feature)
         })
+    }
+    /// One contact more, in the pose that the body has.
+    pub(crate) fn join(&self, body: &mut Body<R>, feature: Feature, within: R) {
+        let was_free = body.contacts.is_empty();
+        body.forget();
+        if C > 0 {
+            if let Some(contacts) = self.joined_by(body, feature, within) {
+                body.contacts = contacts;
+                self.find_foot(body);
+            }
+            return;
+        }
+        body.contacts.add(feature);
+        if was_free {
+            self.find_foot(body);
+        }
+    }
+    /// All that is closed within a distance joins the contacts; the pose exactly on them.
+    pub(crate) fn join_closed(&self, body: &mut Body<R>, within: R) {
+        let others = *body;
+        for feature in self.closed(&others, within) {
+            if C == 0 || !self.holds(&body.contacts, feature) {
+                self.join(body, feature, within);
+            }
+        }
+        if C > 0 {
+            self.join_obstacles(body, within);
+        }
+        self.seat(body);
+    }
+    /// The foot of the first contact where the body is.
+    pub(crate) fn find_foot(&self, body: &mut Body<R>) {
+        let first = body.contacts.first();
+        body.foot = self.foot_of(first, body.rotation, body.holding);
     }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
     /// A contact and all that close together with it; the pose exactly on them.
     pub(crate) fn touch(&mut self, feature: Feature) {
-        let before = kind(&self.body.contacts);
-        let was_free = self.body.contacts.is_empty();
-        self.body.contacts.add(feature);
-        self.body.forget();
-        if was_free {
-            let contact = self.body.contacts.first();
-            let foot = self
-                .statics
-                .foot_of(contact, self.body.rotation, self.body.holding);
-            self.body.foot = foot;
-        }
-        let others = *self.body;
-        for feature in self.statics.closed(&others, R::TOUCH) {
-            self.body.contacts.add(feature);
-        }
-        self.statics.seat(self.body);
-        self.log.touch(before, kind(&self.body.contacts));
+        let before = self.statics.kind(&self.body.contacts);
+        self.statics.join(self.body, feature, R::TOUCH);
+        self.statics.join_closed(self.body, R::TOUCH);
+        let after = self.statics.kind(&self.body.contacts);
+        self.log.touch(before, after);
     }
     /// On the hand's path.
     pub(crate) fn touches(&mut self, feature: Feature) {
@@ -91,7 +112,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let before = *self.body;
         self.touch(feature);
         let sense = before.contacts.first().sense;
-        let is_edge = self.body.contacts.are_edge();
+        let is_edge = self.statics.is_edge(&self.body.contacts);
         let (count, now) = (before.contacts.len(), self.body.contacts.len());
         if count == 0 {
             self.body.loosen();

@@ -1,6 +1,7 @@
 //! The certificate of a window of a curve: one stable branch of balance (STATICS 4).
 
-use crate::bounds::{Extent, Pace};
+use crate::bounds::{Curvature, Extent, Pace};
+use crate::events::Order;
 use crate::geometry::Rotation;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
@@ -14,6 +15,14 @@ pub(crate) struct Residual<R> {
     pub(crate) e1: R,
     pub(crate) s0: R,
     pub(crate) s1: R,
+}
+
+/// What bounds a curve along u (E13), per u: |p'| <= rate, |p''| <= bend; J; and -E_u.
+pub(crate) struct Along<R> {
+    pub(crate) rate: R,
+    pub(crate) bend: R,
+    pub(crate) mixed: R,
+    pub(crate) stable: Order<R>,
 }
 
 /// Where a window begins.
@@ -100,6 +109,39 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             bent,
             mixed: curvature.j,
             extent: Extent { way, strip },
+        })
+    }
+    /// A curve on a length l of u that ends at an instant in balance (E13), or the part of the length that may be certain.
+    pub(crate) fn along_u(&self, m: &Motion<R>, i: &Instant<R>, l: R) -> Result<Along<R>, R> {
+        let (e_u, e_p) = (i.e_u.abs(), i.e_p.abs());
+        let within = |way| self.curvature(m, i, Extent { way, strip: l });
+        // |p - p_1| stays below d, which is twice what it is with E_p as at the end.
+        let d = ((e_u + within(R::ZERO).k * l) * l / e_p).doubled();
+        let Curvature { k, j, q } = within(d);
+        let lost = j * l + q * d;
+        let low = e_p - lost;
+        if low < e_p.halved() {
+            let part = e_p.halved() / lost;
+            return Err(part.max(R::ONE / R::from_int(8)).min(R::HALF));
+        }
+        let inverse = R::ONE / low;
+        let rate = (e_u + k * l + j * d) * inverse;
+        if rate * l > d {
+            return Err(R::HALF);
+        }
+        let square = q * rate * rate;
+        let bend = (k + (j * rate).doubled() + square) * inverse;
+        let stable = if m.kind == Kind::Pair {
+            Order::First(k + j * rate)
+        } else {
+            let twice = k + (j * rate).doubled();
+            Order::Second(twice.doubled() + square + j * bend)
+        };
+        Ok(Along {
+            rate,
+            bend,
+            mixed: j,
+            stable,
         })
     }
     /// Q

@@ -2,6 +2,7 @@
 //! Lengths / L, forces / (k_h L). L is the largest distance of two vertices, k_h the translational stiffness.
 
 use crate::geometry::Vec2;
+use crate::obstacles::{Corner, Obstacle};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use heapless::Vec;
@@ -75,13 +76,6 @@ impl<R: Real> Side<R> {
     };
 }
 
-/// A corner of the world that the body's sides can touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Corner<R> {
-    pub(crate) place: Vec2<R>,
-    pub(crate) friction: Friction<R>,
-}
-
 /// The rotational stiffness k = k_theta / (k_h L²).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stiffness<R> {
@@ -120,7 +114,10 @@ pub(crate) struct World<R, const V: usize, const S: usize, const C: usize> {
     /// cg, body frame
     pub(crate) centroid: Vec2<R>,
     pub(crate) sides: Vec<Side<R>, S>,
+    /// The inward normals of the body's sides, body frame.
+    pub(crate) normals: Vec<Vec2<R>, V>,
     pub(crate) corners: Vec<Corner<R>, C>,
+    pub(crate) obstacles: Vec<Obstacle<R>, C>,
     pub(crate) stiffness: Stiffness<R>,
     /// w >= 0: the size of the weight, which acts along -y.
     pub(crate) weight: R,
@@ -162,12 +159,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn vertices(&self) -> impl Iterator<Item = (u8, Vec2<R>)> {
         (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
     }
-    /// A side; one that nothing reaches if there is none of that index.
+    /// A half-plane, or a side of an obstacle after them; one that nothing reaches if there is none of that index.
     pub(crate) fn side(&self, index: u8) -> Side<R> {
         let side = self.world.sides.get(usize::from(index));
+        if C > 0 && side.is_none() {
+            return self
+                .corner_of_side(index)
+                .map_or(Side::NOWHERE, |corner| self.corner(corner).side);
+        }
         side.copied().unwrap_or(Side::NOWHERE)
     }
-    /// All sides, with their indices.
+    /// All half-planes, with their indices.
     pub(crate) fn sides(&self) -> impl Iterator<Item = (u8, &Side<R>)> {
         (0_u8..).zip(&self.world.sides)
     }

@@ -17,7 +17,7 @@ mod scene {
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
-use scene::{CompiledScene, OBSTACLES, SCENE};
+use scene::{CompiledScene, SCENE};
 
 /// With room for what is compiled in, see build.rs.
 pub type Program = station_of!(CompiledScene);
@@ -50,7 +50,7 @@ static LONGEST_TICK: AtomicU32 = AtomicU32::new(0);
 // Compiled in the image, as its turns are: otherwise both crates had a solver of their own, 23 kB more.
 #[inline]
 pub fn program(setup: &'static Setup) -> Program {
-    let Ok(program) = Program::among(setup, OBSTACLES) else {
+    let Ok(program) = Program::new(setup) else {
         stop()
     };
     info!(

@@ -11,7 +11,7 @@ use embassy_sync::{blocking_mutex::raw::CriticalSectionRawMutex, signal::Signal}
 use embassy_time::{Duration, Instant, Timer};
 use embedded_io_async::{Read, Write};
 use panic_halt as _;
-use setup::{OBSTACLES, Program, SETUP};
+use setup::{Program, SETUP};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::line::{Line, Micros};
 
@@ -51,7 +51,7 @@ async fn send(mut port: impl Write) {
 }
 
 async fn ticks(mut watchdog: Watchdog) {
-    let Ok(mut program) = Program::among(&SETUP, OBSTACLES) else {
+    let Ok(mut program) = Program::new(&SETUP) else {
         return;
     };
     watchdog.start(Duration::from_millis(20));

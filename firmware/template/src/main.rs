@@ -9,7 +9,7 @@
 mod board;
 mod setup;
 
-use setup::{OBSTACLES, Program, SETUP};
+use setup::{Program, SETUP};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::line::{Line, Micros};
 use stiction_firmware::pace::Pace;
@@ -24,7 +24,7 @@ fn main() -> ! {
     let (timer, mut watchdog) = board::start();
     let now_us = || board::now_us(&timer);
     // A scene or limits that cannot be used: nothing feeds the watchdog.
-    let Ok(mut program) = Program::among(&SETUP, OBSTACLES) else {
+    let Ok(mut program) = Program::new(&SETUP) else {
         loop {}
     };
     // The device that measures the hand and outputs forces: the traits `Source` and `Actuators`.

@@ -177,7 +177,7 @@ impl ContactRow {
     pub(crate) fn new(frame: u32, contact: &ContactRecord) -> Self {
         let mut row = Self {
             point: contact.point,
-            direction: contact.direction.unwrap_or([f64::NAN; 2]),
+            direction: contact.direction,
             normal: contact.normal,
             friction: contact.friction,
             frame,
@@ -239,7 +239,7 @@ impl ContactRow {
             normal: self.normal,
             friction: self.friction,
             sliding: self.sliding,
-            direction: (!self.direction[0].is_nan()).then_some(self.direction),
+            direction: self.direction,
         }
     }
 }

@@ -1,13 +1,13 @@
-//! The uniform statics: contacts on half-planes so far.
+//! The uniform statics: without corners among half-planes, with them among obstacles.
 
 use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::{Evolution, Fixed};
-use stiction_judge::{Contact, Frame, Touch};
+use stiction_judge::{Contact, Frame};
 use stiction_statics::{Output, Solver as Core, State};
+use stiction_tests::Number;
 use stiction_tests::obstacles::Among;
-use stiction_tests::obstacles::scene::{SURFACES, VERTICES};
+use stiction_tests::obstacles::scene::{CORNERS, SURFACES, VERTICES};
 use stiction_tests::run::planar;
-use stiction_tests::{Number, Setup};
 
 /// The uniform statics in its number types.
 pub const STATICS: [Solver; 6] = [
@@ -28,39 +28,40 @@ fn frame<R: Number + 'static>(among: &Among) -> Made {
 }
 
 fn made<R: Number + 'static>(among: &Among, evolution: Evolution) -> Made {
-    if !among.obstacles.is_empty() {
-        return Err("obstacles".to_owned());
+    if among.obstacles.is_empty() {
+        let solver = among.setup.described::<R, _>(|scene| Core::new(scene));
+        return run::<R, 0>(solver.map_err(|error| error.to_string())?, evolution);
     }
-    let solver = among.setup.described::<R, _>(|scene| Core::new(scene));
-    Ok(Box::new(Run::<R> {
-        solver: solver
-            .map_err(|error| error.to_string())?
-            .with_evolution(evolution),
+    let solver = among
+        .within::<R>()
+        .described::<R, _>(|scene| Core::new(scene));
+    run::<R, CORNERS>(solver.map_err(|error| error.to_string())?, evolution)
+}
+
+fn run<R: Number + 'static, const C: usize>(
+    solver: Core<R, VERTICES, SURFACES, C>,
+    evolution: Evolution,
+) -> Made {
+    Ok(Box::new(Run {
+        solver: solver.with_evolution(evolution),
         state: None,
-        setup: among.setup.clone(),
     }))
 }
 
-struct Run<R: Number> {
-    solver: Core<R, VERTICES, SURFACES, 0>,
+struct Run<R: Number, const C: usize> {
+    solver: Core<R, VERTICES, SURFACES, C>,
     state: Option<State<R>>,
-    setup: Setup,
 }
 
-impl<R: Number> Run<R> {
+impl<R: Number, const C: usize> Run<R, C> {
     fn frame(&self, state: &State<R>, output: &Output<R::Si>, hand: [f64; 3]) -> Frame {
         let wide = R::wide;
         let [x, y] = output.position;
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
-        let contacts = self.solver.contacts(state);
-        let at = |touch: Touch, point: [R::Si; 2]| match touch.vertex() {
-            Some(vertex) => self.setup.world(pose, self.setup.vertices[vertex]),
-            None => point.map(wide),
-        };
         let contact = |c: &stiction_core::Contact<R::Si>| Contact {
             touch: c.touch,
-            point: at(c.touch, c.point),
-            direction: None,
+            point: c.point.map(wide),
+            direction: Some(c.direction.map(wide)),
             normal: wide(c.normal),
             friction: wide(c.friction),
             sliding: Some(c.sliding),
@@ -74,7 +75,7 @@ impl<R: Number> Run<R> {
             pose,
             depth: 0.0,
             state: output.state,
-            contacts: contacts.iter().map(contact).collect(),
+            contacts: self.solver.contacts(state).iter().map(contact).collect(),
             complete: true,
             wrench: [wide(fx), wide(fy), wide(wrench.moment)],
             slips: output.slips,
@@ -85,7 +86,7 @@ impl<R: Number> Run<R> {
     }
 }
 
-impl<R: Number> Subject for Run<R> {
+impl<R: Number, const C: usize> Subject for Run<R, C> {
     fn start(&mut self, hand: [f64; 3]) -> Frame {
         let (state, output) = self.solver.start(planar::<R>(hand));
         let frame = self.frame(&state, &output, hand);

@@ -68,6 +68,11 @@ impl Among {
     /// # Errors
     /// The scene is refused by the solver.
     pub fn scene<R: Number>(&self) -> Result<Scene<R>, SceneError<R::Si>> {
+        self.described::<R, _>(|description| Scene::new(description))
+    }
+
+    /// What is made of the description in a number type.
+    pub fn described<R: Number, T>(&self, take: impl FnOnce(&Description<'_, R::Si>) -> T) -> T {
         let all = |points: &[Point]| points.iter().map(|p| p.map(R::si)).collect::<Vec<_>>();
         let corners: Vec<_> = self.obstacles.iter().map(|o| all(&o.vertices)).collect();
         let obstacle = |(o, vertices): (&Obstacle, _)| {
@@ -82,7 +87,7 @@ impl Among {
         let corners = corners.iter().map(Vec::as_slice);
         let obstacles: Vec<_> = self.obstacles.iter().zip(corners).map(obstacle).collect();
         (self.setup).described::<R, _>(|description| {
-            Scene::new(&Description {
+            take(&Description {
                 obstacles: &obstacles,
                 ..*description
             })

@@ -42,10 +42,10 @@ FRAME = np.dtype(
     ],
     align=True,
 )
-#: A contact: the `point` (m, world frame); the unit normal towards the body, `direction`, nan in scenes without obstacles, where it is the
-#: surface's normal; the `normal` force, 0 or more, and the `friction` along t = (n_y, -n_x), on the body (N); the number of its `frame`; the
-#: touching features, by numbers from 0, -1 if absent: vertex on surface, vertex on a side of an obstacle, or corner of an obstacle on a
-#: side of the body; `sliding` 0 while it sticks, 1 or -1 along t or against it.
+#: A contact: the `point` (m, world frame); the unit normal towards the body, `direction`, nan where a trace does not have it: in scenes
+#: without obstacles it is the surface's; the `normal` force, 0 or more, and the `friction` along t = (n_y, -n_x), on the body (N); the
+#: number of its `frame`; the touching features, by numbers from 0, -1 if absent: vertex on surface, vertex on a side of an obstacle, or
+#: corner of an obstacle on a side of the body; `sliding` 0 while it sticks, 1 or -1 along t or against it.
 CONTACT = np.dtype(
     [
         ("point", "f8", 2),

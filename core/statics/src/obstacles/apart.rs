@@ -1,0 +1,417 @@
+//! Obstacles on a window of a search: each is apart from the body along one axis, that of a contact first; and the ends of the sides on which
+//! contacts slide (R36, R39).
+
+use super::Obstacle;
+use super::axes::{At, Axis, Normal, speed};
+use crate::bounds::Bound;
+use crate::contact::{Contact, Feature, Sense};
+use crate::events::{Ending, Judging, Watch, Which};
+use crate::judge::{Found, Track};
+use crate::motion::{Instant, Kind, Motion};
+use crate::real::Real;
+use crate::search::{Ended, Run, WindowEnd};
+use crate::state::Body;
+use crate::thresholds::Thresholds;
+use crate::values::Value;
+use crate::world::Statics;
+
+/// What a window did with an obstacle: how far it is at the end, or that it is touched where the window begins.
+type Watched<R> = Result<R, Feature>;
+
+impl<R: Real> Instant<R> {
+    /// Where the body is.
+    pub(crate) fn at(&self) -> At<R> {
+        At {
+            rotation: self.rotation,
+            g: self.g,
+        }
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// The bound of the second derivative of a gap along an axis, with the lever of what it compares at the end of a window.
+    fn bend_along(&self, m: &Motion<R>, i: &Instant<R>, b: &Bound<R>, axis: &Axis<R>, k: u8) -> R {
+        let lever = self.lever(axis, k, i.at());
+        if !axis.turns() {
+            return self.gap_bound(m, b, lever - i.r);
+        }
+        let [xi1, _] = b.foot;
+        let g1 = match m.kind {
+            Kind::Line | Kind::Free => b.way,
+            Kind::Pin | Kind::Slide | Kind::Pair => xi1 + (i.r.length_bound() + xi1) * b.theta,
+        };
+        b.holding + (lever.length_bound() + g1) * b.turn + (g1 * b.theta).doubled()
+    }
+    /// The room that a window leaves before an obstacle, by its end alone; none if it may be touched.
+    pub(crate) fn room_before(
+        &self,
+        body: &Body<R>,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        b: &Bound<R>,
+        index: u8,
+    ) -> Option<R> {
+        let (o, at) = (self.obstacle(index), i.at());
+        let far = self.distance_bound(&o, i.g);
+        if far > b.way.doubled() || self.is_kept_behind(body, index) {
+            return Some(if far > b.way.doubled() { far } else { R::HUGE });
+        }
+        let own = self.own_axis(body, index);
+        let axis = match own {
+            Some(normal) => self.axis(&o, normal, at),
+            None => self.widest(&o, at)?.axis,
+        };
+        let was = body.at();
+        let before = self.axis(&o, axis.normal, was);
+        let mut room = R::HUGE;
+        for k in self.compared(&o, &axis) {
+            if let Some(feature) = self.feature(&axis, k)
+                && self.holds(&body.contacts, feature)
+            {
+                continue;
+            }
+            let gap = self.gap_along(&axis, self.lever(&axis, k, at), at);
+            let begin = self.gap_along(&before, self.lever(&before, k, was), was);
+            let least = self.bend_along(m, i, b, &axis, k).halved();
+            if gap <= least + R::TOUCH || begin < R::ZERO {
+                return None;
+            }
+            room = room.min(self.room_of(&axis, k, at, gap));
+        }
+        Some(room)
+    }
+    /// The path of the body up to which a gap remains open: a corner beyond the body comes nearer than any point of it moves.
+    fn room_of(&self, axis: &Axis<R>, k: u8, at: At<R>, gap: R) -> R {
+        if axis.turns() {
+            gap / (R::ONE + self.lever(axis, k, at).length_bound())
+        } else {
+            gap
+        }
+    }
+    /// The axis of a contact with an obstacle.
+    fn own_axis(&self, body: &Body<R>, index: u8) -> Option<Normal> {
+        let own = body
+            .contacts
+            .iter()
+            .filter(|&c| self.obstacle_of(c) == Some(index));
+        own.last().and_then(|c| self.normal_of(c))
+    }
+    /// What lies behind the side of a contact is as far as that side lets the body come.
+    fn is_kept_behind(&self, body: &Body<R>, index: u8) -> bool {
+        let o = self.obstacle(index);
+        let is_own = |c: Contact| self.obstacle_of(c) == Some(index);
+        !body.contacts.iter().any(is_own)
+            && body.contacts.iter().any(|c| match c.feature {
+                Feature::Vertex { side, .. } => self.is_behind(&o, side),
+                Feature::Corner { .. } => false,
+            })
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
+    /// The ends of the sides on which contacts slide.
+    pub(crate) fn judge_ends(&mut self, found: &mut Found<R>) -> Option<Ended<R>> {
+        let motion = self.watched.motion;
+        let watch = self.watched.watch;
+        let sliding: &[Which] = match watch {
+            Watch::Slip(_) | Watch::Slide | Watch::Topple => &[Which::First],
+            Watch::Joint | Watch::JointSlip => &[Which::First, Which::Second],
+            Watch::Way | Watch::Stick | Watch::Corner | Watch::Turn => &[],
+        };
+        for &which in sliding {
+            let contact = which.of(motion.contacts);
+            let [a, b] = self.watched.statics.ends(contact);
+            let sense = match watch {
+                Watch::Slip(sense) => sense,
+                Watch::Topple => Sense::of(self.hi.rates.xi),
+                Watch::Way
+                | Watch::Stick
+                | Watch::Corner
+                | Watch::Turn
+                | Watch::Slide
+                | Watch::Joint
+                | Watch::JointSlip => contact.sense,
+            };
+            if !sense.slides() || b >= R::HUGE {
+                continue;
+            }
+            let statics = self.watched.statics;
+            // Half a touch more than where a contact counts as on its side.
+            let room = |end: &WindowEnd<R>| {
+                let i = &end.instant;
+                let xi = if which == Which::First {
+                    i.foot
+                } else {
+                    statics.foot_of(contact, i.rotation, i.g)
+                };
+                let left = if sense == Sense::Plus { b - xi } else { xi - a };
+                Value {
+                    v: left + R::TOUCH,
+                    d: R::ZERO,
+                }
+            };
+            let end = room(self.hi);
+            if end.v > R::zero() {
+                continue;
+            }
+            self.know_low();
+            let begin = room(self.lo);
+            let is_over = begin.v <= R::ZERO && self.bracket.certain == R::ZERO;
+            if is_over && end.v <= begin.v {
+                return Some(self.ended_low(Ending::Ends(which), R::ZERO));
+            }
+            self.judge(found, &Track::monotonous(Ending::Ends(which), [begin, end]));
+        }
+        None
+    }
+
+    /// All obstacles; the least gap of those that are apart.
+    pub(crate) fn judge_obstacles(
+        &mut self,
+        on: &Judging<R>,
+        room: &mut R,
+        found: &mut Found<R>,
+    ) -> Option<Ended<R>> {
+        let statics = self.watched.statics;
+        for (index, o) in statics.obstacles() {
+            let far = statics.distance_bound(&o, self.hi.instant.g);
+            if far > on.bound.way.doubled() {
+                *room = room.min(far);
+                continue;
+            }
+            if statics.is_kept_behind(self.watched.body, index) {
+                continue;
+            }
+            let watched = match statics.own_axis(self.watched.body, index) {
+                Some(normal) => self.judge_own(on, found, &o, normal),
+                None => self.judge_other(on, found, &o),
+            };
+            match watched {
+                Ok(gap) => *room = room.min(gap),
+                Err(feature) => return Some(self.ended_low(Ending::Touch(feature), R::ZERO)),
+            }
+        }
+        None
+    }
+    /// The gap along an axis at an end of the window.
+    fn value_along(&self, o: &Obstacle<R>, normal: Normal, k: u8, end: &WindowEnd<R>) -> Value<R> {
+        let (statics, at) = (self.watched.statics, end.instant.at());
+        let axis = statics.axis(o, normal, at);
+        let lever = statics.lever(&axis, k, at);
+        Value {
+            v: statics.gap_along(&axis, lever, at),
+            d: axis.n.dot(end.rates.g + lever.turned() * end.rates.theta),
+        }
+    }
+    fn bend(&self, on: &Judging<R>, axis: &Axis<R>, k: u8) -> R {
+        self.watched
+            .statics
+            .bend_along(self.watched.motion, &self.hi.instant, &on.bound, axis, k)
+    }
+    fn is_held(&self, axis: &Axis<R>, k: u8) -> bool {
+        let (statics, contacts) = (self.watched.statics, &self.watched.body.contacts);
+        statics
+            .feature(axis, k)
+            .is_some_and(|feature| statics.holds(contacts, feature))
+    }
+    /// An obstacle that is in contact: what else its axis compares is touched where the body comes to lie flat.
+    fn judge_own(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+        o: &Obstacle<R>,
+        normal: Normal,
+    ) -> Watched<R> {
+        let (statics, motion) = (self.watched.statics, self.watched.motion);
+        let [first, second] = motion.contacts;
+        // Along one line nothing comes nearer.
+        if motion.kind == Kind::Pair && statics.is_in_line(first, second) {
+            return Ok(R::HUGE);
+        }
+        self.know_low();
+        let at = self.hi.instant.at();
+        let axis = statics.axis(o, normal, at);
+        let still = R::zero() * speed(&self.lo.rates);
+        let mut room = R::HUGE;
+        for k in statics.compared(o, &axis) {
+            let Some(feature) = statics.feature(&axis, k) else {
+                continue;
+            };
+            if statics.holds(&self.watched.body.contacts, feature) {
+                continue;
+            }
+            let begin = self.value_along(o, normal, k, self.lo);
+            let end = self.value_along(o, normal, k, self.hi);
+            room = room.min(statics.room_of(&axis, k, at, end.v.max(R::ZERO)));
+            let bend = self.bend(on, &axis, k);
+            if end.v > R::zero().max(bend.halved()) {
+                continue;
+            }
+            // In one line with contacts: flat as far as the motion keeps it so.
+            let is_closed = begin.v <= R::zero();
+            if is_closed && end.v >= -R::zero() && begin.d >= -still && bend <= R::zero() {
+                continue;
+            }
+            let is_first = self.bracket.certain == R::ZERO;
+            if is_first && is_closed && end.v < begin.v.max(R::ZERO) && begin.d < R::ZERO {
+                return Err(feature);
+            }
+            self.judge(
+                found,
+                &Track::gap(Ending::Touch(feature), [begin, end], bend),
+            );
+        }
+        Ok(room)
+    }
+    /// Whether an axis certainly keeps an obstacle apart on a window; contacts that are held aside.
+    fn keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>, normal: Normal) -> bool {
+        let (statics, tol) = (self.watched.statics, R::zero());
+        let axis = statics.axis(o, normal, self.hi.instant.at());
+        let mut all = statics.compared(o, &axis);
+        all.all(|k| {
+            if self.is_held(&axis, k) {
+                return true;
+            }
+            let begin = self.value_along(o, normal, k, self.lo);
+            let end = self.value_along(o, normal, k, self.hi);
+            let half = self.bend(on, &axis, k).halved();
+            if end.v > tol.max(half) && begin.v >= -tol {
+                return true;
+            }
+            if begin.v <= tol && end.v < begin.v && begin.d < -tol * speed(&self.lo.rates) {
+                return false;
+            }
+            // What lies a little behind, a step that is none, may not go farther.
+            let floor = begin.v.min(R::ZERO);
+            if begin.v < -R::MICRO || end.v < floor - tol {
+                return false;
+            }
+            let (p, q) = ((begin.v - floor).sqrt(), (end.v - floor).sqrt());
+            (p + q) * (p + q) >= half || half <= tol
+        })
+    }
+    /// An obstacle that is not in contact: an axis that keeps it apart, or what touches where the widest one closes.
+    fn judge_other(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+        o: &Obstacle<R>,
+    ) -> Watched<R> {
+        let (statics, tol) = (self.watched.statics, R::zero());
+        let Some(end) = statics.widest(o, self.hi.instant.at()) else {
+            // A point and a pin do not meet.
+            return Ok(R::HUGE);
+        };
+        if end.gap > on.bound.way.doubled() {
+            return Ok(end.gap);
+        }
+        self.know_low();
+        if end.gap > tol && self.keeps_apart(on, o, end.axis.normal) {
+            return Ok(end.gap);
+        }
+        let body = self.watched.body;
+        for contact in body.contacts.iter().filter(|c| c.is_corner()) {
+            let Some(normal) = statics.normal_of(contact) else {
+                continue;
+            };
+            if self.keeps_apart(on, o, normal) {
+                let at = self.hi.instant.at();
+                let axis = statics.axis(o, normal, at);
+                return Ok(statics.along(o, axis, at).gap.max(R::ZERO));
+            }
+        }
+        let Some(begin) = statics.widest(o, self.lo.instant.at()) else {
+            return Ok(R::HUGE);
+        };
+        if begin.gap > tol {
+            return Ok(self.judge_witness(on, found, o, begin.axis.normal));
+        }
+        // It touches already: the axis that closes most slowly.
+        let at = self.lo.instant.at();
+        let step = R::MICRO.max(tol - begin.gap);
+        let Some(slowest) = statics.slowest(o, [at, at], &self.lo.rates, step) else {
+            return Ok(R::ZERO);
+        };
+        let still = tol * speed(&self.lo.rates);
+        let [then, now] = [&*self.lo, &*self.hi].map(|end| {
+            let at = end.instant.at();
+            let axis = statics.axis(o, slowest.axis.normal, at);
+            statics.along(o, axis, at).gap
+        });
+        let closes = slowest.rate < -still && now < then;
+        let is_deep = slowest.rate <= still && then < -R::TOUCH;
+        if (closes || is_deep)
+            && let Some((feature, _)) = slowest.contact
+        {
+            return Err(feature);
+        }
+        if self.keeps_apart(on, o, slowest.axis.normal) {
+            return Ok(now.max(R::ZERO));
+        }
+        Ok(self.judge_witness(on, found, o, slowest.axis.normal))
+    }
+    /// Where the axis that keeps an obstacle apart closes another one may be open, or not close.
+    fn judge_witness(
+        &mut self,
+        on: &Judging<R>,
+        found: &mut Found<R>,
+        o: &Obstacle<R>,
+        normal: Normal,
+    ) -> R {
+        let (statics, tol) = (self.watched.statics, R::zero());
+        let at = self.hi.instant.at();
+        let axis = statics.axis(o, normal, at);
+        let gap = statics.along(o, axis, at).gap;
+        if gap.abs() <= tol {
+            let is_kept = self.keeps_apart(on, o, normal);
+            if let Some(widest) = statics.widest(o, at)
+                && widest.gap > tol
+            {
+                found.unsure |= !is_kept;
+                return widest.gap;
+            }
+            let both = [self.lo.instant.at(), at];
+            if let Some(slowest) = statics.slowest(o, both, &self.hi.rates, R::MICRO) {
+                found.unsure |= !is_kept && self.bracket.width() > tol;
+                let still = tol * speed(&self.hi.rates);
+                let level = statics.along(o, slowest.axis, at).gap;
+                if slowest.rate > still || slowest.rate >= -still && level >= -tol {
+                    return R::ZERO;
+                }
+                if let Some((feature, _)) = slowest.contact {
+                    found.hit = found.hit.or(Some((Ending::Touch(feature), R::ZERO)));
+                }
+            }
+            return R::ZERO;
+        }
+        for k in statics.compared(o, &axis) {
+            let begin = self.value_along(o, normal, k, self.lo);
+            let end = self.value_along(o, normal, k, self.hi);
+            let half = self.bend(on, &axis, k).halved();
+            let floor = if begin.v >= -R::MICRO {
+                begin.v.min(R::ZERO)
+            } else {
+                R::ZERO
+            };
+            if end.v > tol.max(half) {
+                continue;
+            }
+            if end.v > tol {
+                let (p, q) = (begin.v.max(R::ZERO).sqrt(), end.v.sqrt());
+                found.unsure |= (p + q) * (p + q) < half;
+            } else if end.v >= floor - tol && end.v < -tol {
+                found.unsure |= half > tol;
+            } else if end.v < -tol {
+                let touch = statics.feature(&axis, k).map(Ending::Touch);
+                let at = self.crossing(&Track::gap(
+                    touch.unwrap_or(Ending::GoesOn),
+                    [begin, end],
+                    half,
+                ));
+                found.cross = found.cross.min(at);
+                found.crossing = found.crossing.or(touch).or(Some(Ending::GoesOn));
+            }
+        }
+        R::ZERO
+    }
+}

@@ -1,0 +1,358 @@
+//! One world of several obstacles, which need not be convex: sides that form one line, sides that are one, corners that nothing can touch
+//! (R35). Decided in double precision, for all number types alike; lengths / L.
+
+use super::{Corner, Obstacle};
+use crate::description::Units;
+use crate::geometry::{Vec2, normalized};
+use crate::list::gather;
+use crate::real::Real;
+use crate::world::{Friction, Side};
+use heapless::Vec;
+use stiction_core::{ObstacleDescription, SiFloat, SurfaceDescription};
+
+/// 2^-19: what lies closer to a line is on it, what is closer to a place is there.
+const NEAR: f64 = f64::MICRO;
+/// Lines at a smaller angle (its sine) have no place in common that is known well enough.
+const PARALLEL: f64 = 1.0 / 16.0;
+
+type Point = Vec2<f64>;
+
+/// A line with its free side, as that of a half-plane.
+#[derive(Clone, Copy)]
+struct Line {
+    normal: Point,
+    offset: f64,
+    /// The first side in it.
+    index: u8,
+}
+impl Line {
+    fn tangent(&self) -> Point {
+        Vec2::new(self.normal.y, -self.normal.x)
+    }
+    fn height(&self, at: Point) -> f64 {
+        self.normal.dot(at) - self.offset
+    }
+}
+
+/// A corner, and the side from it to the next one.
+#[derive(Clone, Copy)]
+struct Raw {
+    obstacle: u8,
+    at: Point,
+    to: Point,
+    /// None for a pin.
+    line: Option<Line>,
+    ends: [f64; 2],
+    friction: [f64; 3],
+    one: u8,
+    first: u8,
+    covered: bool,
+}
+
+/// All corners, and the half-planes before them.
+struct World<const S: usize, const C: usize> {
+    planes: Vec<Line, S>,
+    all: Vec<Raw, C>,
+}
+
+fn wide<F: SiFloat>(x: F) -> f64 {
+    x.widen()
+}
+
+impl<const S: usize, const C: usize> World<S, C> {
+    fn index(&self, corner: usize) -> u8 {
+        u8::try_from(self.planes.len().saturating_add(corner)).unwrap_or(u8::MAX)
+    }
+    /// Adds the corners of an obstacle; its sides take the line of an earlier one.
+    fn add(&mut self, obstacle: u8, corners: &[Point], friction: [f64; 3]) {
+        for (k, &at) in corners.iter().enumerate() {
+            let next = corners.get(k.saturating_add(1)).or(corners.first());
+            let to = next.copied().unwrap_or(at);
+            let index = self.index(self.all.len());
+            let line = (corners.len() > 1).then(|| self.line(at, to, index));
+            let ends = line.map_or([0.0; 2], |line| [to, at].map(|end| line.tangent().dot(end)));
+            // There is room for it.
+            let _ = self.all.push(Raw {
+                obstacle,
+                at,
+                to,
+                line,
+                ends,
+                friction,
+                one: index,
+                first: u8::try_from(self.all.len()).unwrap_or(u8::MAX),
+                covered: false,
+            });
+        }
+    }
+    /// The line of a side: that of an earlier side of this direction if both ends are on it.
+    fn line(&self, from: Point, to: Point, index: u8) -> Line {
+        let along = to - from;
+        let (x, y) = normalized(along.x, along.y);
+        let normal = Vec2::new(y, -x);
+        let lines = self.planes.iter().copied();
+        let mut lines = lines.chain(self.all.iter().filter_map(|raw| raw.line));
+        let is_same = |line: &Line| {
+            let is_on = |end: Point| line.height(end).abs() <= NEAR;
+            line.normal.dot(normal) > 0.0 && is_on(from) && is_on(to)
+        };
+        lines.find(is_same).unwrap_or(Line {
+            normal,
+            offset: normal.dot(from),
+            index,
+        })
+    }
+    /// Sides in one line of equal friction that meet are one side.
+    fn join(&mut self) {
+        let mut is_done = false;
+        while !is_done {
+            is_done = true;
+            for i in 0..self.all.len() {
+                for k in 0..i {
+                    let (Some(&a), Some(&b)) = (self.all.get(k), self.all.get(i)) else {
+                        continue;
+                    };
+                    let (Some(line), Some(other)) = (a.line, b.line) else {
+                        continue;
+                    };
+                    let ([low, high], [begin, end]) = (a.ends, b.ends);
+                    let meet = low <= end + NEAR && begin <= high + NEAR;
+                    let ends = [low.min(begin), high.max(end)];
+                    let one = a.one.min(b.one);
+                    let is_one = a.ends == ends && b.ends == ends && a.one == b.one;
+                    if line.index != other.index || a.friction != b.friction || !meet || is_one {
+                        continue;
+                    }
+                    for place in [k, i] {
+                        if let Some(raw) = self.all.get_mut(place) {
+                            (raw.ends, raw.one) = (ends, one);
+                        }
+                    }
+                    is_done = false;
+                }
+            }
+        }
+    }
+    /// The corners of an obstacle, with the side that ends at each.
+    fn around(&self, obstacle: u8) -> impl Iterator<Item = (usize, Raw, Raw)> + Clone {
+        let own = |raw: &&Raw| raw.obstacle == obstacle;
+        let members = self.all.iter().filter(own);
+        let last = members.clone().next_back().copied();
+        let from = self
+            .all
+            .iter()
+            .position(|raw| raw.obstacle == obstacle)
+            .unwrap_or(0);
+        let count = members.count();
+        (from..from.saturating_add(count)).filter_map(move |k| {
+            let raw = *self.all.get(k)?;
+            let before = if k == from {
+                last
+            } else {
+                self.all.get(k.checked_sub(1)?).copied()
+            };
+            Some((k, raw, before?))
+        })
+    }
+    /// Each corner onto the lines of the sides that end there, a pin onto one that it is near, and corners at one place together.
+    fn place(&mut self) {
+        for obstacle in self.obstacles() {
+            let moved: Vec<(usize, Point), C> = self
+                .around(obstacle)
+                .map(|(k, raw, before)| (k, self.placed(&raw, &before)))
+                .collect();
+            for (k, at) in moved {
+                let same = self.all.iter().take(k).find(|other| is_near(other.at, at));
+                let (at, first) = same.map_or((at, None), |other| (other.at, Some(other.first)));
+                if let Some(raw) = self.all.get_mut(k) {
+                    raw.at = at;
+                    raw.first = first.unwrap_or(raw.first);
+                    raw.covered |= first.is_some();
+                }
+            }
+        }
+    }
+    fn placed(&self, raw: &Raw, before: &Raw) -> Point {
+        let at = raw.at;
+        let (Some(a), Some(b)) = (raw.line, before.line) else {
+            let lines = self.planes.iter().copied();
+            let mut lines = lines.chain(self.all.iter().filter_map(|raw| raw.line));
+            let line = lines.find(|line| line.height(at).abs() <= NEAR);
+            return line.map_or(at, |line| at - line.normal * line.height(at));
+        };
+        let (sine, of_a, of_b) = (a.normal.cross(b.normal), a.height(at), b.height(at));
+        if sine.abs() < PARALLEL {
+            return at - a.normal * of_a;
+        }
+        at + b.normal.turned() * (of_a / sine) - a.normal.turned() * (of_b / sine)
+    }
+    fn obstacles(&self) -> core::ops::Range<u8> {
+        let last = self.all.last().map(|raw| raw.obstacle);
+        0..last.map_or(0, |last| last.saturating_add(1))
+    }
+    /// Corners that are in or on another obstacle, behind a half-plane, within a side, or in a hollow.
+    fn cover(&mut self) {
+        for k in 0..self.all.len() {
+            let Some(raw) = self.all.get(k).copied() else {
+                continue;
+            };
+            let is_behind = self.planes.iter().any(|plane| plane.height(raw.at) <= NEAR);
+            let mut others = self.obstacles().filter(|&o| o != raw.obstacle);
+            let is_inside = others.any(|o| self.is_inside(o, raw.at));
+            let is_within = self.all.iter().any(|side| {
+                let [low, high] = side.ends;
+                side.line.is_some_and(|line| {
+                    let x = line.tangent().dot(raw.at);
+                    line.height(raw.at).abs() <= NEAR && x > low + NEAR && x < high - NEAR
+                })
+            });
+            let covered = is_behind || is_inside || is_within || !self.is_tip(raw.at);
+            if let Some(raw) = self.all.get_mut(k) {
+                raw.covered |= covered;
+            }
+        }
+    }
+    /// In or on an obstacle, but at no corner of it.
+    fn is_inside(&self, obstacle: u8, at: Point) -> bool {
+        let mut all = self.around(obstacle);
+        let is_at_corner = all.clone().any(|(_, raw, _)| is_near(raw.at, at));
+        let is_area = all.clone().count() > 2;
+        let behind = |line: Line| line.height(at) <= NEAR;
+        is_area && !is_at_corner && all.all(|(_, raw, _)| raw.line.is_some_and(behind))
+    }
+    /// All sides that start from a point are on one side of one of them: they leave at least a half-plane free.
+    fn is_tip(&self, at: Point) -> bool {
+        let leaves = || {
+            self.all
+                .iter()
+                .filter(|raw| raw.line.is_some())
+                .flat_map(move |raw| {
+                    let way = raw.to - raw.at;
+                    let length = way.length();
+                    let along = way * (1.0 / length);
+                    let begins = is_near(raw.at, at).then_some((along, length));
+                    let ends = is_near(raw.to, at).then_some((-along, length));
+                    [begins, ends].into_iter().flatten()
+                })
+        };
+        if leaves().next().is_none() {
+            return true;
+        }
+        leaves().any(|(one, length)| {
+            let turned = move |(other, of): (Point, f64)| {
+                // A direction is as uncertain as the place of its end.
+                (one.cross(other), NEAR / length + NEAR / of)
+            };
+            leaves().map(turned).all(|(sine, off)| sine >= -off)
+                || leaves().map(turned).all(|(sine, off)| sine <= off)
+        })
+    }
+}
+
+fn is_near(a: Point, b: Point) -> bool {
+    (a - b).length() <= NEAR
+}
+
+/// The corners and obstacles of a world, in the numbers of the solver.
+pub(crate) type United<R, const C: usize> = (Vec<Corner<R>, C>, Vec<Obstacle<R>, C>);
+
+/// Unites obstacles and half-planes to one world.
+pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
+    surfaces: &[SurfaceDescription<R::Si>],
+    given: &[ObstacleDescription<'_, R::Si>],
+    units: &Units<R::Si>,
+) -> United<R, C> {
+    let length = wide(units.length);
+    let [from_x, from_y] = units.origin.map(wide);
+    let plane = |(index, s): (u8, &SurfaceDescription<R::Si>)| {
+        let [x, y] = s.normal.map(wide);
+        let (x, y) = normalized(x, y);
+        Line {
+            normal: Vec2::new(x, y),
+            offset: (wide(s.offset) - (x * from_x + y * from_y)) / length,
+            index,
+        }
+    };
+    let mut world = World::<S, C> {
+        planes: gather((0_u8..).zip(surfaces).map(plane)),
+        all: Vec::new(),
+    };
+    for (index, obstacle) in (0_u8..).zip(given) {
+        let corners = obstacle.vertices.iter();
+        let corners: Vec<Point, C> =
+            gather(corners.map(|&[x, y]| {
+                Vec2::new((wide(x) - from_x) / length, (wide(y) - from_y) / length)
+            }));
+        let memory = obstacle.memory.map_or(-1.0, wide);
+        let friction = [
+            wide(obstacle.friction_static),
+            wide(obstacle.friction_dynamic),
+            memory,
+        ];
+        world.add(index, &corners, friction);
+    }
+    world.join();
+    world.place();
+    world.cover();
+    let frictions = given
+        .iter()
+        .map(|o| Friction::described([o.friction_static, o.friction_dynamic], o.memory, units));
+    let frictions: Vec<Friction<R>, C> = gather(frictions);
+    let corners = world.all.iter().map(|raw| corner(raw, &frictions));
+    let all = world.obstacles().map(|index| obstacle(&world, index));
+    (gather(corners), gather(all))
+}
+
+fn number<R: Real>(x: f64) -> R {
+    R::from_si(R::Si::narrow(x), R::Si::ONE)
+}
+fn point<R: Real>(at: Point) -> Vec2<R> {
+    Vec2::new(number(at.x), number(at.y))
+}
+
+fn corner<R: Real>(raw: &Raw, frictions: &[Friction<R>]) -> Corner<R> {
+    let friction = frictions.get(usize::from(raw.obstacle));
+    let friction = friction.copied().unwrap_or(Friction::NONE);
+    let side = raw.line.map_or(Side::NOWHERE, |line| Side {
+        normal: point(line.normal),
+        tangent: point(line.tangent()),
+        offset: number(line.offset),
+        friction,
+    });
+    Corner {
+        place: point(raw.at),
+        side: Side { friction, ..side },
+        ends: raw.ends.map(number),
+        line: raw.line.map_or(u8::MAX, |line| line.index),
+        one: raw.one,
+        first: raw.first,
+        obstacle: raw.obstacle,
+        covered: raw.covered,
+    }
+}
+
+/// An obstacle with a circle about the middle of its ranges, larger by what places round to.
+fn obstacle<R: Real, const S: usize, const C: usize>(
+    world: &World<S, C>,
+    index: u8,
+) -> Obstacle<R> {
+    let places = world.around(index).map(|(_, raw, _)| raw.at);
+    let range = |along: fn(Point) -> f64| {
+        let all = places.clone().map(along);
+        let (low, high) = all.fold((f64::HUGE, f64::LEAST), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        low + (high - low) * 0.5
+    };
+    let middle = Vec2::new(range(|at| at.x), range(|at| at.y));
+    let radius = places
+        .clone()
+        .fold(0.0, |most: f64, at| most.max((at - middle).length()));
+    let from = world.around(index).next().map_or(0, |(k, ..)| k);
+    Obstacle {
+        from: u8::try_from(from).unwrap_or(u8::MAX),
+        count: u8::try_from(places.count()).unwrap_or(u8::MAX),
+        middle: point(middle),
+        radius: number(radius * 1.001 + NEAR),
+    }
+}
