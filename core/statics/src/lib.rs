@@ -26,6 +26,7 @@ mod events;
 mod frame;
 mod geometry;
 mod hold;
+mod jam;
 mod joint;
 mod judge;
 mod law;

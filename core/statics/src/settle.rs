@@ -31,7 +31,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match settling.next {
             Next::Rest => {
                 self.renew();
-                if self.statics.is_jammed(self.body) {
+                if self.statics.free_of_jam(self.body).is_none() {
                     self.log.limit(Status::Jammed);
                 }
                 self.errand.stage = Stage::Still;
@@ -126,6 +126,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.settled(next);
             }
             Freedom::Slides | Freedom::Together | Freedom::Fixed => {
+                if !sense.slides() {
+                    self.renew();
+                }
                 let next = if sense.slides() && self.is_driven_on(sense, little) {
                     Next::Slip(sense)
                 } else if self.statics.bears(self.body, little) {
