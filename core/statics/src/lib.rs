@@ -40,6 +40,7 @@ mod pair;
 mod pair_bounds;
 mod place;
 mod real;
+mod rebalance;
 mod sample;
 mod search;
 mod settle;

@@ -1,14 +1,13 @@
-//! Closed forms in every number type, where runs.rs has f64: stick and slip, folds, ladders, both evolutions, nothing creeps.
+//! Closed forms in every number type, where runs.rs has f64: stick and slip, ladders, both evolutions, nothing creeps.
 
 use crate::bench::{Number, Run, Setup, block, in_every_number_type, near, side};
 use core::f64::consts::PI;
-use stiction_core::{Event, Evolution, SiFloat, StateKind, Status};
+use stiction_core::{Evolution, SiFloat, StateKind, Status};
 
 in_every_number_type!(
     cases::a_dragged_block_slips_by_the_difference_of_the_frictions,
     cases::where_the_hand_jumps_it_slips_once,
     cases::slips_shrink_geometrically_as_the_hand_rises,
-    cases::a_pinned_point_snaps_at_the_fold_of_keplers_equation,
     cases::a_ladder_sticks_up_to_its_critical_angle,
     cases::a_hand_within_the_cone_leaves_the_foot,
     cases::a_body_that_nothing_presses_lifts,
@@ -69,36 +68,6 @@ mod cases {
         assert!(lengths.len() > 4, "{lengths:?}");
         for pair in lengths.windows(2) {
             near::<R>(pair[1], pair[0] * (1.0 + 0.3) / (1.0 + 0.5));
-        }
-    }
-
-    /// x + kappa sin x = delta folds at cos x = -1/kappa.
-    pub(super) fn a_pinned_point_snaps_at_the_fold_of_keplers_equation<R: Number>() {
-        for [kappa, at_fold, lands] in [
-            [1.5, 3.418_557_971_8, 4.893_912_630_5],
-            [2.0, 3.826_445_910_0, 5.387_598_242_9],
-        ] {
-            let setup = Setup {
-                vertices: vec![[0.0, 0.0]],
-                held: Some([0.0, 1.0]),
-                reach: 0.0,
-                springs: [1.0, 2.0 / kappa],
-                start: [0.0, 0.0, PI],
-                surfaces: vec![side([0.0, 1.0], 0.0, [1.0, 0.5])],
-            };
-            let hand = |delta: f64| [0.0, -2.0, PI + delta];
-            let mut run = Run::<R>::new(&setup, Evolution::Path, hand(0.0));
-            let little = if R::NEAR < 1e-6 { 1e-5 } else { 1e-2 };
-            run.lead(hand(at_fold - little), 5);
-            let u = run.pose()[2] - PI;
-            assert!(u < (-1.0 / kappa).acos() && !run.saw(Event::Snap), "{u}");
-            run.to(hand(at_fold + little));
-            assert!(run.saw(Event::Snap), "{} {:?}", R::NEAR, run.output);
-            assert_eq!(run.output.status, Status::Ok, "{}", R::NEAR);
-            // It lands on x = delta - kappa sin x.
-            let u = run.pose()[2] - PI;
-            near::<R>(u + kappa * u.sin(), at_fold + little);
-            assert!((u - lands).abs() <= 1e-2, "{u}");
         }
     }
 
