@@ -1,12 +1,10 @@
 //! The answers of the solver in SI units: the pose and what happened in every step, the forces on request.
 
-use crate::forces::{Contact, Contacts};
-use crate::list::gather;
 use crate::log::Log;
 use crate::output::Output;
 use crate::real::Real;
 use crate::solver::{Solver, State};
-use stiction_core::{Angle, Wrench};
+use stiction_core::{Angle, Contact, Contacts, Wrench};
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C> {
     pub(crate) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
@@ -56,7 +54,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let statics = self.statics(state);
         let reactions = statics.reactions(body);
         let all = body.contacts.iter().zip(&reactions).enumerate();
-        let list = gather(all.map(|(i, (contact, &[n, t]))| {
+        let contacts = all.map(|(i, (contact, &[n, t]))| {
             let frame = statics.frame(contact, body.rotation, body.holding);
             let [n, t, sliding] = if state.held {
                 [n.max(R::ZERO), t, contact.sense.number()]
@@ -81,7 +79,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                     contact.sense.integer()
                 },
             }
-        }));
-        Contacts { list }
+        });
+        contacts.collect()
     }
 }

@@ -3,7 +3,7 @@
 use crate::real::Real;
 
 /// At most this many contacts at a time; further ones are not reported.
-pub const MAX_CONTACTS: usize = 8;
+pub(crate) const MAX_CONTACTS: usize = 8;
 
 /// What touches what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

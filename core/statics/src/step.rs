@@ -269,15 +269,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
     }
-    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined before it has doubled.
+    /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
     fn stay(&mut self, slack: R) {
-        if self.statics.is_jammed(self.body) {
+        let Some(change) = self.statics.free_of_jam(self.body) else {
             return self.log.limit(Status::Jammed);
-        }
+        };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
-            let load = self.statics.present_load(self.body);
-            self.body.slack = slack.min(R::ONE + load.size());
+            self.body.slack = slack.min(change);
         }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
