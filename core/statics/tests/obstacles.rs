@@ -1,7 +1,8 @@
 //! Scenes among obstacles with known answers: sticks, slides and slips about corners, flat contacts, pegs, a wedge, ends of sides, a thin wall.
 
+use stiction_core::Contact;
 use stiction_core::{Fixed, Hand, Status};
-use stiction_statics::{Contact, Output, Solver, State};
+use stiction_statics::{Output, Solver, State};
 use stiction_tests::Number;
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::cases::{self, Answer, Case};
