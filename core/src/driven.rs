@@ -32,7 +32,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> Option<Driven<R>> {
         let load = self.load(body, hand);
         let pair = contacts.map(|k| body.contacts.get(k));
-        let frames = pair.map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = self.frames(pair, body.rotation, body.holding);
         let [first, second] = &frames;
         let g = gap_slope(&frames);
         let slope = g.length();

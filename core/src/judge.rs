@@ -157,7 +157,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let motion = self.watched.motion;
         let turn = match motion.kind {
             Kind::Line => motion.line.theta_u.abs() * on.width,
-            Kind::Pin if motion.frozen && !motion.first().is_corner() => on.width,
+            Kind::Pin if motion.frozen && !self.watched.statics.turns(motion.first()) => on.width,
             Kind::Free | Kind::Pin | Kind::Slide | Kind::Pair => return R::LEAST,
         };
         let arm = arm - self.hi.instant.r;

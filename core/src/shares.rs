@@ -26,18 +26,10 @@ struct Part<R> {
     size: R,
 }
 
-/// A load shared out.
-struct Shared<R> {
-    /// Along each edge.
-    parts: Vec<R, MOST>,
-    /// It is borne, but not without reactions beyond the limit.
-    is_jammed: bool,
-}
-
 impl<R: Real> WrenchCone<R> {
     /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
     #[inline(never)]
-    fn shared(&self, load: Wrench<R>, little: R) -> Shared<R> {
+    fn shared(&self, load: Wrench<R>, little: R) -> Vec<R, MOST> {
         let mut parts = self.none();
         let (mut count, mut large) = (0_i32, None);
         for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
@@ -48,7 +40,6 @@ impl<R: Real> WrenchCone<R> {
                 large = Some(solution);
             }
         }
-        let is_jammed = count == 0 && large.is_some();
         if let (0, Some(solution)) = (count, large) {
             add(&mut parts, &solution);
         }
@@ -57,7 +48,7 @@ impl<R: Real> WrenchCone<R> {
             *part = *part * share;
         }
         self.approach(load, &mut parts);
-        Shared { parts, is_jammed }
+        parts
     }
     /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
     fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
@@ -273,19 +264,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body);
         let shared = cone.shared(load, little(load));
         let mut out: Reactions<R> = body.contacts.iter().map(|_| [R::ZERO; 2]).collect();
-        for (edge, &part) in cone.edges().iter().zip(&shared.parts) {
+        for (edge, &part) in cone.edges().iter().zip(&shared) {
             let [n, t] = edge.reaction(part);
             if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {
                 (*sum_n, *sum_t) = (*sum_n + n, *sum_t + t);
             }
         }
         out
-    }
-    /// The contacts bear the load, but only with reactions beyond the limit.
-    pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
-        let load = self.present_load(body);
-        let is_fixed = body.freedom() == Freedom::Fixed && !self.is_edge(&body.contacts);
-        is_fixed && self.cone(body).shared(load, little(load)).is_jammed
     }
     /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as
     /// a foot that turns back goes the same way in both.

@@ -68,6 +68,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn piece(&mut self, to: HandPose<R>) {
         self.log.work = self.log.work.saturating_add(1);
         self.do_piece(to);
+        if C > 0
+            && self.errand.stage == Stage::Still
+            && self.errand.search.motion.kind == Kind::Pair
+        {
+            self.statics.widen(self.body);
+        }
         // Before a jump nothing has moved yet.
         let about_to_jump = self.errand.jumps && self.body.hand != to;
         if self.errand.stage == Stage::Still && !about_to_jump {
@@ -264,15 +270,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
     }
-    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined before it has doubled.
+    /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
     fn stay(&mut self, slack: R) {
-        if self.statics.is_jammed(self.body) {
+        let Some(change) = self.statics.free_of_jam(self.body) else {
             return self.log.limit(Status::Jammed);
-        }
+        };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
-            let load = self.statics.present_load(self.body);
-            self.body.slack = slack.min(R::ONE + load.size());
+            self.body.slack = slack.min(change);
         }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
