@@ -42,7 +42,7 @@ pub(crate) struct WrenchCone<R> {
     edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
 }
 
-/// The facets through two edges: one, or four where all edges lie in one plane.
+/// The facets through two edges: one, or four where all edges lie in one plane, or in one line.
 type Facets<R> = Vec<Facet<R>, 4>;
 
 impl<R: Real> WrenchCone<R> {
@@ -54,7 +54,33 @@ impl<R: Real> WrenchCone<R> {
             let rest = self.edges.iter().skip(i.saturating_add(1));
             rest.map(move |b| [*a, *b])
         });
-        pairs.flat_map(|edges| self.through(edges))
+        let across = self.across_line();
+        pairs.flat_map(|edges| self.through(edges)).chain(across)
+    }
+    /// Contacts without friction straight opposite each other: their edges lie in one line, which bears nothing across it.
+    fn across_line(&self) -> Facets<R> {
+        let mut facets = Facets::new();
+        let [a, .., b] = self.edges.as_slice() else {
+            return facets;
+        };
+        let is_in_line = |c: &ConeEdge<R>| a.wrench.cross(c.wrench).size() <= R::in_plane();
+        if !self.edges.iter().all(is_in_line) {
+            return facets;
+        }
+        let along = Wrench {
+            force: a.wrench.force.turned(),
+            moment: R::ZERO,
+        };
+        for inward in [along, a.wrench.cross(along)] {
+            for sign in [R::ONE, -R::ONE] {
+                // There is room for four.
+                let _ = facets.push(Facet {
+                    inward: inward * sign,
+                    edges: [*a, *b],
+                });
+            }
+        }
+        facets
     }
     fn through(&self, edges: [ConeEdge<R>; 2]) -> Facets<R> {
         let [a, b] = &edges;
