@@ -36,6 +36,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let [first, second] = &frames;
         let g = gap_slope(&frames);
         let slope = g.length();
+        if slope <= R::in_plane() {
+            // Straight across: no motion changes the second gap, none is theirs alone.
+            return None;
+        }
         let twist = Vec2::new(g.y, -g.x) * (R::ONE / slope);
         let velocity = first.t * twist.x - first.r.turned() * twist.y;
         let v = [twist.x, second.advance(velocity, twist.y)];

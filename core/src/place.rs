@@ -120,6 +120,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let force_p = m.hand_p.at - i.g_p;
         match m.kind {
             Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
+            // The spring alone, however soft: in units of k_theta.
+            Kind::Free if self.weight == R::ZERO => {
+                (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
+            }
             Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment, m_theta, m_p),
             Kind::Pin | Kind::Slide => {
                 let turns = self.turns(m.first());
