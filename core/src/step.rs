@@ -74,10 +74,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         {
             self.statics.widen(self.body);
         }
-        // Before a jump nothing has moved yet.
-        let about_to_jump = self.errand.jumps && self.body.hand != to;
-        if self.errand.stage == Stage::Still && !about_to_jump {
-            self.log_slide();
+        if self.errand.stage == Stage::Still {
+            self.log_slide(to);
         }
     }
     fn do_piece(&mut self, to: HandPose<R>) {
@@ -130,9 +128,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// Logs where a slide begins and ends.
-    fn log_slide(&mut self) {
+    /// Logs where a slide begins and ends, on the way to a pose. What begins before a jump has not moved yet; what ended has.
+    fn log_slide(&mut self, to: HandPose<R>) {
         let slides = self.body.contacts.iter().any(|c| c.sense.slides());
+        let about_to_jump = self.errand.jumps && self.body.hand != to;
+        if slides && about_to_jump {
+            return;
+        }
         if slides && !self.errand.slid {
             self.log.event(Event::Slide);
         } else if self.errand.slid && !slides && !self.body.contacts.is_empty() {
