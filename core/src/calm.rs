@@ -36,7 +36,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let way = body.hand.to(to);
         let contact = match body.contacts.as_slice() {
             [] => {
-                let m = Motion::new(Kind::Free, body, way.per_p);
+                let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
                 return match self.calm_end(body, &m, way.whole) {
                     Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
                     None => Calm::Unsure,
@@ -45,7 +45,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             [only] if !self.turns(*only) => *only,
             [_, ..] => return Calm::Unsure,
         };
-        let m = Motion::new(Kind::Pin, body, way.per_p);
+        let m = Motion::new(Kind::Pin, body, way.per_p).to(*to, way.whole);
         let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {
             return Calm::Unsure;
         };
@@ -71,7 +71,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(never)]
     pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
-        let m = Motion::new(Kind::Slide, body, way.per_p);
+        let m = Motion::new(Kind::Slide, body, way.per_p).to(*to, way.whole);
         if self.turns(m.first()) {
             return Calm::Unsure;
         }
@@ -195,7 +195,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         }
         body.go_to(&i, body.room);
-        body.hand = body.hand.moved(&m.hand_p, place.p);
+        body.hand = m.hand_at(place.p);
         Calm::Yields(sense)
     }
     /// A slip of one vertex that certainly ends at mu_d N, in balance: the body is there.
