@@ -68,7 +68,7 @@
 //! | keep and replay a run | [`State`] |
 //! | change the scene or its parameters in mid-contact | [`Solver::carry`], [`Present`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
-//! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
+//! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`] |
 //! | release and grasp the body, feed a tracker | [`Hand`], [`Projection`] |
 //! | run without a floating-point unit, or leave code out | [`Fixed`], the capacities of [`Scene`] |
 //! | communicate with a board | the package `stiction-wire` |

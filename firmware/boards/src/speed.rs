@@ -6,5 +6,5 @@ use stiction_firmware::speed::Processor;
 pub const PICO_2: u32 = 150_000_000;
 /// The highest tick rate (Hz): 30 000 cycles each.
 pub const FASTEST_TICK: u16 = 5_000;
-/// Units of work per second; a quarter of the time is reserved for the interrupts of two lines and the rest of a tick.
+/// Pieces of work per second; a quarter of the time is reserved for the interrupts of two lines and the rest of a tick.
 pub const WORK_RATE: u32 = Processor::CORTEX_M33.work_rate(PICO_2, 6);

@@ -18,8 +18,7 @@ pub struct BoardBuild {
     pub target: &'static str,
     /// The number type of its solver.
     pub number: NumberType,
-    /// The capacity of the solver for the board's own scene, since any scene may arrive over the wire: for obstacles only with
-    /// the feature `obstacles`. For a scene file named by STICTION_SCENE, the solver has the capacity that this scene needs.
+    /// The capacity of the solver for the board's own scene, since any scene may arrive over the wire. For a scene file named by STICTION_SCENE, the solver has the capacity that this scene needs.
     pub room: SceneModel,
     /// The file of the scene that is compiled in by default, in the folder of the package or as a path from there.
     pub scene: &'static str,

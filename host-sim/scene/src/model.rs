@@ -17,7 +17,7 @@ pub struct SceneModel {
 }
 
 impl SceneModel {
-    /// Capacity for most scenes that arrive over the wire; for obstacles only with the feature `obstacles` of a board.
+    /// Capacity for most scenes that arrive over the wire.
     pub const BOARD: Self = Self {
         vertices: 8,
         surfaces: 4,

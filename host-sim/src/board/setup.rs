@@ -270,9 +270,7 @@ fn check_frame(about: &About, counts: [usize; 4]) -> Result<(), BoardError> {
 fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
     let scene = format!("the scene has {obstacles} obstacles with {corners} corners");
     match about.corners {
-        0 => format!(
-            "{scene}, allowed on this board: none; an image of the feature `obstacles` has room for some"
-        ),
+        0 => format!("{scene}, allowed on this board: those of a scene that is compiled in"),
         most => format!("{scene}, allowed on this board: {most} corners in all"),
     }
 }

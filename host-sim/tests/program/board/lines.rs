@@ -103,9 +103,9 @@ fn a_line_without_a_board_is_said() {
 fn a_board_without_room_for_obstacles_is_an_error_with_the_numbers() {
     let (folder, socket) = place(&with_obstacle("[[0.5, 0.0], [0.6, 0.0], [0.6, 0.1]]"));
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
-    let room = "the scene has 1 obstacles with 3 corners, allowed on this board: none";
+    let room = "the scene has 1 obstacles with 3 corners, allowed on this board";
     let output = board(&folder, "");
-    assert_error("no room", &output, &[room, "feature `obstacles`"]);
+    assert_error("no room", &output, &[room, "compiled in"]);
 }
 
 fn with_obstacle(vertices: &str) -> String {
