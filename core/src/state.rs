@@ -192,7 +192,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let foot = self.foot(body.contacts.first(), body.rotation, body.foot);
         body.holding = foot.c - foot.r;
     }
-    /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn.
+    /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn. It is no larger than
+    /// the root of the gap: over that a gap's second order, at most 1, is as large as the gap.
     pub(crate) fn seat(&self, body: &mut Body<R>) {
         if body.contacts.is_empty() {
             return;
@@ -205,7 +206,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let frames = [first, contact].map(|c| self.frame(c, body.rotation, body.holding));
                 let slope = gap_slope(&frames);
                 let gap = self.gap(contact, body.rotation, body.holding);
-                let step = gap / slope.dot(slope).max(R::EPSILON);
+                let step = gap / slope.dot(slope).max(gap.abs()).max(R::EPSILON);
                 if !self.is_in_line(first, contact) {
                     body.foot = body.foot - step * slope.x;
                 }

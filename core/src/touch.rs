@@ -1,6 +1,7 @@
 //! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
 use crate::contact::{Contact, Feature, Sense};
+use crate::geometry::Rotation;
 use crate::motion::{Kind, Motion, Rates, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
@@ -49,7 +50,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let goes = rates.is_some_and(|rates| sense.along(rates.xi) > R::ZERO);
         if is_edge || goes { sense } else { Sense::Rests }
     }
-    /// Features whose gaps are closed, but for those of the body's contacts.
+    /// Vertices on half-planes whose gaps are closed, but for those of the body's contacts. A convex body meets a half-plane along the one of
+    /// its sides that faces it: what is beyond the ends of that side is near because the body is thin, and does not touch.
     pub(crate) fn closed(&self, body: &Body<R>, tolerance: R) -> impl Iterator<Item = Feature> {
         let (rotation, holding, contacts) = (body.rotation, body.holding, body.contacts);
         let sides = u8::try_from(self.world.sides.len()).unwrap_or(u8::MAX);
@@ -58,22 +60,31 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             .flat_map(move |vertex| (0..sides).map(move |side| Feature::Vertex { vertex, side }));
         features.filter(move |&feature| {
             let gap = self.gap(Contact::at(feature), rotation, holding);
-            gap <= tolerance && !self.holds(&contacts, feature)
+            gap <= tolerance && self.faces(feature, rotation) && !self.holds(&contacts, feature)
         })
+    }
+    /// A vertex is an end of the body's side that faces the half-plane, by their normals.
+    fn faces(&self, feature: Feature, rotation: Rotation<R>) -> bool {
+        let Feature::Vertex { vertex, side } = feature else {
+            return true;
+        };
+        let n = rotation.undo(self.side(side).normal);
+        let along = |j: u8| n.dot(self.inward(j));
+        let facing = self
+            .body_sides()
+            .reduce(|best, j| if along(j) > along(best) { j } else { best });
+        facing.is_none_or(|j| vertex == j || vertex == self.next_vertex(j))
     }
     /// One contact more, in the pose that the body has.
     pub(crate) fn join(&self, body: &mut Body<R>, feature: Feature, within: R) {
-        let was_free = body.contacts.is_empty();
+        let first = body.contacts.first().feature;
         body.forget();
-        if C > 0 {
-            if let Some(contacts) = self.joined_by(body, feature, within) {
-                body.contacts = contacts;
-                self.find_foot(body);
-            }
-            return;
+        if C == 0 {
+            body.contacts.add(feature);
+        } else if let Some(contacts) = self.joined_by(body, feature, within) {
+            body.contacts = contacts;
         }
-        body.contacts.add(feature);
-        if was_free {
+        if body.contacts.first().feature != first {
             self.find_foot(body);
         }
     }
