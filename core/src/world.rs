@@ -89,11 +89,18 @@ pub(crate) struct Stiffness<R> {
 impl<R: Real> Stiffness<R> {
     /// From k and 64 k.
     pub(crate) fn new(value: R, value_64: R) -> Self {
-        let (times, unit) = if R::is_fixed() && value < R::ONE {
-            (value_64, R::from_int(64))
-        } else {
-            (value, R::ONE)
-        };
+        if !R::is_fixed() || value >= R::ONE {
+            return Self {
+                value,
+                times: value,
+                unit: R::ONE,
+            };
+        }
+        // At most 2, so that its product with the largest turn is a number.
+        let (mut times, mut unit) = (value_64, R::from_int(64));
+        while times > R::TWO && unit > R::ONE {
+            (times, unit) = (times.halved(), unit.halved());
+        }
         Self { value, times, unit }
     }
     /// k x
