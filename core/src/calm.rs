@@ -38,7 +38,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         }
         let kind = if count == 0 { Kind::Free } else { Kind::Pin };
-        let m = Motion::new(kind, body, way.per_p);
+        let m = Motion::new(kind, body, way.per_p).to(*to, way.whole);
         if count == 1 && m.first().is_corner() {
             return Calm::Unsure;
         }
@@ -85,7 +85,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(never)]
     pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
-        let m = Motion::new(Kind::Slide, body, way.per_p);
+        let m = Motion::new(Kind::Slide, body, way.per_p).to(*to, way.whole);
         if m.first().is_corner() {
             return Calm::Unsure;
         }
@@ -170,7 +170,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         }
         body.go_to(&i, body.room);
-        body.hand = body.hand.moved(&m.hand_p, place.p);
+        body.hand = m.hand_at(place.p);
         Calm::Yields(sense)
     }
     /// A slip of one vertex that certainly ends at mu_d N, in balance: the body is there.

@@ -88,12 +88,14 @@ pub(crate) struct Errand<R> {
     /// Of a chain of searches: their number, and the feet where the first began.
     pub(crate) runs: u8,
     pub(crate) feet: [R; 2],
-    /// The turn that is left to do without contact.
+    /// The angle to which the body is still to turn without contact.
     pub(crate) turn: R,
-    /// The body before a turn, or with the hand where contacts give way beyond doubt.
-    pub(crate) start: Body<R>,
+    /// The angle before a turn about a contact.
+    pub(crate) from: R,
+    /// The hand where contacts give way beyond doubt.
+    pub(crate) released: HandPose<R>,
     pub(crate) search: Search<R>,
-    /// How the search ended, which is not acted on yet.
+    /// How the search ended where the body is now, which is not acted on yet.
     pub(crate) ended: Option<Ended<R>>,
 }
 
@@ -121,8 +123,9 @@ impl<R: Real> Errand<R> {
             runs: 0,
             feet: [R::ZERO; 2],
             turn: R::ZERO,
+            from: R::ZERO,
+            released: HandPose::REST,
             search: Search::none(Motion::frozen(Kind::Line, &start)),
-            start,
             ended: None,
         }
     }

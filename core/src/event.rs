@@ -3,7 +3,7 @@
 /// At most this many events of one frame are reported; a run of equal events counts once.
 pub const MAX_EVENTS: usize = 16;
 
-/// The contact state (STATICS 8; the first four are the paper's).
+/// The contact state (STATICS 2; the first four are the paper's).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum StateKind {
     /// No contact.
@@ -58,7 +58,7 @@ pub enum Event {
     Tip,
     /// A second vertex reached the surface of the first: the body lies on an edge.
     Land,
-    /// The balance of moments folded and the body snapped to the next one (STATICS 3.1).
+    /// The balance of moments folded and the body snapped to the next one (R28).
     Snap,
     /// One more contact: three or more fix the body.
     Jam,
@@ -113,20 +113,20 @@ pub enum Status {
     /// Nothing.
     #[default]
     Ok,
-    /// More than 128 events since the body last caught up with the hand: the rest of the hand's path was covered in one jump (STATICS 7).
+    /// More than 128 events since the body last caught up with the hand: the rest of the hand's path was covered in one jump (R42).
     EventLimit,
     /// The hand is tilted out of the plane by more than 170 degrees, so that its angle in the plane is hardly known
     /// ([`Hand::tilted`](crate::Hand::tilted)); the body still follows the sample.
     Twist,
     /// A search ended at its bound; the best answer so far is given, with this status until the hand moves.
     IterationLimit,
-    /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (STATICS 6). The reported reactions are not exact.
+    /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (R43). The reported reactions are not exact.
     Jammed,
     /// The budget of the step was used up: the body is behind the hand, and goes on from there in the next step
     /// ([`Solver::with_budget`](crate::Solver::with_budget)).
     Behind,
     /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Reported in every frame until the hand
-    /// moves (STATICS 9, rule 8).
+    /// moves (R32).
     Ambiguous,
     /// The hand, or its pull on the body, was beyond the range of the number type; the last pose is held.
     Saturated,

@@ -1,6 +1,6 @@
 //! How a frame is evolved, as the user of a solver chooses.
 
-/// How a frame is evolved (STATICS 7).
+/// How a frame is evolved (R40).
 ///
 /// ```
 /// # use stiction_core::{Description, Scene, SurfaceDescription};

@@ -133,7 +133,7 @@ impl<R: Real> Rotation<R> {
     }
 }
 
-/// An unwrapped angle, counter-clockwise positive: whole turns and a remainder, so that many turns do not reduce accuracy (STATICS 10).
+/// An unwrapped angle, counter-clockwise positive: whole turns and a remainder, so that many turns do not reduce accuracy (R45).
 ///
 /// ```
 /// use core::f32::consts::TAU;

@@ -128,10 +128,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Contacts that fix the pose, or those of one vertex, do not bear the load any more.
     fn gives_way(&mut self) {
-        self.errand.start = *self.body;
-        self.errand.start.hand = self.released(self.body);
+        self.errand.released = self.released(self.body);
         if self.body.contacts.turn_about_first() {
-            self.body.hand = self.errand.start.hand;
+            self.body.hand = self.errand.released;
             return self.errand.settle(Next::Relax(Sense::Rests));
         }
         self.errand.settle(Next::Give);
@@ -175,7 +174,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         if !begun {
             // It is known that they do not bear it with the hand a little further.
-            self.body.hand = self.errand.start.hand;
+            self.body.hand = self.errand.released;
             self.errand.settle(Next::Give);
         }
     }

@@ -13,7 +13,7 @@
 //! Contact of an object held in the hand, computed by statics alone: no inertia, no velocities, no time step. At every
 //! pose of the hand the object sits where forces and moments balance; it sticks, slips to a new balance, tips, lands on an
 //! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate; the documentation cites its
-//! sections and numbers, as (E3) or STATICS 3.2.
+//! sections and numbers, as (E3), (R21) or STATICS 3.
 //!
 //! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails. The crate uses no
 //! heap and no `unsafe`, and does not panic. The same input gives the same bits on every machine:
@@ -81,14 +81,12 @@
 //!
 //! ```text
 //! TrackerSample --Projection--> Hand
-//!                                |  1 hand.rs        grasp, release, drop-outs
+//!                                |  grasp.rs        samples that can be used, taking hold, letting go
 //!                                v
-//!                              Grip                  the springs' other end (grip.rs)
-//!                                |  2 detect.rs      gaps, the first touch
-//!                                |  3 state/*.rs     each state: advance, relax, slide
-//!                                |  4 settle.rs      (state, trigger) -> state, to rest
+//!                              step.rs              along the hand's displacement: calm.rs, or search.rs to the first event
+//!                                |  law.rs          what follows from an event: new signs, or settle.rs at the frozen hand
 //!                                v
-//!                              Output                pose, events, status; forces on demand
+//!                              Output               pose, events, status; forces on demand
 //! ```
 //!
 //! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
@@ -102,6 +100,7 @@ struct Readme;
 
 mod answer;
 mod bounds;
+mod bracket;
 mod calm;
 mod carry;
 mod cone;

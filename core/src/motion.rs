@@ -21,14 +21,16 @@ pub(crate) enum Kind {
     Pair,
 }
 
-/// A motion: hand(p) = hand + p hand_p, foot(p) = foot + p foot_p.
+/// A motion: hand(p) = hand + (p - whole) hand_p, foot(p) = foot + p foot_p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<R> {
     pub(crate) kind: Kind,
     /// The hand is frozen, x = u; otherwise x = p.
     pub(crate) frozen: bool,
     pub(crate) contacts: [Contact; 2],
+    /// The hand where p is `whole`: the end of its path, so that the end of a long one is exact.
     pub(crate) hand: HandPose<R>,
+    pub(crate) whole: R,
     pub(crate) hand_p: HandPose<R>,
     pub(crate) foot: R,
     pub(crate) foot_p: R,
@@ -39,10 +41,12 @@ pub(crate) struct Motion<R> {
     pub(crate) pair: Pair<R>,
 }
 
-/// A straight way of the body.
+/// A straight way of the body, u from 0 to 1. It counts from its end, which is a balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Line<R> {
-    pub(crate) from: Vec2<R>,
+    /// G and theta at the end.
+    pub(crate) to: Vec2<R>,
+    pub(crate) angle: R,
     /// G_u, theta_u
     pub(crate) g_u: Vec2<R>,
     pub(crate) theta_u: R,
@@ -73,13 +77,15 @@ impl<R: Real> Motion<R> {
             frozen: false,
             contacts: body.contacts.pair(),
             hand: body.hand,
+            whole: R::ZERO,
             hand_p,
             foot: body.foot,
             foot_p: R::ZERO,
             angle: body.angle,
             lasting: R::ZERO,
             line: Line {
-                from: body.holding,
+                to: body.holding,
+                angle: body.angle,
                 g_u: Vec2::ZERO,
                 theta_u: R::ZERO,
             },
@@ -107,6 +113,18 @@ impl<R: Real> Motion<R> {
             ..Self::new(Kind::Pin, body, HandPose::REST)
         }
     }
+    /// Along a path of the hand on which it is at `hand` where p is `whole`.
+    pub(crate) fn to(self, hand: HandPose<R>, whole: R) -> Self {
+        Self {
+            hand,
+            whole,
+            ..self
+        }
+    }
+    /// The hand at p.
+    pub(crate) fn hand_at(&self, p: R) -> HandPose<R> {
+        self.hand.moved(&self.hand_p, p - self.whole)
+    }
     pub(crate) fn first(&self) -> Contact {
         let [first, _] = self.contacts;
         first
@@ -124,6 +142,8 @@ pub(crate) struct Spot<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Instant<R> {
     pub(crate) u: R,
+    /// u without a last step of first order.
+    pub(crate) placed: R,
     pub(crate) p: R,
     pub(crate) rotation: Rotation<R>,
     pub(crate) angle: R,
@@ -161,6 +181,7 @@ pub(crate) struct Rates<R> {
 impl<R: Real> Instant<R> {
     pub(crate) const ZERO: Self = Self {
         u: R::ZERO,
+        placed: R::ZERO,
         p: R::ZERO,
         rotation: Rotation {
             cos: R::ONE,

@@ -32,16 +32,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         known: Option<Rotation<R>>,
         i: &mut Instant<R>,
     ) {
-        (i.u, i.p) = (at.u, at.p);
+        (i.u, i.placed, i.p) = (at.u, at.u, at.p);
         (i.g_u, i.g_p, i.r) = (Vec2::ZERO, Vec2::ZERO, Vec2::ZERO);
         (i.xi_u, i.xi_p, i.theta_u) = (R::ZERO, R::ZERO, R::ONE);
         (i.angle, i.foot) = (at.u, m.foot);
-        let pull = m.hand.at + m.hand_p.at * at.p + self.weight_force();
+        let hand = m.hand_at(at.p);
+        let pull = hand.at + self.weight_force();
         match m.kind {
             Kind::Line => {
-                i.angle = m.angle + m.line.theta_u * at.u;
+                let left = R::ONE - at.u;
+                i.angle = m.line.angle - m.line.theta_u * left;
                 i.rotation = Rotation::by(i.angle);
-                i.g = m.line.from + m.line.g_u * at.u;
+                i.g = m.line.to - m.line.g_u * left;
                 (i.g_u, i.theta_u) = (m.line.g_u, m.line.theta_u);
             }
             Kind::Free => {
@@ -59,7 +61,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
             Kind::Pair => self.place_pair(m, i),
         }
-        self.weigh(m, pull, i);
+        self.weigh(m, (pull, hand.angle), i);
     }
 
     /// G = c - r, the foot moved by p.
@@ -98,11 +100,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// F, M, and the residual of balance with its partial derivatives (STATICS 3).
-    fn weigh(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
+    fn weigh(&self, m: &Motion<R>, (pull, phi): (Vec2<R>, R), i: &mut Instant<R>) {
         i.force = pull - i.g;
         // B, times w
         let b = i.rotation.apply(self.centroid) * self.weight;
-        let phi = m.hand.angle + m.hand_p.angle * i.p;
         i.moment = self.stiffness.of(phi - i.angle) - b.x;
         let m_theta = b.y - self.stiffness.value;
         let m_p = self.stiffness.of(m.hand_p.angle);
@@ -198,6 +199,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         // E_uu
         let bend = self.weight * i.rotation.apply(self.centroid).x + i.r.cross(i.force);
         step - step * step * bend / i.e_u.doubled()
+    }
+    /// The end of Newton's iteration again, where it was placed last.
+    pub(crate) fn balance_again(&self, m: &Motion<R>, at: Spot<R>, i: &mut Instant<R>) {
+        self.place(m, at, None, i);
+        let step = -i.e / i.e_u;
+        if R::is_last(step) {
+            self.nudge(m, i, step);
+        }
     }
     /// Newton's iteration to balance at a fixed p, from a spot with the first step of u known.
     pub(crate) fn balance(&self, m: &Motion<R>, from: Spot<R>, first: R, i: &mut Instant<R>) {

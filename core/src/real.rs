@@ -1,7 +1,7 @@
 //! What a number must do for the statics: a single interface to mathematics, so that every number type gives the same bits on every machine
 //! and a type without a floating-point unit fits behind the same solver.
 //!
-//! Inside the solver every quantity is non-dimensional (STATICS 10): lengths / L, forces / (k_h L),
+//! Inside the solver every quantity is non-dimensional (STATICS 1, 16): lengths / L, forces / (k_h L),
 //! moments / (k_h L²), angles as whole turns and a remainder. [`Real::Si`] is the float in which such a
 //! number meets the outside world in SI units; for `f32` and `f64` it is the type itself.
 
@@ -23,7 +23,7 @@ pub use fixed::Fixed;
 /// (libm, the reference). Each gives the same bits on every machine.
 ///
 /// Inside the solver numbers have no unit: lengths are in units of L, the body's largest vertex distance, forces of k_h L, moments of k_h
-/// L² (STATICS 10). Users see them only as values of [`Self::Si`], in SI units.
+/// L² (STATICS 16). Users see them only as values of [`Self::Si`], in SI units.
 pub trait Real:
     Copy
     + Debug
@@ -52,9 +52,9 @@ pub trait Real:
     const TAU: Self;
     /// The larger of the relative and the absolute rounding of a number near 1.
     const EPSILON: Self;
-    /// Gaps below this fraction of the body size close together (STATICS 7): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
+    /// Gaps below this fraction of the body size close together (R36): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
     const TOUCH: Self;
-    /// Slips and displacements of the hand below this fraction of the body size are not distinguished (STATICS 7): 2^-19 in every type.
+    /// Slips and displacements of the hand below this fraction of the body size are not distinguished (STATICS 16): 2^-19 in every type.
     const MICRO: Self;
     /// The farthest coordinate that is accepted, in body sizes: 1e12 in `f64`, 1e6 in `f32`, 16 in [`Fixed`].
     const RANGE: Self;

@@ -38,6 +38,33 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         finish(&self.watched, self.bracket, self.lo);
     }
 
+    /// The beginning of the window again, to the same bits.
+    pub(crate) fn recall_low(&mut self) {
+        let Watched {
+            statics,
+            motion,
+            direction,
+            ..
+        } = self.watched;
+        let (x, i) = (self.bracket.certain, &mut self.lo.instant);
+        if x == R::ZERO {
+            self.bracket.is_known = false;
+            return self.know_low();
+        }
+        match &self.bracket.branch {
+            Some(branch) => place_by_u(statics, motion, (branch, x), i),
+            None if motion.frozen => {
+                let u = self.u0 + direction * x;
+                statics.place(motion, Spot { u, p: R::ZERO }, None, i);
+            }
+            None => {
+                let u = self.bracket.placed;
+                statics.balance_again(motion, Spot { u, p: x }, i);
+            }
+        }
+        finish(&self.watched, self.bracket, self.lo);
+    }
+
     /// Places the body at x, from where the motion is certain; bounds of the window in between, or the part of it that may be certain.
     pub(crate) fn place(&mut self, x: R) -> Result<Judging<R>, R> {
         let Watched {
@@ -95,26 +122,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             width,
         })
     }
-    /// A point of a curve by its u: E is linear in p. Bounds by (E13).
+    /// Along u: bounds by (E13).
     fn place_along_u(&mut self, branch: Branch<R>, x: R) -> Result<Judging<R>, R> {
         let Watched {
             statics, motion, ..
         } = self.watched;
         let width = x - self.bracket.certain;
-        let u = branch.u + branch.direction * x;
         let i = &mut self.hi.instant;
-        let mut p = branch.p;
-        statics.place(motion, Spot { u, p }, None, i);
-        // Once, but for the slide of a C, whose E is quadratic in p.
-        for _ in 0..3 {
-            let step = -i.e / i.e_p;
-            p = p + step;
-            let known = (motion.kind != Kind::Pair).then_some(i.rotation);
-            statics.place(motion, Spot { u, p }, known, i);
-            if motion.kind != Kind::Slide || !motion.first().is_corner() {
-                break;
-            }
-        }
+        place_by_u(statics, motion, (&branch, x), i);
         let along = statics.along_u(motion, i, width)?;
         let square = width * width;
         let p_bend = along.bend * square;
@@ -189,6 +204,28 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         self.bracket.hi = self.bracket.certain + width * part;
         self.bracket.shrunk = true;
         None
+    }
+}
+
+/// A point of a curve by its u: E is linear in p.
+fn place_by_u<R: Real, const V: usize, const S: usize, const C: usize>(
+    statics: &Statics<'_, R, V, S, C>,
+    motion: &Motion<R>,
+    (branch, x): (&Branch<R>, R),
+    i: &mut Instant<R>,
+) {
+    let u = branch.u + branch.direction * x;
+    let mut p = branch.p;
+    statics.place(motion, Spot { u, p }, None, i);
+    // Once, but for the slide of a C, whose E is quadratic in p.
+    for _ in 0..3 {
+        let step = -i.e / i.e_p;
+        p = p + step;
+        let known = (motion.kind != Kind::Pair).then_some(i.rotation);
+        statics.place(motion, Spot { u, p }, known, i);
+        if motion.kind != Kind::Slide || !motion.first().is_corner() {
+            break;
+        }
     }
 }
 

@@ -1,15 +1,14 @@
 //! One search for all motions: to the first event. A window of the motion is certain if every event function stays positive on it: its
 //! values at both ends exceed the sagitta that its bound of the second derivative permits (STATICS 5, 6).
 
+pub(crate) use crate::bracket::{Bracket, Branch, WindowEnd, Windows};
 use crate::events::{Ending, Judging, Watch, Watched, Which};
-use crate::geometry::Vec2;
 use crate::judge::Found;
-use crate::motion::{Instant, Kind, Motion, Rates};
+use crate::motion::{Instant, Kind, Motion};
 use crate::real::Real;
 use crate::sample::{estimate, finish};
 use crate::state::Body;
 use crate::thresholds::Thresholds;
-use crate::values::Values;
 use crate::world::Statics;
 
 /// After this many rounds a search returns what is certain.
@@ -24,71 +23,13 @@ pub(crate) struct Ended<R> {
     pub(crate) room: R,
 }
 
-/// One end of a window.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct WindowEnd<R> {
-    pub(crate) instant: Instant<R>,
-    pub(crate) rates: Rates<R>,
-    pub(crate) values: Values<R>,
-}
-
-/// Near a fold the same curve along u: u and p where that begins, the direction of u.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Branch<R> {
-    pub(crate) u: R,
-    pub(crate) p: R,
-    pub(crate) direction: R,
-}
-
-/// A search between two evaluations: plain data.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Bracket<R> {
-    /// The motion is certain up to here; the next window ends at `hi`, the search at `end`.
-    pub(crate) certain: R,
-    pub(crate) hi: R,
-    pub(crate) end: R,
-    /// Which end of the last window is the certain one, and whether it is evaluated.
-    pub(crate) low: Which,
-    pub(crate) is_known: bool,
-    /// The least hi that was too far.
-    pub(crate) bad: R,
-    pub(crate) room: R,
-    pub(crate) round: u8,
-    pub(crate) refusals: u8,
-    /// The first window is to be that of the tangents' estimate.
-    pub(crate) eager: bool,
-    pub(crate) shrunk: bool,
-    pub(crate) branch: Option<Branch<R>>,
-    /// The end of p if the search goes along u.
-    pub(crate) stop: R,
-}
-
 /// A motion that is searched for its first event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Search<R> {
     pub(crate) motion: Motion<R>,
     pub(crate) watch: Watch,
-    u0: R,
     direction: R,
     bracket: Bracket<R>,
-    first: WindowEnd<R>,
-    second: WindowEnd<R>,
-}
-
-impl<R: Real> WindowEnd<R> {
-    const NONE: Self = Self {
-        instant: Instant::ZERO,
-        rates: Rates {
-            u: R::ZERO,
-            p: R::ZERO,
-            g: Vec2::ZERO,
-            theta: R::ZERO,
-            xi: R::ZERO,
-            force: Vec2::ZERO,
-            moment: R::ZERO,
-        },
-        values: Values::NONE,
-    };
 }
 
 impl<R: Real> Search<R> {
@@ -97,20 +38,13 @@ impl<R: Real> Search<R> {
         Self {
             motion,
             watch: Watch::Way,
-            u0: R::ZERO,
             direction: R::ONE,
             bracket: Bracket::new(R::ONE, false, R::ZERO),
-            first: WindowEnd::NONE,
-            second: WindowEnd::NONE,
         }
     }
     /// A search of x from 0 to `end` along a motion; if it is eager, beginning with the tangents' estimate. No other contact than those of
     /// the body is closer than `room`.
     pub(crate) fn begin(&mut self, motion: Motion<R>, watch: Watch, end: R, eager: bool) {
-        self.u0 = match motion.kind {
-            Kind::Line | Kind::Pair => R::ZERO,
-            Kind::Free | Kind::Pin | Kind::Slide => motion.angle,
-        };
         (self.motion, self.watch, self.direction) = (motion, watch, R::ONE);
         self.bracket = Bracket::new(end, eager, R::ZERO);
     }
@@ -121,31 +55,41 @@ impl<R: Real> Search<R> {
     pub(crate) fn with_room(&mut self, room: R) {
         self.bracket.room = room;
     }
-    /// An end of the last window.
-    pub(crate) fn instant(&self, at: Which) -> &Instant<R> {
-        match at {
-            Which::First => &self.first.instant,
-            Which::Second => &self.second.instant,
-        }
-    }
     /// The last point up to which nothing has happened, if it is beyond the beginning.
-    pub(crate) fn certain(&self) -> Option<&Instant<R>> {
-        let is_beyond = self.bracket.certain > R::ZERO && self.bracket.is_known;
-        is_beyond.then(|| self.instant(self.bracket.low))
-    }
-
-    /// One window: what ends the motion, if that is found.
-    #[inline(never)]
-    pub(crate) fn piece<const V: usize, const S: usize, const C: usize>(
+    pub(crate) fn certain<'a, const V: usize, const S: usize, const C: usize>(
         &mut self,
         statics: &Statics<'_, R, V, S, C>,
         body: &Body<R>,
-    ) -> Option<Ended<R>> {
+        windows: &'a mut Windows<R>,
+    ) -> Option<&'a Instant<R>> {
+        let is_beyond = self.bracket.certain > R::ZERO && self.bracket.is_known;
+        is_beyond.then(|| {
+            self.recall(statics, body, windows);
+            windows.instant(self.bracket.low)
+        })
+    }
+    /// What was known between two steps is evaluated again.
+    pub(crate) fn recall<const V: usize, const S: usize, const C: usize>(
+        &mut self,
+        statics: &Statics<'_, R, V, S, C>,
+        body: &Body<R>,
+        windows: &mut Windows<R>,
+    ) {
+        if self.bracket.is_known {
+            self.run(statics, body, windows).recall_low();
+        }
+    }
+    fn run<'a, const V: usize, const S: usize, const C: usize>(
+        &'a mut self,
+        statics: &'a Statics<'a, R, V, S, C>,
+        body: &'a Body<R>,
+        windows: &'a mut Windows<R>,
+    ) -> Run<'a, R, V, S, C> {
         let (lo, hi) = match self.bracket.low {
-            Which::First => (&mut self.first, &mut self.second),
-            Which::Second => (&mut self.second, &mut self.first),
+            Which::First => (&mut windows.first, &mut windows.second),
+            Which::Second => (&mut windows.second, &mut windows.first),
         };
-        let mut run = Run {
+        Run {
             watched: Watched {
                 statics,
                 body,
@@ -153,43 +97,32 @@ impl<R: Real> Search<R> {
                 watch: self.watch,
                 direction: self.direction,
             },
-            u0: self.u0,
+            u0: match self.motion.kind {
+                Kind::Line | Kind::Pair => R::ZERO,
+                Kind::Free | Kind::Pin | Kind::Slide => self.motion.angle,
+            },
             bracket: &mut self.bracket,
             lo,
             hi,
-        };
-        let mut ended = run.round()?;
+        }
+    }
+    /// One window: what ends the motion, if that is found.
+    #[inline(never)]
+    pub(crate) fn piece<const V: usize, const S: usize, const C: usize>(
+        &mut self,
+        statics: &Statics<'_, R, V, S, C>,
+        body: &Body<R>,
+        windows: &mut Windows<R>,
+    ) -> Option<Ended<R>> {
+        let mut ended = self.run(statics, body, windows).round()?;
         if self.bracket.branch.is_some() {
             ended.x = if ended.ending == Ending::End {
                 self.bracket.stop
             } else {
-                self.instant(ended.at).p
+                windows.instant(ended.at).p
             };
         }
         Some(ended)
-    }
-}
-
-impl<R: Real> Bracket<R> {
-    const fn new(end: R, eager: bool, room: R) -> Self {
-        Self {
-            certain: R::ZERO,
-            hi: end,
-            end,
-            low: Which::First,
-            is_known: false,
-            bad: R::HUGE,
-            room,
-            round: 0,
-            refusals: 0,
-            eager,
-            shrunk: false,
-            branch: None,
-            stop: end,
-        }
-    }
-    pub(crate) fn width(&self) -> R {
-        self.hi - self.certain
     }
 }
 
@@ -347,7 +280,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 (hi + w).min(end)
             };
         }
-        b.low = b.low.other();
+        (b.low, b.placed) = (b.low.other(), self.hi.instant.placed);
         b.is_known = true;
         None
     }

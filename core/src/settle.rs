@@ -111,7 +111,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
                 if self.statics.placed_at_start(&m).e.abs() > little {
-                    self.errand.start = *self.body;
+                    self.errand.from = self.body.angle;
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));
                 }
@@ -157,11 +157,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A turn about the contact to balance or touch has ended.
     pub(crate) fn turned(&mut self, sense: Sense, ending: Ending) -> Next {
         if let Ending::Touch(feature) = ending {
-            let start = self.errand.start;
+            let mut start = *self.body;
+            start.angle = self.errand.from;
+            self.statics.stand(&mut start);
+            start.forget();
             let contact = Contact::at(feature);
             let gap = self.statics.gap(contact, start.rotation, start.holding);
             // What comes to lie in its line does not block it.
-            let is_flat = C > 0 && self.statics.is_in_line(contact, start.contacts.first());
+            let is_flat = self.statics.is_in_line(contact, start.contacts.first());
             if sense.slides() && gap <= R::met_before() && !is_flat {
                 // It blocks the turn: the slip goes on.
                 *self.body = start;
@@ -250,7 +253,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         if let Some(feature) = closed {
             self.touch(feature);
-            if C == 0 || self.body.contacts.len() > body.contacts.len() {
+            if self.body.contacts.len() > body.contacts.len() {
                 self.errand.settling.ranking.restart();
                 return self.settled(Next::Relax(Sense::Rests));
             }
@@ -309,6 +312,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
         let mut m = Motion::frozen(Kind::Line, self.body);
+        (m.line.to, m.line.angle) = (i.g, theta);
         m.line.g_u = i.g - self.body.holding;
         m.line.theta_u = theta - self.body.angle;
         let way = m.line.g_u.length_bound() + m.line.theta_u.abs();
@@ -323,19 +327,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let next = match leg {
             Leg::Straight if is_touch && ended.x <= R::TOUCH => {
                 // Blocked by the contact that it leaves.
-                self.errand.turn = m.line.theta_u;
-                m.line.theta_u = R::ZERO;
+                self.errand.turn = m.line.angle;
+                m.line.g_u = m.line.to - self.body.holding;
+                (m.line.angle, m.line.theta_u) = (self.body.angle, R::ZERO);
                 Some((m, Leg::Holding))
             }
             Leg::Holding if ended.ending == Ending::End => {
-                m.line.g_u = Vec2::ZERO;
-                m.line.theta_u = self.errand.turn;
+                (m.line.to, m.line.g_u) = (self.body.holding, Vec2::ZERO);
+                m.line.angle = self.errand.turn;
+                m.line.theta_u = m.line.angle - self.body.angle;
                 Some((m, Leg::Turning))
             }
             Leg::Straight | Leg::Holding | Leg::Turning => None,
         };
-        if let Some((mut m, leg)) = next {
-            (m.line.from, m.angle) = (self.body.holding, self.body.angle);
+        if let Some((m, leg)) = next {
             return self.run(Stage::Fly(leg), m, Watch::Way, R::ONE, false);
         }
         let next = if let Ending::Touch(feature) = ended.ending {

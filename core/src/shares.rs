@@ -283,9 +283,32 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The contacts bear the load, but only with reactions beyond the limit.
     pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
-        let load = self.present_load(body);
-        let is_fixed = body.freedom() == Freedom::Fixed && !self.is_edge(&body.contacts);
-        is_fixed && self.cone(body).shared(load, little(load)).is_jammed
+        self.reserve(body).is_none()
+    }
+    /// How much the load may grow until the contacts jam, |load| (64 - N)/N of the largest N, as reactions grow with it (R17); none if they
+    /// jam already.
+    pub(crate) fn reserve(&self, body: &Body<R>) -> Option<R> {
+        if body.freedom() != Freedom::Fixed || self.is_edge(&body.contacts) {
+            return Some(R::HUGE);
+        }
+        let (cone, load) = (self.cone(body), self.present_load(body));
+        let Shared { parts, is_jammed } = cone.shared(load, little(load));
+        if is_jammed {
+            return None;
+        }
+        let mut pressing = [R::ZERO; MAX_CONTACTS];
+        for (edge, &part) in cone.edges().iter().zip(&parts) {
+            if let Some(sum) = pressing.get_mut(edge.contact) {
+                *sum = *sum + edge.cone.cos * part;
+            }
+        }
+        let most = pressing.into_iter().fold(R::ZERO, R::max);
+        let left = (R::limit() - most).max(R::ZERO);
+        Some(if most > R::ZERO {
+            load.size() * (left / most)
+        } else {
+            R::HUGE
+        })
     }
     /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as
     /// a foot that turns back goes the same way in both.

@@ -11,7 +11,7 @@ use crate::log::Log;
 use crate::modes::Picked;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
-use crate::search::Ended;
+use crate::search::{Ended, Windows};
 use crate::state::{Body, Displacement, Freedom, HandPose};
 use crate::world::Statics;
 
@@ -39,42 +39,42 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         while !self.is_done(&to) {
             // At least one piece, so that the body makes progress.
-            let may = self.log.work < self.budget && (self.log.work == 0 || more());
-            if !may && self.log.work > 0 {
+            if self.log.work > 0 && !self.may_go_on(more) {
                 return false;
             }
-            self.piece(to);
+            self.piece(to, more);
         }
         true
+    }
+    fn may_go_on(&self, more: &mut impl FnMut() -> bool) -> bool {
+        self.log.work < self.budget && more()
     }
     fn is_done(&self, to: &HandPose<R>) -> bool {
         self.errand.stage == Stage::Still && self.body.hand == *to
     }
     /// The path ends where it is certain, if that is beyond its beginning.
     fn turn_path(&mut self) {
-        if self.errand.ended.is_some() {
-            return;
-        }
-        let Some(instant) = self.errand.search.certain() else {
+        let search = &mut self.errand.search;
+        let mut windows = Windows::NONE;
+        let Some(instant) = search.certain(self.statics, self.body, &mut windows) else {
             return;
         };
-        let way = self.errand.before.to(&self.errand.target);
-        self.body.hand = self.errand.before.moved(&way.per_p, instant.p);
+        self.body.hand = search.motion.hand_at(instant.p);
         self.body.go_to(instant, R::ZERO);
         self.errand.stage = Stage::Still;
     }
 
     /// The smallest part of a step that leaves plain data behind.
-    pub(crate) fn piece(&mut self, to: HandPose<R>) {
+    fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
-        self.do_piece(to);
+        self.do_piece(to, more);
         // Before a jump nothing has moved yet.
         let about_to_jump = self.errand.jumps && self.body.hand != to;
         if self.errand.stage == Stage::Still && !about_to_jump {
             self.log_slide();
         }
     }
-    fn do_piece(&mut self, to: HandPose<R>) {
+    fn do_piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         match self.errand.stage {
             Stage::Still => {
                 self.errand.paths = self.errand.paths.saturating_add(1);
@@ -101,7 +101,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Stage::Yields => {
                 let errand = &mut *self.errand;
                 let ranking = &mut errand.settling.ranking;
-                match self.statics.pick(self.body, &errand.start.hand, ranking) {
+                match self.statics.pick(self.body, &errand.released, ranking) {
                     Picked::More => {}
                     Picked::Mode(mode) => self.begins(Some(mode)),
                     Picked::None => self.begins(None),
@@ -112,17 +112,49 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             | Stage::Relax(_)
             | Stage::Fly(_)
             | Stage::Slip(_)
-            | Stage::Joint => self.search(),
+            | Stage::Joint => match self.errand.ended.take() {
+                Some(ended) => self.found(ended),
+                None => self.search(more),
+            },
         }
     }
-    /// One window, or what follows from the last one.
-    fn search(&mut self) {
-        match self.errand.ended.take() {
-            Some(ended) => self.found(ended),
-            None => {
-                self.errand.ended = self.errand.search.piece(self.statics, self.body);
+    /// The windows of a search, each a piece. Between two steps only the bracket is kept: what is certain is evaluated again, to the same bits.
+    #[inline(never)]
+    fn search(&mut self, more: &mut impl FnMut() -> bool) {
+        let (statics, mut windows) = (self.statics, Windows::NONE);
+        self.errand.search.recall(statics, self.body, &mut windows);
+        loop {
+            let search = &mut self.errand.search;
+            if let Some(ended) = search.piece(statics, self.body, &mut windows) {
+                self.body.go_to(windows.instant(ended.at), ended.room);
+                return self.arrived(ended);
             }
+            if !self.may_go_on(more) {
+                return;
+            }
+            self.log.work = self.log.work.saturating_add(1);
         }
+    }
+    /// A search has ended where the body is now.
+    fn arrived(&mut self, ended: Ended<R>) {
+        if self.errand.stage != Stage::Path {
+            self.errand.ended = Some(ended);
+            return;
+        }
+        let motion = &self.errand.search.motion;
+        self.body.hand = motion.hand_at(ended.x.min(motion.whole));
+        self.errand.stage = match ended.ending {
+            Ending::End | Ending::GoesOn | Ending::Stopped => Stage::Still,
+            ending @ (Ending::Fold
+            | Ending::Touch(_)
+            | Ending::Ends(_)
+            | Ending::Yields(_)
+            | Ending::Clear
+            | Ending::Pressed
+            | Ending::Halt
+            | Ending::Opens(_)
+            | Ending::GivesWay) => Stage::At(ending),
+        };
     }
     /// Logs where a slide begins and ends.
     fn log_slide(&mut self) {
@@ -134,32 +166,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.errand.slid = slides;
     }
-    /// A search has ended.
+    /// What follows from the end of a search at the frozen hand.
     #[inline(never)]
     fn found(&mut self, ended: Ended<R>) {
-        let instant = self.errand.search.instant(ended.at);
-        self.body.go_to(instant, ended.room);
         match self.errand.stage {
-            Stage::Path => {
-                let way = self.errand.before.to(&self.errand.target);
-                self.body.hand = if ended.x >= way.whole {
-                    self.errand.target
-                } else {
-                    self.errand.before.moved(&way.per_p, ended.x)
-                };
-                self.errand.stage = match ended.ending {
-                    Ending::End | Ending::GoesOn | Ending::Stopped => Stage::Still,
-                    ending @ (Ending::Fold
-                    | Ending::Touch(_)
-                    | Ending::Ends(_)
-                    | Ending::Yields(_)
-                    | Ending::Clear
-                    | Ending::Pressed
-                    | Ending::Halt
-                    | Ending::Opens(_)
-                    | Ending::GivesWay) => Stage::At(ending),
-                };
-            }
             Stage::Snap(kind) if ended.ending == Ending::GoesOn => self.turn(Stage::Snap(kind)),
             Stage::Snap(kind) => self.snapped(kind, ended.ending),
             Stage::Relax(sense) if ended.ending == Ending::GoesOn => {
@@ -172,7 +182,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Stage::Fly(leg) => self.flown(leg, &ended),
             Stage::Slip(sense) => self.slipped(sense, ended.ending),
             Stage::Joint => self.slipped_together(&ended),
-            Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields => {}
+            Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields | Stage::Path => {}
         }
     }
 
@@ -204,14 +214,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Slides => (self.along(Kind::Slide, &way), Watch::Slide),
             Freedom::Together | Freedom::Fixed => {
                 let m = self.statics.sliding_pair(self.body, way.per_p);
-                (m, Watch::Joint)
+                (m.to(to, way.whole), Watch::Joint)
             }
         };
         let eager = !matches!(motion.kind, Kind::Slide | Kind::Pair);
         self.run(Stage::Path, motion, watch, way.whole, eager);
     }
     fn along(&self, kind: Kind, way: &Displacement<R>) -> Motion<R> {
-        Motion::new(kind, self.body, way.per_p)
+        Motion::new(kind, self.body, way.per_p).to(self.errand.target, way.whole)
     }
     /// A search begins.
     pub(crate) fn run(

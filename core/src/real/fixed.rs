@@ -31,7 +31,7 @@ pub(super) mod samples;
 /// | sine, cosine, arctangent, turns | 0.75 |
 /// | sin(x) / x | 1.2 |
 ///
-/// It represents coordinates up to 16 body sizes and moments up to 64 k_h L² (STATICS 10):
+/// It represents coordinates up to 16 body sizes and moments up to 64 k_h L² (STATICS 16):
 ///
 /// ```
 /// use stiction_core::{Description, Evolution, Fixed, Hand, Scene, Solver, Status};

@@ -15,7 +15,7 @@ pub struct SurfaceDescription<F> {
     /// smaller they stick and slip.
     pub friction_dynamic: F,
     /// Memory length D_c (m) >= 0: the sliding distance over which a contact renews. It sticks and slips if its normal force is at least
-    /// k_h D_c / (mu_s - mu_d), and slides at mu_d if it is less (STATICS 7). A small value produces more and shorter slips. Finite;
+    /// k_h D_c / (mu_s - mu_d), and slides at mu_d if it is less (STATICS 10). A small value produces more and shorter slips. Finite;
     /// `None`: L / 4096, L the body's largest vertex distance; 0 and all shorter lengths count as 2^-19 L.
     pub memory: Option<F>,
 }
