@@ -1,4 +1,4 @@
-//! Scenes that take one parameter each to its extremes (STATICS 10), and how far every number type copes: for every
+//! Scenes that take one parameter each to its extremes (STATICS 16), and how far every number type copes: for every
 //! value, whether the scene is refused, whether every frame whose status is ok is lawful, and whether a frame's status
 //! reports a limitation.
 

@@ -1,4 +1,4 @@
-//! The largest reactions that are exact in fixed point (STATICS 10).
+//! The largest reactions that are exact in fixed point (R43).
 
 use stiction_tests::{Number, Setup};
 

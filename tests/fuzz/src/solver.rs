@@ -70,7 +70,7 @@ fn hand<R: Number>((pose, held): ([f64; 3], bool)) -> Hand<R::Si> {
 }
 
 /// Coarser bounds than those of `stiction check`, which are for practical scenes: these scenes are degenerate. A body may start up to 1e-5
-/// of its size inside a surface. The unbalanced rest of a load counts as zero up to four of its roundings (STATICS 10.1).
+/// of its size inside a surface. The unbalanced rest of a load counts as zero up to four of its roundings (STATICS 16).
 fn bounds<R: Number>() -> Bounds {
     match R::NAME {
         "f64" => Bounds {

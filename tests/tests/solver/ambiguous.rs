@@ -1,4 +1,4 @@
-//! If no motion is consistent, the body stays out of balance, and every frame reports it (STATICS 9, rule 8).
+//! If no motion is consistent, the body stays out of balance, and every frame reports it (R32).
 
 use stiction_core::{Evolution, Solver, Status};
 use stiction_tests::laws::{judge, worst};

@@ -1,4 +1,4 @@
-//! Two contacts slide while the hand turns, then the balance folds and the body snaps to the next balance (STATICS 5): a rod on
+//! Two contacts slide while the hand turns, then the balance folds and the body snaps to the next balance (R28): a rod on
 //! smooth walls, whose balance is known in closed form.
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2};

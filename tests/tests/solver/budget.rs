@@ -1,5 +1,5 @@
-//! The budget of a step: no step exceeds it, and a new sample of the hand is followed straight from the body's current pose. That a cut
-//! step continues to the same bits is shown among obstacles.
+//! The budget of a step, in pieces (R41): no step exceeds it, a step that is cut goes on to the same bits, and a new sample of the hand is
+//! followed straight from where the body is certain to be.
 
 use stiction_core::{Evolution, Solver, State, Status};
 use stiction_tests::counted::{Counted, counted};
@@ -13,6 +13,7 @@ use stiction_tests::{Frame, Number, Scenario, Setup, test_each};
 const FRAMES_PER_LEG: usize = 3;
 
 test_each! {
+    cases::cut_steps_end_in_the_same_bits,
     cases::new_sample_leads_straight_from_where_it_stands,
     cases::hand_that_lets_go_leaves_nothing_to_do,
 }
@@ -42,28 +43,98 @@ fn stays_outside<R: Number>(setup: &Setup, frame: &Frame) {
     gaps.for_each(|finding| assert!(finding.holds(), "{finding:?}: {frame:?}"));
 }
 
+/// Where the hand was followed to: the other end of the position spring (m).
+fn followed(setup: &Setup, frame: &Frame) -> [f64; 2] {
+    let [x, y] = setup.world(frame.pose, setup.holding_point.unwrap_or_default());
+    let [fx, fy, _] = frame.wrench.map(|f| f / setup.stiffness_translation);
+    [x + fx, y + fy]
+}
+
+/// How far a point is from the segment between two others.
+fn off_segment([from, to]: [[f64; 2]; 2], point: [f64; 2]) -> f64 {
+    let sub = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let (way, along) = (sub(to, from), sub(point, from));
+    let part = (dot(way, along) / dot(way, way).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    let off = sub(along, way.map(|x| x * part));
+    dot(off, off).sqrt()
+}
+
 mod cases {
     use super::*;
 
-    /// However a hand was followed before it stops, the body comes to rest lawfully and stays.
-    pub(super) fn new_sample_leads_straight_from_where_it_stands<R: Number>(evolution: Evolution) {
-        let (mut behind, mut caught_up) = (0, 0);
-        for scenario in scenarios(100, 8) {
-            let tight = solver::<R>(&scenario.setup, evolution).with_budget(1);
-            let hands = scenario.hands(FRAMES_PER_LEG);
-            let (mut state, _) = tight.start(planar::<R>(hands[0]));
-            for &hand in &hands[1..] {
-                let (frame, is_behind) = step::<R>(&tight, &mut state, hand);
-                if is_behind {
-                    stays_outside::<R>(&scenario.setup, &frame);
-                    behind += 1;
-                } else {
-                    assert_lawful::<R>(&scenario.setup, std::slice::from_ref(&frame));
-                    caught_up += 1;
+    /// A step that is cut goes on to the same bits, wherever it is cut: a piece leaves plain data behind.
+    pub(super) fn cut_steps_end_in_the_same_bits<R: Number>(evolution: Evolution) {
+        let mut cuts = 0;
+        for pieces in [1, 3, 7] {
+            for scenario in scenarios(60, 8) {
+                let whole = solver::<R>(&scenario.setup, evolution);
+                let tight = whole.clone().with_budget(pieces);
+                let hands = scenario.hands(FRAMES_PER_LEG);
+                let (mut at_once, _) = whole.start(planar::<R>(hands[0]));
+                let (mut in_parts, _) = tight.start(planar::<R>(hands[0]));
+                for &hand in &hands {
+                    let (should, _) = step::<R>(&whole, &mut at_once, hand);
+                    let mut slips = 0;
+                    let is = loop {
+                        let (frame, is_behind) = step::<R>(&tight, &mut in_parts, hand);
+                        slips += frame.slips;
+                        if !is_behind {
+                            break frame;
+                        }
+                        cuts += 1;
+                    };
+                    let bits = |f: &Frame| (f.pose, f.state, f.contacts.clone(), f.wrench);
+                    assert_eq!(bits(&is), bits(&should), "{pieces} {hand:?}: {scenario:?}");
+                    assert_eq!(slips, should.slips, "{pieces} {hand:?}: {scenario:?}");
                 }
             }
         }
-        assert!(behind > 20 && caught_up > 500, "{behind} {caught_up}");
+        assert!(cuts > 1000, "{cuts}");
+    }
+
+    /// A new sample in every step: the hand's path leads straight from where it is certain to the present sample, or ends an event on the way
+    /// to an earlier one; and the body catches up with a sample that stays.
+    pub(super) fn new_sample_leads_straight_from_where_it_stands<R: Number>(evolution: Evolution) {
+        let (mut behind, mut caught_up, mut most) = (0, 0, 0);
+        for (pieces, scenario) in [1, 12].into_iter().cycle().zip(scenarios(100, 8)) {
+            let setup = &scenario.setup;
+            let tight = solver::<R>(setup, evolution).with_budget(pieces);
+            let hands = scenario.hands(FRAMES_PER_LEG);
+            let (mut state, output) = tight.start(planar::<R>(hands[0]));
+            let mut before = followed(setup, &Frame::new(&tight, &state, &output));
+            let mut samples = Vec::new();
+            for &hand in &hands[1..] {
+                let (frame, is_behind) = step::<R>(&tight, &mut state, hand);
+                samples.push([hand[0], hand[1]]);
+                let after = followed(setup, &frame);
+                let way = |&to: &[f64; 2]| off_segment([before, to], after);
+                let off = samples.iter().map(way).fold(f64::INFINITY, f64::min);
+                assert!(off <= 1e-4 * setup.size(), "{off}: {frame:?}");
+                if after != before {
+                    let last = samples.pop();
+                    samples.clear();
+                    samples.extend(last);
+                }
+                before = after;
+                if is_behind {
+                    stays_outside::<R>(setup, &frame);
+                    behind += 1;
+                } else {
+                    assert_lawful::<R>(setup, std::slice::from_ref(&frame));
+                    samples.clear();
+                    caught_up += 1;
+                }
+            }
+            let (last, mut steps) = (hands[hands.len() - 1], 0);
+            while step::<R>(&tight, &mut state, last).1 {
+                steps += 1;
+                assert!(steps < 20_000, "{scenario:?}");
+            }
+            most = most.max(steps);
+        }
+        println!("{behind} behind, {caught_up} not; {most} steps to catch up");
+        assert!(behind > 500 && caught_up > 500, "{behind} {caught_up}");
     }
 
     /// A hand lets go in mid-step: the body stays where it is, and a hand that grasps it later starts a new path.
@@ -92,24 +163,24 @@ mod cases {
     }
 }
 
-/// The cost of steps in operations on numbers is proportional to that in units of work, and neither exceeds a budget.
+/// A step takes no more pieces than its budget, and no piece more operations on numbers than the dearest window.
 #[test]
 fn no_step_takes_more_than_its_budget() {
     let mut dearest = (0.0, 0, 0);
     for evolution in Evolution::ALL {
         for scenario in scenarios(200, 8) {
-            dear_unit(&scenario, evolution, &mut dearest);
+            dear_piece(&scenario, evolution, &mut dearest);
         }
     }
-    let (per_unit, operations, work) = dearest;
-    println!("at most {per_unit:.0} operations a unit: {operations} in {work}");
-    assert!(per_unit <= OPERATIONS_PER_UNIT, "{per_unit}");
+    let (per_piece, operations, work) = dearest;
+    println!("at most {per_piece:.0} operations a piece: {operations} in {work}");
+    assert!(per_piece <= OPERATIONS_PER_PIECE, "{per_piece}");
 }
 
-/// The largest number of operations on numbers per unit of work.
-const OPERATIONS_PER_UNIT: f64 = 200.0;
+/// The most operations on numbers of a piece.
+const OPERATIONS_PER_PIECE: f64 = 200.0;
 
-fn dear_unit(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {
+fn dear_piece(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {
     let scene = (scenario.setup).scene_of::<Counted, VERTICES, SURFACES, 0>();
     let solver = Solver::new(scene.expect("a sound scene"), evolution).with_budget(1);
     let mut hands = scenario.hands(FRAMES_PER_LEG).into_iter();
@@ -121,9 +192,9 @@ fn dear_unit(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64,
         if output.work == 0 {
             continue;
         }
-        let per_unit = operations as f64 / f64::from(output.work);
-        if per_unit > dearest.0 {
-            *dearest = (per_unit, operations, output.work);
+        let per_piece = operations as f64 / f64::from(output.work);
+        if per_piece > dearest.0 {
+            *dearest = (per_piece, operations, output.work);
         }
     }
 }

@@ -50,9 +50,11 @@ fn cited(text: &str, mark: &str) -> Vec<String> {
 fn what_the_code_cites_is_there() {
     let mut code = String::new();
     sources(&document("src"), &mut code);
+    sources(&document("../tests/tests/solver"), &mut code);
     let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
     let (equations, sections) = (cited(&code, "(E"), cited(&code, "STATICS "));
-    assert!(equations.len() > 10 && sections.len() > 10);
+    let rules = cited(&code, "(R");
+    assert!(equations.len() > 10 && sections.len() > 10 && rules.len() > 20);
     for number in equations {
         let numbered =
             |line: &str| line.starts_with("    ") && line.ends_with(&format!(" (E{number})"));
@@ -62,32 +64,39 @@ fn what_the_code_cites_is_there() {
             "(E{number})"
         );
     }
+    for number in rules {
+        let rule = format!("**(R{number})");
+        assert_eq!(statics.matches(&rule).count(), 1, "{rule}");
+    }
     for number in sections {
-        let heading = if number.contains('.') {
-            format!("### {number} ")
-        } else {
-            format!("## {number}. ")
-        };
-        assert!(statics.contains(&heading), "{heading}");
+        assert!(statics.contains(&format!("\n## {number}. ")), "{number}");
     }
 }
 
-/// The table of thresholds has a row for each threshold in the code, and no other.
+/// The table of thresholds has each threshold in the code, and no other. A threshold states its unit in brackets.
 #[test]
 fn every_threshold_is_in_the_table() {
     let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("../core");
     let read = |file: &str| fs::read_to_string(core.join(file)).expect("a file of core");
     let (code, statics) = (read("src/thresholds.rs"), read("STATICS.md"));
-    let stated = code
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("fn ")?.split('(').next());
-    let of_types = ["TOUCH", "MICRO"];
-    let stated: BTreeSet<&str> = of_types.into_iter().chain(stated).collect();
-    let table = statics.split("### 10.1 Thresholds").nth(1);
-    let table = table.and_then(|rest| rest.split("\n## ").next());
-    let rows = table.expect("a table of thresholds").lines();
-    let rows = rows.filter_map(|line| line.strip_prefix("| `")?.split('`').next());
-    assert_eq!(rows.collect::<BTreeSet<_>>(), stated);
+    let (mut stated, mut has_unit) = (BTreeSet::from(["TOUCH", "MICRO"]), false);
+    for line in code.lines().map(str::trim) {
+        if let Some(name) = line
+            .strip_prefix("fn ")
+            .and_then(|rest| rest.split('(').next())
+        {
+            if has_unit {
+                stated.insert(name);
+            }
+            has_unit = false;
+        }
+        has_unit |= line.starts_with("///") && line.contains('(');
+    }
+    let table = statics.split("\n## 16. ").nth(1).expect("the numbers");
+    let rows = table.lines().filter(|line| line.starts_with("| `"));
+    let cells = rows.filter_map(|line| line.split('|').nth(1));
+    let names = cells.flat_map(|cell| cell.split('`').skip(1).step_by(2));
+    assert_eq!(names.collect::<BTreeSet<_>>(), stated);
 }
 
 /// The Markdown files of a folder.

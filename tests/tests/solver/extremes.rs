@@ -1,4 +1,4 @@
-//! The extremes of every parameter (STATICS 10): for any input, a number type returns finite numbers, and every frame
+//! The extremes of every parameter (STATICS 16): for any input, a number type returns finite numbers, and every frame
 //! either obeys the laws or reports in its status that it does not.
 
 use stiction_core::{Angle, Evolution, Fixed, Hand, StateKind, Status};
@@ -16,7 +16,7 @@ test_each! {
     cases::number_type_holds_what_users_need,
 }
 
-/// Lever times pull, plus the moment of the turn: up to 64 k_h L² in fixed point.
+/// Lever times pull, plus the moment of the turn: up to 64 k_h L² in fixed point. The pull counts from the holding point.
 #[test]
 fn fixed_point_says_which_loads_it_does_not_carry() {
     const LEVER: f64 = 7.0;
@@ -35,7 +35,8 @@ fn fixed_point_says_which_loads_it_does_not_carry() {
             .springs(1.0, rotation)
             .at([3.0, -2.0, 0.0]);
         for evolution in Evolution::ALL {
-            let run = Run::<Fixed>::start(&setup, evolution, [3.0 + pull, -2.0, turn]);
+            let hand = [3.0 + LEVER + pull, -2.0, turn];
+            let run = Run::<Fixed>::start(&setup, evolution, hand);
             let carried = LEVER * pull + rotation * turn.abs() <= 64.0;
             let saturated = run.frame.status == Status::Saturated;
             assert_eq!(

@@ -1,5 +1,5 @@
 //! Without friction a vertex glides: its foot is where the tangential forces balance, and its moment has a second harmonic
-//! in the angle (STATICS 3.6). The tests use known answers, found here by slow bisections, and the laws in random scenes.
+//! in the angle (STATICS 3). The tests use known answers, found here by slow bisections, and the laws in random scenes.
 
 use stiction_core::{Event, Evolution, Fixed, StateKind, Status};
 use stiction_tests::laws::{assert_lawful, worst};

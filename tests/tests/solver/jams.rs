@@ -1,4 +1,4 @@
-//! A body jammed between two walls (STATICS 6): the contact forces needed to hold it are known in closed form, and so is the load
+//! A body jammed between two walls (R43): the contact forces needed to hold it are known in closed form, and so is the load
 //! above which they hold it only with reactions beyond 64 k_h L. There the body stays and its status reports it.
 
 use stiction_core::{Evolution, StateKind, Status};

@@ -1,6 +1,6 @@
 //! The range that a number type represents, and what it reports beyond that: scenes, hands and grasps far out.
 
-use stiction_core::{Evolution, Fixed, Parameter, SceneError, StateKind, Status};
+use stiction_core::{Evolution, Fixed, Parameter, Real, SceneError, StateKind, Status};
 use stiction_tests::setup::VERTICES;
 use stiction_tests::{Number, Run, RunOf, Setup, close, test_each};
 
@@ -38,7 +38,7 @@ mod cases {
         }
     }
 
-    /// A hand can grasp a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (STATICS 10). Its
+    /// A hand can grasp a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (R44). Its
     /// angle in the world does not matter.
     pub(super) fn hand_takes_hold_wound_up_to_a_bound<R: Number>(evolution: Evolution) {
         let most = most_turn::<R>();
@@ -108,14 +108,17 @@ mod cases {
     /// Every number of a scene, to just below the range of the type and just above it.
     pub(super) fn scene_goes_as_far_as_the_numbers<R: Number>(_: Evolution) {
         let body = || Setup::rod(1.0);
-        let setups = |far: f64| {
-            let mut aside = body().at([-far, 0.0, 0.0]);
+        // Coordinates count from where the body's first vertex starts, in floats.
+        let from_origin = R::wide(R::Si::RANGE);
+        let setups = |part: f64| {
+            let far = part * range::<R>();
+            let mut aside = body();
             for vertex in &mut aside.vertices {
                 vertex[0] += far;
             }
             [
                 (Parameter::Vertex(0), aside),
-                (Parameter::Start, body().at([0.0, far, 0.0])),
+                (Parameter::Start, body().at([0.0, part * from_origin, 0.0])),
                 (Parameter::HoldingPoint, body().held_at([0.0, -far])),
                 (
                     Parameter::Offset(0),
@@ -126,7 +129,7 @@ mod cases {
             ]
         };
         let refused = |setup: &Setup| setup.scene::<R>().err().map(|e| e.parameter);
-        let [within, beyond] = [0.9, 1.1].map(|part| setups(part * range::<R>()));
+        let [within, beyond] = [0.9, 1.1].map(setups);
         for ((parameter, near), (_, far)) in within.into_iter().zip(beyond) {
             assert_eq!(refused(&near), None, "{parameter}");
             let vertex = matches!(parameter, Parameter::Vertex(_));
@@ -152,29 +155,25 @@ fn lever_counts_from_the_contact() {
     }
 }
 
-/// For a gliding foot, the square of its lever matters (STATICS 10): it may be up to 8 L in fixed point, however short the
-/// pull. For a foot with friction, it does not.
+/// E_u of a contact contains the lever times the pull from the contact, of which fixed point represents 128 (R44): with a pull of P towards
+/// the contact, lever·(lever + P). It does not matter whether the contact sticks or slides.
 #[test]
-fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
-    for (lever, glides) in [(7.9, true), (8.1, false)] {
+fn lever_times_the_pull_from_the_contact_is_carried_up_to_128() {
+    for (lever, carried) in [(9.0, true), (9.1, false)] {
         let upright = std::f64::consts::FRAC_PI_2;
-        let setup = |friction: f64| {
+        for friction in [0.0, 0.5] {
             let rod = Setup::rod(1.0).standing(0, [0.0; 2], upright);
-            rod.held_at([lever, 0.0]).floor([friction; 2])
-        };
-        let hand = [0.0, 4.0, upright];
-        let held = |friction| {
-            let run = Run::<Fixed>::start(&setup(friction), Evolution::Path, hand);
-            run.frame.held
-        };
-        let run = RunOf::<Fixed, VERTICES, 1, 0>::start(&setup(0.0), Evolution::Path, hand).frame;
-        let status = if glides {
-            Status::Ok
-        } else {
-            Status::Saturated
-        };
-        assert_eq!((run.held, run.status), (glides, status), "{lever}");
-        assert!(held(0.5), "{lever}");
+            let setup = rod.held_at([lever, 0.0]).floor([friction; 2]);
+            // lever (2 lever - 4) = 128 at a lever of 9.06.
+            let hand = [0.0, 4.0, upright];
+            let run = RunOf::<Fixed, VERTICES, 1, 0>::start(&setup, Evolution::Path, hand).frame;
+            let status = if carried {
+                Status::Ok
+            } else {
+                Status::Saturated
+            };
+            assert_eq!((run.held, run.status), (carried, status), "{lever}");
+        }
     }
 }
 
@@ -199,7 +198,7 @@ fn depth_at_the_start_is_allowed_up_to_its_bound() {
 }
 
 /// A block that rises at 45 degrees slips by ever shorter distances; when it is pressed less than its memory requires, it slides
-/// until it lifts. A hundred slips do not limit a frame; more events than are resolved do (STATICS 7).
+/// until it lifts. A hundred slips do not limit a frame; more events than are resolved do (R42).
 #[test]
 fn hundred_slips_of_a_frame_are_no_limit() {
     let (mut few, mut many) = (0, 0);

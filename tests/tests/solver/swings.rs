@@ -1,4 +1,4 @@
-//! Nothing holds the angle of a body, with k_theta = 0 and no weight (STATICS 3.7): a vertex that is the holding point, and one
+//! Nothing holds the angle of a body, with k_theta = 0 and no weight (R34): a vertex that is the holding point, and one
 //! whose lever comes to lie in the friction cone.
 
 use stiction_core::{Evolution, Status};
