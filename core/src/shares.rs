@@ -122,7 +122,8 @@ impl<R: Real> WrenchCone<R> {
     fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<[Part<R>; 3]> {
         let (mut solution, volume) = self.on_three(edges, load)?;
         let presses = |solution: &[Part<R>; 3]| {
-            let is_usable = |part: &Part<R>| part.size >= R::ZERO && part.size < R::HUGE;
+            // Without a component that is as small as the residual, they leave no more.
+            let is_usable = |part: &Part<R>| part.size >= -little && part.size < R::HUGE;
             solution.iter().all(is_usable)
         };
         if !presses(&solution) {

@@ -118,7 +118,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             },
         }
     }
-    /// The windows of a search, each a piece. Between two steps only the bracket is kept: what is certain is evaluated again, to the same bits.
+    /// The windows of a search, each a piece. Between two steps only the bracket lasts: what is certain is evaluated again, to the same bits.
     #[inline(never)]
     fn search(&mut self, more: &mut impl FnMut() -> bool) {
         let (statics, mut windows) = (self.statics, Windows::NONE);
@@ -274,15 +274,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
     }
-    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined before it has doubled.
+    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined where a load that
+    /// grows would reach it, at the latest before it has doubled.
     fn stay(&mut self, slack: R) {
-        if self.statics.is_jammed(self.body) {
+        let Some(reserve) = self.statics.reserve(self.body) else {
             return self.log.limit(Status::Jammed);
-        }
+        };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
             let load = self.statics.present_load(self.body);
-            self.body.slack = slack.min(R::ONE + load.size());
+            self.body.slack = slack.min(R::ONE + load.size()).min(reserve);
         }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
