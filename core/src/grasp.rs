@@ -190,6 +190,7 @@ pub(crate) fn is_representable<R: Real, const V: usize, const S: usize, const C:
     let arm = statics.size();
     let moment = arm * pull + statics.stiffness.of(turn);
     // r·P of (E3), which is not bounded by the moment.
-    let slope = arm * (pull + arm);
-    turn <= R::TURN && pull <= R::RANGE && moment <= R::LOAD && slope.halved() <= R::LOAD
+    // Half of it: the whole saturates.
+    let slope = arm.halved() * (pull + arm);
+    turn <= R::TURN && pull <= R::RANGE && moment <= R::LOAD && slope <= R::LOAD
 }

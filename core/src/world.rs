@@ -81,7 +81,14 @@ impl<R: Real> Side<R> {
 pub(crate) struct Stiffness<R> {
     /// k
     pub(crate) value: R,
-    /// k times a power of two, and that: a small k has few places in fixed point.
+    /// For angles up to 2 rad, and for larger ones.
+    near: Scaled<R>,
+    far: Scaled<R>,
+}
+
+/// k times a power of two, and that: a small k has few places in fixed point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scaled<R> {
     times: R,
     unit: R,
 }
@@ -89,27 +96,39 @@ pub(crate) struct Stiffness<R> {
 impl<R: Real> Stiffness<R> {
     /// From k and 64 k.
     pub(crate) fn new(value: R, value_64: R) -> Self {
+        let plain = Scaled {
+            times: value,
+            unit: R::ONE,
+        };
         if !R::is_fixed() || value >= R::ONE {
             return Self {
                 value,
-                times: value,
-                unit: R::ONE,
+                near: plain,
+                far: plain,
             };
         }
-        // At most 2, so that its product with the largest turn is a number.
-        let (mut times, mut unit) = (value_64, R::from_int(64));
-        while times > R::TWO && unit > R::ONE {
-            (times, unit) = (times.halved(), unit.halved());
+        let near = Scaled {
+            times: value_64,
+            unit: R::from_int(64),
+        };
+        // At most 2, so that its product with the largest turn, 64 rad, is a number.
+        let mut far = near;
+        while far.times > R::TWO && far.unit > R::ONE {
+            (far.times, far.unit) = (far.times.halved(), far.unit.halved());
         }
-        Self { value, times, unit }
+        Self { value, near, far }
     }
     /// k x
     pub(crate) fn of(&self, x: R) -> R {
-        if R::is_fixed() {
-            (self.times * x).in_units(self.unit)
-        } else {
-            self.value * x
+        if !R::is_fixed() {
+            return self.value * x;
         }
+        let by = if x.abs() < R::TWO {
+            self.near
+        } else {
+            self.far
+        };
+        (by.times * x).in_units(by.unit)
     }
 }
 
