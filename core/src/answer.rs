@@ -3,7 +3,6 @@
 use crate::forces::Wrench;
 use crate::forces::{Contact, Contacts};
 use crate::geometry::Angle;
-use crate::list::gather;
 use crate::log::Log;
 use crate::output::Output;
 use crate::real::Real;
@@ -57,7 +56,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let statics = self.statics(state);
         let reactions = statics.reactions(body);
         let all = body.contacts.iter().zip(&reactions).enumerate();
-        let list = gather(all.map(|(i, (contact, &[n, t]))| {
+        let contacts = all.map(|(i, (contact, &[n, t]))| {
             let frame = statics.frame(contact, body.rotation, body.holding);
             let [n, t, sliding] = if state.held {
                 [n.max(R::ZERO), t, contact.sense.number()]
@@ -82,7 +81,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                     contact.sense.integer()
                 },
             }
-        }));
-        Contacts { list }
+        });
+        contacts.collect()
     }
 }

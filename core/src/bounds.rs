@@ -92,6 +92,7 @@ impl<R: Real> Mul for Sup<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// K, J, Q around an instant at either end of a window.
+    #[inline(always)]
     pub(crate) fn curvature(&self, m: &Motion<R>, i: &Instant<R>, at: Extent<R>) -> Curvature<R> {
         let b = self.weight * self.centroid.length_bound();
         let h_p = m.hand_p.at.length_bound();
@@ -100,18 +101,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Line => (R::ZERO, R::ZERO, R::ZERO),
             Kind::Free => (b, R::ZERO, R::ZERO),
             Kind::Pin => {
-                let turns = m.first().is_corner();
-                let (r_p, p_p) = if turns {
-                    (i.g_p.length_bound(), h_p)
-                } else {
-                    (R::ZERO, (m.hand_p.at - i.g_p).length_bound())
-                };
                 let pull = (i.force - i.r).length_bound();
-                let (r, pull) = (r + r_p * at.way, pull + p_p * at.way);
-                (r * pull + b, r * p_p + r_p * pull, R::ZERO)
+                if self.turns(m.first()) {
+                    let r_p = i.g_p.length_bound();
+                    let (r, pull) = (r + r_p * at.way, pull + h_p * at.way);
+                    (r * pull + b, r * h_p + r_p * pull, R::ZERO)
+                } else {
+                    let p_p = (m.hand_p.at - i.g_p).length_bound();
+                    (r * (pull + p_p * at.way) + b, r * p_p, R::ZERO)
+                }
             }
             Kind::Slide => {
-                let frame = self.frame(m.first(), i.rotation, i.g);
+                let frame = self.frame_inlined(m.first(), i.rotation, i.g);
                 let f = R::ONE / self.friction(m.first()).sliding.cos;
                 if frame.turns {
                     let pull = (i.force - i.r).length_bound() + h_p * at.way;
@@ -143,6 +144,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// The bounds on a window with this pace.
+    #[inline(always)]
     pub(crate) fn bound(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
         let (rate, way) = (pace.rate, pace.extent.way);
         let h_p = m.hand_p.at.length_bound() * way;
@@ -176,7 +178,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
             Kind::Slide => {
                 let f = R::ONE / self.friction(m.first()).sliding.cos;
-                let foot = if m.first().is_corner() {
+                let foot = if self.turns(m.first()) {
                     let pull = (i.force - i.r).length_bound() + h_p;
                     let xi2 = f * (pull * turn + (h_p * rate).doubled());
                     [f * (pull * rate + h_p), xi2]
@@ -191,7 +193,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let theta = sup.turn.slope * rate;
                 let turning = theta * theta + sup.turn.along(pace, R::ZERO);
                 let xi1 = sup.foot.slope * rate;
-                let turns = m.first().is_corner();
+                let turns = self.turns(m.first());
                 let more = if turns { theta * xi1 } else { R::ZERO };
                 Bound {
                     pivot: pivot + more.doubled(),
@@ -205,9 +207,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// The bounds of a body that turns about a contact whose foot moves.
+    #[inline(always)]
     fn about(&self, m: &Motion<R>, b: Bound<R>, (r, foot): (R, [R; 2]), rate: R) -> Bound<R> {
         let [xi1, xi2] = foot;
-        let (lever, pivot) = if m.first().is_corner() {
+        let (lever, pivot) = if self.turns(m.first()) {
             (r + xi1, xi2 + (rate * xi1).doubled())
         } else {
             (r, xi2)
@@ -225,7 +228,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let more = match m.kind {
             Kind::Line | Kind::Free => R::ZERO,
             Kind::Pin | Kind::Slide | Kind::Pair => {
-                if m.first().is_corner() {
+                if self.turns(m.first()) {
                     let [xi1, _] = b.foot;
                     xi1
                 } else {

@@ -7,7 +7,8 @@ use crate::geometry::Vec2;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
-use crate::window::{Begin, Residual};
+use crate::thresholds::Thresholds;
+use crate::window::Residual;
 use crate::world::Statics;
 
 /// What is known of a frame by its end.
@@ -29,73 +30,59 @@ struct Zero<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// A body without contact, or about contacts that stick.
+    /// A body without contact, or about a contact that sticks.
     #[inline(never)]
     pub(crate) fn turns_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
-        let count = body.contacts.len();
-        if count > 1 {
-            return Calm::Unsure;
-        }
-        let kind = if count == 0 { Kind::Free } else { Kind::Pin };
-        let m = Motion::new(kind, body, way.per_p).to(*to, way.whole);
-        if count == 1 && m.first().is_corner() {
-            return Calm::Unsure;
-        }
-        let mut i = Instant::ZERO;
-        let Ok(pace) = self.window(&m, begin(body), way.whole, &mut i) else {
+        let contact = match body.contacts.as_slice() {
+            [] => {
+                let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
+                return match self.calm_end(body, &m, way.whole) {
+                    Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
+                    None => Calm::Unsure,
+                };
+            }
+            [only] if !self.turns(*only) => *only,
+            [_, ..] => return Calm::Unsure,
+        };
+        let m = Motion::new(Kind::Pin, body, way.per_p).to(*to, way.whole);
+        let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {
             return Calm::Unsure;
         };
-        let bound = self.bound(&m, &i, &pace);
-        let mut yields = None;
-        if count == 1 {
-            let friction = self.friction(m.first());
-            let frame = self.frame(m.first(), i.rotation, i.g);
-            let (n, pull) = (-frame.n.dot(i.force), frame.t.dot(i.force));
-            let cone = friction.cone(body.stiction);
-            let half = bound.holding.halved();
-            let margin = n * cone.sin - pull.abs() * cone.cos;
-            let may_press = !body.stiction && friction.threshold - n < half;
-            if n < half || may_press {
-                return Calm::Unsure;
-            }
-            if margin < R::ZERO {
-                yields = Some(Sense::of(pull));
-            } else if margin < half {
-                return Calm::Unsure;
-            }
-        }
-        let Some(room) = self.room_after(body, &m, &i, &bound) else {
+        let friction = self.friction(contact);
+        let frame = self.frame_inlined(contact, i.rotation, i.g);
+        let (n, pull) = (-frame.n.dot(i.force), frame.t.dot(i.force));
+        let cone = friction.cone(body.stiction);
+        let half = bound.holding.halved();
+        let margin = n * cone.sin - pull.abs() * cone.cos;
+        let may_press = !body.stiction && friction.threshold - n < half;
+        if n < half || may_press {
             return Calm::Unsure;
-        };
-        match yields {
-            Some(sense) => {
-                // What is near at the end says nothing about the place.
-                body.room = (body.room - bound.way).max(R::ZERO);
-                self.yields_calmly(body, &m, sense, &i)
-            }
-            None => {
-                body.go_to(&i, room);
-                body.hand = *to;
-                Calm::End
-            }
         }
+        if margin < R::ZERO {
+            return self.yields_calmly(body, &{ m }, Sense::of(pull), (&{ i }, &{ bound }));
+        }
+        if margin < half {
+            return Calm::Unsure;
+        }
+        self.arrives(body, to, (&m, &i), &bound)
     }
     /// A contact that slides.
     #[inline(never)]
     pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
         let m = Motion::new(Kind::Slide, body, way.per_p).to(*to, way.whole);
-        if m.first().is_corner() {
+        if self.turns(m.first()) {
             return Calm::Unsure;
         }
-        let mut i = Instant::ZERO;
-        let Ok(pace) = self.window(&m, begin(body), way.whole, &mut i) else {
+        let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {
             return Calm::Unsure;
         };
-        let bound = self.bound(&m, &i, &pace);
         let friction = self.friction(m.first());
-        let n = -self.frame(m.first(), i.rotation, i.g).n.dot(i.force);
+        let n = -self
+            .frame_inlined(m.first(), i.rotation, i.g)
+            .n
+            .dot(i.force);
         let half = bound.holding.halved();
         let advance = i.xi_p - i.xi_u * i.e_p / i.e_u;
         let [_, xi2] = bound.foot;
@@ -104,28 +91,59 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if n < half || may_press || may_halt || !self.is_short_of_end(m.first(), i.foot) {
             return Calm::Unsure;
         }
-        match self.room_after(body, &m, &i, &bound) {
-            Some(room) => {
-                body.go_to(&i, room);
-                body.hand = *to;
-                Calm::End
-            }
-            None => Calm::Unsure,
-        }
+        self.arrives(body, to, (&m, &i), &bound)
     }
 
-    /// The room that is left after a window whose end is known; none if a gap may close on it.
-    fn room_after(
+    /// The balance at the end of a displacement of a motion in the angle, with the bounds of the window in between, if that is certified.
+    #[inline(always)]
+    fn calm_end(&self, body: &Body<R>, m: &Motion<R>, p: R) -> Option<(Instant<R>, Bound<R>)> {
+        let mut i = Instant::ZERO;
+        let u = body.angle;
+        self.place_inlined(m, Spot { u, p }, Some(body.rotation), &mut i);
+        let pace = self.certified(m, &i, self.residual_after(m, &i, p)).ok()?;
+        let u = u + self.first_step(m, &i);
+        self.place_inlined(m, Spot { u, p }, None, &mut i);
+        let step = -i.e / i.e_u;
+        if R::is_last(step) {
+            self.nudge(m, &mut i, step);
+        } else {
+            // Copies, so that what mostly happens needs none of them in memory.
+            let mut on = i;
+            self.balance(&{ *m }, Spot { u, p }, step, &mut on);
+            i = on;
+        }
+        let bound = self.bound(m, &i, &pace);
+        Some((i, bound))
+    }
+    /// Nothing else happens: the body goes to the end, unless a gap may close.
+    #[inline(always)]
+    fn arrives(
+        &self,
+        body: &mut Body<R>,
+        to: &HandPose<R>,
+        (m, i): (&Motion<R>, &Instant<R>),
+        bound: &Bound<R>,
+    ) -> Calm {
+        let mut room = body.room - bound.way;
+        if room <= R::ZERO {
+            match self.least_gap(body, &{ *m }, &{ *i }, &{ *bound }) {
+                Some(gap) => room = gap,
+                None => return Calm::Unsure,
+            }
+        }
+        body.go_to(i, room);
+        body.hand = *to;
+        Calm::End
+    }
+    /// The least gap at the end of a window; none if one may close on it.
+    #[inline(never)]
+    fn least_gap(
         &self,
         body: &Body<R>,
         m: &Motion<R>,
         i: &Instant<R>,
         bound: &Bound<R>,
     ) -> Option<R> {
-        let left = body.room - bound.way;
-        if left > R::ZERO {
-            return Some(left);
-        }
         let mut room = R::HUGE;
         for (vertex, a) in self.vertices() {
             let arm = i.rotation.apply(a);
@@ -148,18 +166,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Some(room)
     }
 
-    /// Where the friction of a stick gives way before the end, if that is certainly the first place.
+    /// Where the friction of a stick gives way before the end, if that is certainly the first place and no gap can close before the end.
+    #[inline(never)]
     fn yields_calmly(
         &self,
         body: &mut Body<R>,
         m: &Motion<R>,
         sense: Sense,
-        end: &Instant<R>,
+        (end, whole): (&Instant<R>, &Bound<R>),
     ) -> Calm {
+        let left = body.room - whole.way;
+        if left <= R::ZERO && self.least_gap(body, m, end, whole).is_none() {
+            return Calm::Unsure;
+        }
         let frame = self.frame(m.first(), end.rotation, end.g);
         let cone = self.friction(m.first()).cone(body.stiction);
         let q = -(frame.n * cone.sin + frame.t * sense.along(cone.cos));
         let mut i = *end;
+        // What is near at the end says nothing about the place.
+        body.room = left.max(R::ZERO);
         let Some(place) = self.calm_place(m, q, end.p, &mut i) else {
             return Calm::Unsure;
         };
@@ -177,7 +202,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(never)]
     pub(crate) fn slips_shortly(&self, body: &mut Body<R>, sense: Sense) -> bool {
         let m = Motion::slip(body, sense.number());
-        if m.first().is_corner() {
+        if self.turns(m.first()) {
             return false;
         }
         let begin = self.placed_at_start(&m);
@@ -198,13 +223,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if !stays || place.fall.doubled() * place.p < bound.holding {
             return false;
         }
-        match self.room_after(body, &m, &i, &bound) {
-            Some(room) => {
-                body.go_to(&i, room);
-                true
-            }
-            None => false,
+        let mut room = body.room - bound.way;
+        if room <= R::ZERO {
+            let Some(gap) = self.least_gap(body, &m, &i, &bound) else {
+                return false;
+            };
+            room = gap;
         }
+        body.go_to(&i, room);
+        true
     }
     /// Newton's iteration for u and p in balance where q·F = 0, from an instant; at most six steps.
     fn calm_place(
@@ -254,16 +281,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return None;
         }
         Some(self.bound(m, i, &pace))
-    }
-}
-
-/// The present balance of a body whose u is the angle.
-fn begin<R: Real>(body: &Body<R>) -> Begin<'static, R> {
-    Begin::Spot {
-        spot: Spot {
-            u: body.angle,
-            p: R::ZERO,
-        },
-        rotation: body.rotation,
     }
 }

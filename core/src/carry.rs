@@ -296,7 +296,10 @@ mod tests {
             let (wrench, hold, output) = carried::<f32>(&present, &BOX);
             assert!(output.held && hold == present.hold);
             for k in 0..2 {
-                assert!((output.position[k] - present.position[k]).abs() < 1e-6, "{output:?} {present:?} {wrench:?}");
+                assert!(
+                    (output.position[k] - present.position[k]).abs() < 1e-6,
+                    "{output:?} {present:?} {wrench:?}"
+                );
                 assert!((wrench.force[k] - present.wrench.force[k]).abs() < 2e-3);
             }
         }

@@ -23,9 +23,9 @@ pub(crate) struct ConeEdge<R> {
 
 /// A plane through two edges that has all others on one side: x·w >= 0 for all reactions w, x inward.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Facet<R> {
+pub(crate) struct Facet<'a, R> {
     pub(crate) inward: Wrench<R>,
-    pub(crate) edges: [ConeEdge<R>; 2],
+    pub(crate) edges: [&'a ConeEdge<R>; 2],
 }
 
 /// How long contacts bear a load along a displacement of the hand.
@@ -42,24 +42,48 @@ pub(crate) struct WrenchCone<R> {
     edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
 }
 
-/// The facets through two edges: one, or four where all edges lie in one plane.
-type Facets<R> = Vec<Facet<R>, 4>;
-
 impl<R: Real> WrenchCone<R> {
     pub(crate) fn edges(&self) -> &[ConeEdge<R>] {
         &self.edges
     }
-    pub(crate) fn facets(&self) -> impl Iterator<Item = Facet<R>> + '_ {
-        let pairs = self.edges.iter().enumerate().flat_map(move |(i, a)| {
-            let rest = self.edges.iter().skip(i.saturating_add(1));
-            rest.map(move |b| [*a, *b])
-        });
-        pairs.flat_map(|edges| self.through(edges))
+    /// All facets, one after the other.
+    pub(crate) fn facets<'a>(&'a self, mut each: impl FnMut(Facet<'a, R>)) {
+        for (i, a) in self.edges.iter().enumerate() {
+            for b in self.edges.iter().skip(i.saturating_add(1)) {
+                self.through([a, b], &mut each);
+            }
+        }
+        self.in_line(&mut each);
     }
-    fn through(&self, edges: [ConeEdge<R>; 2]) -> Facets<R> {
-        let [a, b] = &edges;
+    /// Of edges that all lie in one line: the planes through it, each twice, and its end if it has one.
+    fn in_line<'a>(&'a self, each: &mut impl FnMut(Facet<'a, R>)) {
+        let Some(edge) = self.edges.first() else {
+            return;
+        };
+        let w = edge.wrench;
+        let is_in_line = |c: &ConeEdge<R>| w.cross(c.wrench).size() <= R::in_plane();
+        if !self.edges.iter().all(is_in_line) {
+            return;
+        }
+        let side = Wrench {
+            force: w.force.turned(),
+            moment: R::ZERO,
+        };
+        let other = w.cross(side);
+        let ends = self.edges.iter().all(|c| w.dot(c.wrench) > R::ZERO);
+        let planes = [side, side * -R::ONE, other, other * -R::ONE];
+        for inward in planes.into_iter().chain(ends.then_some(w)) {
+            each(Facet {
+                inward,
+                edges: [edge; 2],
+            });
+        }
+    }
+    /// The facets through two edges: none or one, or up to four where all edges lie in one plane.
+    #[inline(always)]
+    fn through<'a>(&'a self, edges: [&'a ConeEdge<R>; 2], each: &mut impl FnMut(Facet<'a, R>)) {
+        let [a, b] = edges;
         let x = a.wrench.cross(b.wrench);
-        let mut facets = Facets::new();
         let (mut inside, mut outside) = (false, false);
         for c in &self.edges {
             if c.is(a) || c.is(b) {
@@ -69,33 +93,48 @@ impl<R: Real> WrenchCone<R> {
             inside |= side > R::in_plane();
             outside |= side < -R::in_plane();
             if inside && outside {
-                return facets;
+                return;
             }
         }
         if x.size() <= R::in_plane() {
-            return facets;
+            return;
         }
-        let mut add = |inward, edges| {
-            // There is room for four.
-            let _ = facets.push(Facet { inward, edges });
-        };
         let back = x * -R::ONE;
         if inside || outside {
-            add(if outside { back } else { x }, edges);
-            return facets;
+            let inward = if outside { back } else { x };
+            return each(Facet { inward, edges });
         }
         // Contacts without friction: the load has to lie in their plane, between the outer edges.
-        add(x, edges);
-        add(back, edges);
-        for (edge, other) in [(a, b), (b, a)] {
+        let both = self.outer(edges, x).into_iter().flatten();
+        for facet in [
+            Facet { inward: x, edges },
+            Facet {
+                inward: back,
+                edges,
+            },
+        ]
+        .into_iter()
+        .chain(both)
+        {
+            each(facet);
+        }
+    }
+    /// The lines through those of two edges that are outer ones in the plane of all, of normal x.
+    fn outer<'a>(
+        &'a self,
+        [a, b]: [&'a ConeEdge<R>; 2],
+        x: Wrench<R>,
+    ) -> [Option<Facet<'a, R>>; 2] {
+        [(a, b), (b, a)].map(|(edge, other)| {
             let side = x.cross(edge.wrench);
             let inward = side * side.dot(other.wrench).sign();
             let is_outer = |c: &ConeEdge<R>| inward.dot(c.wrench) >= -R::in_plane();
-            if self.edges.iter().all(is_outer) {
-                add(inward, [*edge, *edge]);
-            }
-        }
-        facets
+            let edges = [edge, edge];
+            self.edges
+                .iter()
+                .all(is_outer)
+                .then_some(Facet { inward, edges })
+        })
     }
 }
 
@@ -105,7 +144,7 @@ impl<R: Real> ConeEdge<R> {
     }
 }
 
-impl<R: Real> Facet<R> {
+impl<R: Real> Facet<'_, R> {
     /// Not negative while the facet does not yield to a load.
     pub(crate) fn margin(&self, load: Wrench<R>) -> R {
         -self.inward.dot(load)
@@ -156,16 +195,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let cone = self.cone(body);
         let (begin, end) = (self.present_load(body), self.load(body, to));
         let (mut first, mut slack) = (None, R::HUGE);
-        for facet in cone.facets() {
+        cone.facets(|facet| {
             let v1 = facet.margin(end);
             if v1 >= -R::of_balance(end.size()) * facet.inward.size() {
                 slack = slack.min(v1 / facet.inward.size());
-                continue;
+                return;
             }
             let v0 = facet.margin(begin).max(R::ZERO);
             let part = v0 / (v0 - v1);
             first = Some(first.map_or(part, |least: R| least.min(part)));
-        }
+        });
         match first {
             Some(part) => Borne::Until(part),
             None => Borne::All(slack),
@@ -175,8 +214,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn bears(&self, body: &Body<R>, little: R) -> bool {
         let cone = self.cone(body);
         let load = self.present_load(body);
-        let mut facets = cone.facets();
-        facets.all(|facet| facet.margin(load) >= -little * (R::ONE + facet.inward.size()))
+        let mut bears = true;
+        cone.facets(|facet| {
+            bears &= facet.margin(load) >= -little * (R::ONE + facet.inward.size());
+        });
+        bears
     }
     /// How far the hand has to go on along a displacement until facets that only just bear the load certainly do not, at most `most`.
     pub(crate) fn beyond_facets(&self, body: &Body<R>, per_p: &HandPose<R>, most: R) -> R {
@@ -187,13 +229,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             moment: self.stiffness.of(per_p.angle),
         };
         let mut way = R::ZERO;
-        for facet in cone.facets() {
+        cone.facets(|facet| {
             let little = R::of_release(load.size()) * facet.inward.size();
             let rate = -facet.margin(change);
             if facet.margin(load).abs() <= little && rate > R::ZERO {
                 way = way.max((little / rate).min(most));
             }
-        }
+        });
         way
     }
 }

@@ -32,10 +32,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> Option<Driven<R>> {
         let load = self.load(body, hand);
         let pair = contacts.map(|k| body.contacts.get(k));
-        let frames = pair.map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = self.frames(pair, body.rotation, body.holding);
         let [first, second] = &frames;
         let g = gap_slope(&frames);
         let slope = g.length();
+        if slope <= R::in_plane() {
+            // Straight across: no motion changes the second gap, none is theirs alone.
+            return None;
+        }
         let twist = Vec2::new(g.y, -g.x) * (R::ONE / slope);
         let velocity = first.t * twist.x - first.r.turned() * twist.y;
         let v = [twist.x, second.advance(velocity, twist.y)];

@@ -283,7 +283,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
 
     /// What bounds a function on a window.
     pub(crate) fn order(&self, function: Function, i: &Instant<R>, on: &Judging<R>) -> Order<R> {
-        let turns = self.motion.first().is_corner();
+        let turns = self.statics.turns(self.motion.first());
         let h_p = self.motion.hand_p.at.length_bound();
         let size = self.motion.hand_p.size();
         // Of the force in a direction that turns with the body, or not.

@@ -162,7 +162,26 @@ impl<F: Real> Wrench<F> {
 /// slice; [`Wrench`] has an example.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contacts<F> {
-    pub(crate) list: Vec<Contact<F>, MAX_CONTACTS>,
+    list: Vec<Contact<F>, MAX_CONTACTS>,
+}
+
+impl<F> FromIterator<Contact<F>> for Contacts<F> {
+    /// The first [`MAX_CONTACTS`].
+    fn from_iter<I: IntoIterator<Item = Contact<F>>>(contacts: I) -> Self {
+        let mut all = Self { list: Vec::new() };
+        contacts
+            .into_iter()
+            .take(MAX_CONTACTS)
+            .for_each(|contact| all.add(contact));
+        all
+    }
+}
+
+impl<F> Contacts<F> {
+    pub(crate) fn add(&mut self, contact: Contact<F>) {
+        // A state never has more contacts than there is room for.
+        let _ = self.list.push(contact);
+    }
 }
 
 impl<F> Deref for Contacts<F> {

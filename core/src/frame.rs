@@ -53,11 +53,15 @@ impl<R: Real> Frame<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// The friction of a contact.
-    pub(crate) fn friction(&self, contact: Contact) -> Friction<R> {
+    pub(crate) fn friction(&self, contact: Contact) -> &Friction<R> {
         match contact.feature {
-            Feature::Vertex { side, .. } => self.side(side).friction,
-            Feature::Corner { corner, .. } => self.corner(corner).side.friction,
+            Feature::Vertex { side, .. } => &self.side(side).friction,
+            Feature::Corner { corner, .. } => &self.corner(corner).side.friction,
         }
+    }
+    /// The normal of a contact turns with the body. Where the world has no corners the compiler knows that none does.
+    pub(crate) fn turns(&self, contact: Contact) -> bool {
+        C > 0 && contact.is_corner()
     }
     /// n_b: the inward normal of the body's side that begins at a vertex, body frame, of length 1.
     pub(crate) fn inward(&self, body_side: u8) -> Vec2<R> {
@@ -66,7 +70,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// The frame of a contact of the body with this rotation and holding point.
+    #[inline(never)]
     pub(crate) fn frame(&self, contact: Contact, rotation: Rotation<R>, g: Vec2<R>) -> Frame<R> {
+        self.frame_inlined(contact, rotation, g)
+    }
+    /// [`Self::frame`], compiled into the caller.
+    #[inline(always)]
+    pub(crate) fn frame_inlined(
+        &self,
+        contact: Contact,
+        rotation: Rotation<R>,
+        g: Vec2<R>,
+    ) -> Frame<R> {
         match contact.feature {
             Feature::Vertex { vertex, side } => {
                 let side = self.side(side);
@@ -83,16 +98,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     n,
                     t: Vec2::new(n.y, -n.x),
                     r: self.corner(corner).place - g,
-                    turns: true,
+                    turns: C > 0,
                 }
             }
         }
     }
     /// The directions of a contact that slides with its sign.
     pub(crate) fn edge(&self, contact: Contact, frame: &Frame<R>) -> Edge<R> {
-        frame.edge(&self.friction(contact), contact.sense)
+        frame.edge(self.friction(contact), contact.sense)
     }
     /// The contact point, and the lever to it, of a foot xi along t.
+    #[inline(always)]
     pub(crate) fn foot(&self, contact: Contact, rotation: Rotation<R>, xi: R) -> Foot<R> {
         match contact.feature {
             Feature::Vertex { vertex, side } => {

@@ -7,7 +7,7 @@ use crate::motion::Kind;
 use crate::real::Real;
 use crate::search::{Ended, Run, WindowEnd};
 use crate::thresholds::Thresholds;
-use crate::values::Value;
+use crate::values::{Value, Values};
 use crate::world::Statics;
 
 /// The findings on a window.
@@ -51,6 +51,14 @@ impl<R: Real> Track<R> {
             end,
             order: Order::First(R::ZERO),
             least: R::LEAST,
+        }
+    }
+    /// How far from zero it is zero. At a fold p is known to its rounding, as the root is a double one.
+    fn accuracy(&self) -> R {
+        if self.ending == Ending::End {
+            R::of_products()
+        } else {
+            R::zero()
         }
     }
     /// Where it counts as zero without a step to its zero: a gap that is closed within its accuracy is closed, others at `exact`.
@@ -157,7 +165,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let motion = self.watched.motion;
         let turn = match motion.kind {
             Kind::Line => motion.line.theta_u.abs() * on.width,
-            Kind::Pin if motion.frozen && !motion.first().is_corner() => on.width,
+            Kind::Pin if motion.frozen && !self.watched.statics.turns(motion.first()) => on.width,
             Kind::Free | Kind::Pin | Kind::Slide | Kind::Pair => return R::LEAST,
         };
         let arm = arm - self.hi.instant.r;
@@ -178,20 +186,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     /// A zero beyond the end of the search is none (R10); gaps that are closed within their accuracy are closed.
     fn is_reached(&self, track: &Track<R>, newton: R) -> bool {
         let is_closed = track.end.v <= track.level(R::ZERO);
-        is_closed || self.bracket.hi + newton <= self.bracket.end
+        if self.bracket.branch.is_none() {
+            return is_closed || self.bracket.hi + newton <= self.bracket.end;
+        }
+        // Along u the search ends where p does.
+        let path = self.hi.values.get(Values::<R>::PATH);
+        path.d >= R::ZERO || newton <= path.v / -path.d || is_closed && path.v >= R::ZERO
     }
     /// One more step of Newton's iteration from the end of the window leads to the zero.
     fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
-        let tol = R::zero();
+        let tol = track.accuracy();
         let (a, b) = (track.begin, track.end);
         let Order::Second(k) = track.order else {
             return false;
         };
-        let part = newton / self.bracket.width();
-        let is_near = part.abs() <= R::ONE / R::from_int(16);
         let is_inside = self.is_reached(track, newton);
         let is_first = found.hit.is_none() && (a.v > tol || b.v.abs() <= tol);
-        if !is_first || !is_near || !is_inside || k * part * part > tol.doubled() {
+        if !is_first || !is_inside || !self.is_last(track, k, newton) {
             return false;
         }
         found.hit = Some((track.ending, newton));
@@ -199,11 +210,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         found.unsure |= k > tol.doubled() && a.v > tol && certainty(begin, b.v, k) < R::ONE;
         true
     }
-    /// How fast it changes at the end of the window, or on it.
+    /// The second order of a step of Newton's iteration from the end of the window is less than the accuracy of the function.
+    fn is_last(&self, track: &Track<R>, bend: R, newton: R) -> bool {
+        let part = newton / self.bracket.width();
+        let is_near = part.abs() <= R::ONE / R::from_int(16);
+        is_near && bend * part * part <= track.accuracy().doubled()
+    }
+    /// How fast it changes at the end of the window, or on it; that of -E_u is its chord's.
     fn slope(&self, track: &Track<R>) -> R {
         match track.order {
-            Order::Second(_) => track.end.d,
-            Order::First(_) => (track.end.v - track.begin.v) / self.bracket.width(),
+            Order::Second(_) if track.ending != Ending::Fold => track.end.d,
+            Order::Second(_) | Order::First(_) => {
+                (track.end.v - track.begin.v) / self.bracket.width()
+            }
         }
     }
     /// Where what is below zero at the end crosses zero, by Newton's step or the chord.
@@ -223,7 +242,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     }
     /// One event function on the window.
     pub(crate) fn judge(&self, found: &mut Found<R>, track: &Track<R>) {
-        let tol = R::zero();
+        let tol = track.accuracy();
         let w = self.bracket.width();
         let (a, b) = (track.begin, track.end);
         let begin = a.v.max(R::ZERO);
@@ -247,16 +266,30 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 if b.v <= tol && slope < R::ZERO && is_near && self.is_reached(track, newton) {
                     found.hit = found.hit.or(Some((track.ending, newton)));
                 }
-                found.unsure |= begin + b.v.max(R::ZERO) < k;
+                let sum = begin + b.v.max(R::ZERO);
+                if sum < k {
+                    found.unsure = true;
+                    found.part = found.part.min(sum / k);
+                }
             }
             Order::Second(k) => {
                 if b.v <= tol && slope < -R::standstill() && self.is_reached(track, newton) {
-                    found.hit = found.hit.or(Some((track.ending, newton)));
+                    let step = if self.is_last(track, k, newton) {
+                        newton
+                    } else {
+                        R::ZERO
+                    };
+                    found.hit = found.hit.or(Some((track.ending, step)));
                 }
                 let is_open = a.v > tol || b.v > tol;
                 if is_open && k > tol.doubled() && !is_certain {
                     let part = certainty(begin, b.v, k);
                     found.unsure |= part < R::ONE;
+                    let part = if a.v > tol {
+                        part
+                    } else {
+                        part.min(by_begin(a, k, w))
+                    };
                     found.part = found.part.min(part);
                 }
             }
@@ -286,6 +319,14 @@ fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
         Order::First(k) => k,
     };
     end > R::zero() && end >= enough
+}
+
+/// The part x of a window of this width up to which v0 + v0' x - K x²/2 is not negative by more than its accuracy. What opens from zero with
+/// a velocity of zero is no more certain on a shorter window by (R2), until its second order is rounding.
+fn by_begin<R: Real>(begin: Value<R>, k: R, width: R) -> R {
+    let slope = begin.d * width;
+    let above = begin.v.max(R::ZERO) + R::zero();
+    (slope + R::sum_of_products(slope, slope, k.doubled(), above).sqrt()) / k
 }
 
 /// sqrt v0 + sqrt v1 over sqrt(K/2): a function is nowhere less than zero by more than its accuracy if this is 1 or more (R2). A gap that

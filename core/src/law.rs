@@ -25,8 +25,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.body.contacts.rest();
                 self.body.stiction = true;
             }
-            // A halt: stick, without stiction.
-            Ending::Halt => self.body.loosen(),
+            Ending::Halt => self.halts(),
             Ending::Yields(sense) => self.yields(sense),
             Ending::Clear => self.clears(),
             Ending::Opens(which) => self.opens(which),
@@ -60,11 +59,28 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.snap(Kind::Slide);
             }
             Some(rates) if sense.along(rates.xi) < -R::of_displacement(path.size()) => {
+                if self.is_smooth() {
+                    return self.body.contacts.slide(sense.reversed());
+                }
                 self.body.hand = self.released(self.body);
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
             Some(_) => self.body.contacts.slide(sense),
         }
+    }
+    /// A foot turns back: the contacts stick, without stiction. Nothing holds a single one without dynamic friction: its sign turns.
+    fn halts(&mut self) {
+        let sense = self.body.contacts.first().sense;
+        if self.body.freedom() == Freedom::Slides && self.is_smooth() {
+            self.body.contacts.slide(sense.reversed());
+        } else {
+            self.body.loosen();
+        }
+    }
+    /// No dynamic friction at the first contact: its reaction is the same in both directions.
+    fn is_smooth(&self) -> bool {
+        let contact = self.body.contacts.first();
+        self.statics.friction(contact).sliding.sin == R::ZERO
     }
     /// The reaction of a single contact has vanished.
     fn clears(&mut self) {

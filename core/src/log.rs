@@ -51,6 +51,16 @@ impl<R: Real> Log<R> {
             ) => Event::Touch,
         });
     }
+    /// Contacts take the place of others, no more than there were.
+    pub(crate) fn replace(&mut self, before: StateKind, after: StateKind) {
+        if before == after {
+            return;
+        }
+        self.open(before, StateKind::SingleVertex);
+        if after != StateKind::SingleVertex {
+            self.touch(StateKind::SingleVertex, after);
+        }
+    }
     /// Contacts open, others last.
     pub(crate) fn open(&mut self, before: StateKind, after: StateKind) {
         self.event(match before {

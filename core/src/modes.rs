@@ -151,18 +151,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The facet that yields most of those that yield by less than `last`, over its size; and its motion.
     fn worst_facet(&self, body: &Body<R>, hand: &HandPose<R>, last: R) -> Option<(R, Mode)> {
         let load = self.load(body, hand);
-        let mut worst: Option<(R, Facet<R>)> = None;
-        for facet in self.cone(body).facets() {
+        let cone = self.cone(body);
+        let mut worst: Option<(R, Facet<'_, R>)> = None;
+        cone.facets(|facet| {
             let margin = facet.margin(load);
             if margin >= R::ZERO {
-                continue;
+                return;
             }
             let margin = margin / facet.inward.size();
             let is_worst = worst.as_ref().is_none_or(|(least, _)| margin < *least);
             if margin > last && is_worst {
                 worst = Some((margin, facet));
             }
-        }
+        });
         let (margin, facet) = worst?;
         let [a, b] = facet.edges;
         let contacts = [a.contact, b.contact];
@@ -189,7 +190,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Some((margin, mode))
     }
     /// The slide that begins at an edge of a facet; without friction the facet's normal is the motion itself.
-    fn slide_of(&self, body: &Body<R>, edge: ConeEdge<R>, facet: &Facet<R>) -> Sense {
+    fn slide_of(&self, body: &Body<R>, edge: &ConeEdge<R>, facet: &Facet<'_, R>) -> Sense {
         if edge.slide.slides() {
             return edge.slide;
         }

@@ -71,6 +71,7 @@ pub(crate) struct Pair<R> {
 
 impl<R: Real> Motion<R> {
     /// Of a body along a path of the hand, or with the hand frozen and p to the foot.
+    #[inline(always)]
     pub(crate) fn new(kind: Kind, body: &Body<R>, hand_p: HandPose<R>) -> Self {
         Self {
             kind,

@@ -6,7 +6,9 @@ pub(crate) mod axes;
 pub(crate) mod ends;
 pub(crate) mod flat;
 pub(crate) mod join;
+mod leave;
 pub(crate) mod union;
+mod witness;
 
 use crate::contact::{Contact, Contacts, Feature};
 use crate::event::StateKind;
@@ -83,9 +85,9 @@ impl<R: Real> Obstacle<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// A corner of the world; one that nothing reaches if there is none of that index.
-    pub(crate) fn corner(&self, index: u8) -> Corner<R> {
+    pub(crate) fn corner(&self, index: u8) -> &Corner<R> {
         let corner = self.world.corners.get(usize::from(index));
-        corner.copied().unwrap_or(Corner::NOWHERE)
+        corner.filter(|_| C > 0).unwrap_or(&self.world.nowhere)
     }
     pub(crate) fn obstacle(&self, index: u8) -> Obstacle<R> {
         let obstacle = self.world.obstacles.get(usize::from(index));

@@ -82,9 +82,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The slide of the body's first two contacts, with given contacts' friction, in the direction of `sense` (1 or -1) times (g_y, -g_x).
     pub(crate) fn pair(&self, body: &Body<R>, hand_p: HandPose<R>, sense: R) -> Motion<R> {
         let mut m = Motion::new(Kind::Pair, body, hand_p);
-        let frames = m
-            .contacts
-            .map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = self.frames(m.contacts, body.rotation, body.holding);
         let [first, second] = frames;
         let [_, second_contact] = m.contacts;
         let g = gap_slope(&frames);
@@ -165,13 +163,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
-    /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap.
+    /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap; the angle is that of tau u so far.
+    #[inline(never)]
     pub(crate) fn place_pair(&self, m: &Motion<R>, i: &mut Instant<R>) {
         let tau = m.pair.twist;
         let [c1, c2] = m.contacts;
         i.foot = m.foot + tau.x * i.u;
-        i.angle = m.angle + tau.y * i.u;
-        i.rotation = Rotation::by(i.angle);
         let mut tangent = tau;
         for _ in 0..4 {
             let frames = self.seat_first(m, i);
@@ -199,12 +196,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> [Frame<R>; 2] {
         let foot = self.foot(m.first(), i.rotation, i.foot);
         (i.g, i.r) = (foot.c - foot.r, foot.r);
-        m.contacts.map(|c| self.frame(c, i.rotation, i.g))
+        self.frames(m.contacts, i.rotation, i.g)
     }
 
     /// The two contacts at an instant.
     pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
-        let mut frames = m.contacts.map(|c| self.frame_at(c, i));
+        let mut frames = self.levelled(m.contacts, m.contacts.map(|c| self.frame_at(c, i)));
         let [first, second] = &mut frames;
         (first.r, second.r) = (i.r, i.r2);
         let [c1, c2] = m.contacts;
@@ -244,6 +241,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
+    #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
         let k = self.couple(m, i);
         let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
@@ -261,6 +259,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.e_p = (spread * m1_p - arm * f1.cross(h_p)) * flip;
     }
     /// E_up of a pair.
+    #[inline(never)]
     pub(crate) fn e_up_pair(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let k = self.couple(m, i);
         let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);

@@ -42,7 +42,12 @@ fn bends<R: Real>(m: &Motion<R>, apart: R, u: R) -> Bends<R> {
         (th1, apart * th1 * th1 * inverse / slope)
     } else {
         let h = apart + R::ONE + R::HALF.halved();
-        let z2 = h * R::from_int(11) / (slope * R::from_int(8));
+        let z2 = if m.pair.reach < R::HUGE {
+            h * R::from_int(11) / (slope * R::from_int(8))
+        } else {
+            // In one line.
+            R::ZERO
+        };
         (tau.y.abs() + z2 * u, z2)
     };
     Bends {
@@ -54,8 +59,9 @@ fn bends<R: Real>(m: &Motion<R>, apart: R, u: R) -> Bends<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// The bounds of a pair around an instant.
+    #[inline(never)]
     pub(crate) fn pair_sup(&self, m: &Motion<R>, i: &Instant<R>, at: Extent<R>) -> PairSup<R> {
-        let turns = m.contacts.map(|c| c.is_corner());
+        let turns = m.contacts.map(|c| self.turns(c));
         let [turns1, turns2] = turns;
         let apart = (i.r2 - i.r).length_bound();
         let Bends { th1, x1, z2 } = bends(m, apart, i.u.abs() + at.strip);
@@ -103,7 +109,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// With the bounds of F, M_1 and f_1×f_2.
     fn loaded(&self, m: &Motion<R>, i: &Instant<R>, at: Extent<R>, s: PairSup<R>) -> PairSup<R> {
         let h_p = m.hand_p.at.length_bound();
-        let turns1 = m.first().is_corner();
+        let turns1 = self.turns(m.first());
         let (g1, g2) = (s.holding.slope, s.holding.bend);
         let [of_first, _] = s.r;
         let force = i.force.length_bound() + h_p * at.way + g1 * at.strip;
@@ -119,7 +125,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let slope = couple.slope + lever_part.slope;
         let m1_p = self.stiffness.value * m.hand_p.angle.abs() + i.r.length_bound() * h_p;
         let m1 = (i.moment - i.r.cross(i.force)).abs() + m1_p * at.way + slope * at.strip;
-        let spread = if m.contacts.iter().any(|c| c.is_corner()) {
+        let spread = if m.contacts.iter().any(|&c| self.turns(c)) {
             let [f1, f2] = s.f;
             f1 * f2
         } else {

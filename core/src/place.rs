@@ -23,9 +23,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         self.placed(m, Spot { u, p: R::ZERO })
     }
 
-    /// The body at a point of a motion, in place: with R(u) if u is an angle and the rotation is known.
+    /// The body at a point of a motion, in place: with its rotation, if that is known.
     #[inline(never)]
     pub(crate) fn place(
+        &self,
+        m: &Motion<R>,
+        at: Spot<R>,
+        known: Option<Rotation<R>>,
+        i: &mut Instant<R>,
+    ) {
+        self.place_inlined(m, at, known, i);
+    }
+    /// [`Self::place`], compiled into the caller: what it knows of the motion is decided there.
+    #[inline(always)]
+    pub(crate) fn place_inlined(
         &self,
         m: &Motion<R>,
         at: Spot<R>,
@@ -35,36 +46,33 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         (i.u, i.placed, i.p) = (at.u, at.u, at.p);
         (i.g_u, i.g_p, i.r) = (Vec2::ZERO, Vec2::ZERO, Vec2::ZERO);
         (i.xi_u, i.xi_p, i.theta_u) = (R::ZERO, R::ZERO, R::ONE);
-        (i.angle, i.foot) = (at.u, m.foot);
+        i.foot = m.foot;
+        i.angle = match m.kind {
+            Kind::Line => m.line.angle - m.line.theta_u * (R::ONE - at.u),
+            Kind::Free | Kind::Pin | Kind::Slide => at.u,
+            Kind::Pair => m.angle + m.pair.twist.y * at.u,
+        };
+        i.rotation = known.unwrap_or_else(|| Rotation::by(i.angle));
         let hand = m.hand_at(at.p);
         let pull = hand.at + self.weight_force();
         match m.kind {
             Kind::Line => {
-                let left = R::ONE - at.u;
-                i.angle = m.line.angle - m.line.theta_u * left;
-                i.rotation = Rotation::by(i.angle);
-                i.g = m.line.to - m.line.g_u * left;
+                i.g = m.line.to - m.line.g_u * (R::ONE - at.u);
                 (i.g_u, i.theta_u) = (m.line.g_u, m.line.theta_u);
             }
             Kind::Free => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
                 i.g = pull;
                 i.g_p = m.hand_p.at;
             }
-            Kind::Pin => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
-                self.place_pin(m, i);
-            }
-            Kind::Slide => {
-                i.rotation = known.unwrap_or_else(|| Rotation::by(at.u));
-                self.place_slide(m, pull, i);
-            }
+            Kind::Pin => self.place_pin(m, i),
+            Kind::Slide => self.place_slide(m, pull, i),
             Kind::Pair => self.place_pair(m, i),
         }
         self.weigh(m, (pull, hand.angle), i);
     }
 
     /// G = c - r, the foot moved by p.
+    #[inline(always)]
     fn place_pin(&self, m: &Motion<R>, i: &mut Instant<R>) {
         i.foot = m.foot + m.foot_p * i.p;
         i.xi_p = m.foot_p;
@@ -73,15 +81,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.g = foot.c - foot.r;
         i.g_u = -foot.r.turned();
         if i.xi_p != R::ZERO {
-            let frame = self.frame(m.first(), i.rotation, i.g);
+            let frame = self.frame_inlined(m.first(), i.rotation, i.g);
             i.g_p = frame.t * i.xi_p;
         }
     }
 
     /// The foot where e·F = 0 (STATICS 3).
+    #[inline(always)]
     fn place_slide(&self, m: &Motion<R>, pull: Vec2<R>, i: &mut Instant<R>) {
         let Foot { c, r } = self.foot(m.first(), i.rotation, m.foot);
-        let frame = self.frame(m.first(), i.rotation, c - r);
+        let frame = self.frame_inlined(m.first(), i.rotation, c - r);
         let edge = self.edge(m.first(), &frame);
         let delta = edge.e.dot(pull - c + r) / edge.cos;
         i.foot = m.foot + delta;
@@ -100,6 +109,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// F, M, and the residual of balance with its partial derivatives (STATICS 3).
+    #[inline(always)]
     fn weigh(&self, m: &Motion<R>, (pull, phi): (Vec2<R>, R), i: &mut Instant<R>) {
         i.force = pull - i.g;
         // B, times w
@@ -110,9 +120,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let force_p = m.hand_p.at - i.g_p;
         match m.kind {
             Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
+            // The spring alone, however soft: in units of k_theta.
+            Kind::Free if self.weight == R::ZERO => {
+                (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
+            }
             Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment, m_theta, m_p),
             Kind::Pin | Kind::Slide => {
-                let turns = m.first().is_corner();
+                let turns = self.turns(m.first());
                 let r_u = if turns { -i.g_u } else { i.r.turned() };
                 i.e = i.moment - i.r.cross(i.force) - m.lasting;
                 i.e_u = m_theta - r_u.cross(i.force) + i.r.cross(i.g_u);
@@ -153,10 +167,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// E_up: E is linear in p, so its slope E_u is too (but for the slide of a C).
+    #[inline(always)]
     pub(crate) fn e_up(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         match m.kind {
             Kind::Line | Kind::Free => R::ZERO,
-            Kind::Pin | Kind::Slide if m.first().is_corner() => {
+            Kind::Pin | Kind::Slide if self.turns(m.first()) => {
                 i.r.dot(m.hand_p.at) - i.g_p.dot(i.force - i.r)
             }
             Kind::Pin | Kind::Slide => i.r.dot(m.hand_p.at - i.g_p),
@@ -165,6 +180,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// A Newton step of which only the first order matters.
+    #[inline(always)]
     pub(crate) fn nudge(&self, m: &Motion<R>, i: &mut Instant<R>, u: R) {
         let turn = i.theta_u * u;
         let b = i.rotation.apply(self.centroid) * self.weight;
@@ -174,14 +190,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.g = i.g + i.g_u * u;
         i.force = i.force - i.g_u * u;
         i.moment = i.moment + turn * (b.y - self.stiffness.value);
-        if m.first().is_corner() {
+        if self.turns(m.first()) {
             i.r = i.r - i.g_u * u;
         } else {
             i.r = i.r + i.r.turned() * turn;
         }
         if m.kind == Kind::Pair {
             let [_, second] = m.contacts;
-            i.r2 = if second.is_corner() {
+            i.r2 = if self.turns(second) {
                 i.r2 - i.g_u * u
             } else {
                 i.r2 + i.r2.turned() * turn
@@ -191,9 +207,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.e = R::ZERO;
     }
     /// The first Newton step u of a frozen parameter towards balance, of second order for a turn about a fixed point.
+    #[inline(always)]
     pub(crate) fn first_step(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let step = -i.e / i.e_u;
-        if m.kind != Kind::Pin || m.first().is_corner() {
+        if m.kind != Kind::Pin || self.turns(m.first()) {
             return step;
         }
         // E_uu
@@ -209,6 +226,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// Newton's iteration to balance at a fixed p, from a spot with the first step of u known.
+    #[inline(never)]
     pub(crate) fn balance(&self, m: &Motion<R>, from: Spot<R>, first: R, i: &mut Instant<R>) {
         let (mut u, mut step) = (from.u, first);
         for _ in 0..6 {

@@ -3,6 +3,7 @@
 
 use crate::geometry::{Angle, Rotation, Vec2, one_in};
 use crate::list::gather;
+use crate::obstacles::Corner;
 use crate::obstacles::axes::At;
 use crate::obstacles::union::unite;
 use crate::real::Real;
@@ -117,6 +118,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
                 normals: gather(normals::<R>(d.vertices)),
                 corners,
                 obstacles,
+                nowhere: Corner::NOWHERE,
                 stiffness: Stiffness::new(
                     R::from_si(k, units.per_moment(1)),
                     R::from_si(k, units.per_moment(64)),

@@ -31,7 +31,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match settling.next {
             Next::Rest => {
                 self.renew();
-                if self.statics.is_jammed(self.body) {
+                if self.statics.free_of_jam(self.body).is_none() {
                     self.log.limit(Status::Jammed);
                 }
                 self.errand.stage = Stage::Still;
@@ -39,45 +39,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Next::Slip(sense) => self.slip(sense),
             Next::Give => self.give(),
             Next::Relax(sense) => self.relax(sense),
-        }
-    }
-    /// The body comes to the balance of another stiffness: by a Newton step if that moves it by less than can be distinguished, otherwise as
-    /// after any change at the frozen hand.
-    pub(crate) fn rebalance(&mut self) {
-        let kind = match self.body.freedom() {
-            Freedom::Free => return,
-            Freedom::Turns => Kind::Pin,
-            Freedom::Slides => Kind::Slide,
-            Freedom::Together => Kind::Pair,
-            Freedom::Fixed => return self.errand.settle(Next::Relax(Sense::Rests)),
-        };
-        let m = if kind == Kind::Pair {
-            let pair = self.statics.sliding_pair(self.body, HandPose::REST);
-            Motion {
-                frozen: true,
-                ..pair
-            }
-        } else {
-            Motion::frozen(kind, self.body)
-        };
-        let mut i = self.statics.placed_at_start(&m);
-        if i.e.abs() <= self.statics.rounding(self.body) {
-            return;
-        }
-        let step = -i.e / i.e_u;
-        let is_small = i.e_u < R::ZERO && step.abs() <= R::MICRO;
-        if is_small || kind == Kind::Pair {
-            let spot = Spot { u: i.u, p: R::ZERO };
-            self.statics.balance(&m, spot, step, &mut i);
-            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
-            return self.body.go_to(&i, room);
-        }
-        self.errand.runs = 0;
-        match kind {
-            Kind::Slide => self.turn(Stage::Snap(kind)),
-            Kind::Line | Kind::Free | Kind::Pin | Kind::Pair => {
-                self.errand.settle(Next::Relax(Sense::Rests));
-            }
         }
     }
     /// A word has been done.
@@ -110,7 +71,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Free => self.fly(),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
-                if self.statics.placed_at_start(&m).e.abs() > little {
+                if !self.is_near_balance(&m) {
                     self.errand.from = self.body.angle;
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));
@@ -119,7 +80,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.settled(next);
             }
             Freedom::Slides | Freedom::Together | Freedom::Fixed => {
-                self.renew();
+                if !sense.slides() {
+                    self.renew();
+                }
                 let next = if sense.slides() && self.is_driven_on(sense, little) {
                     Next::Slip(sense)
                 } else if self.statics.bears(self.body, little) {
@@ -258,7 +221,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 return self.settled(Next::Relax(Sense::Rests));
             }
         }
-        self.log.limit(Status::Ambiguous);
+        // Borne as well as a load is known that was released: the hand has moved by up to 64 touches.
+        let known = R::TOUCH * R::from_int(64) + statics.rounding(self.body);
+        if !statics.bears(self.body, known) {
+            self.log.limit(Status::Ambiguous);
+        }
         self.settled(Next::Rest);
     }
     /// Only the contacts of a motion remain.
@@ -346,6 +313,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let next = if let Ending::Touch(feature) = ended.ending {
             self.touch(feature);
             self.body.stiction = false;
+            Next::Relax(Sense::Rests)
+        } else if ended.ending == Ending::GoesOn && ended.x > R::ZERO {
             Next::Relax(Sense::Rests)
         } else {
             Next::Rest

@@ -26,18 +26,10 @@ struct Part<R> {
     size: R,
 }
 
-/// A load shared out.
-struct Shared<R> {
-    /// Along each edge.
-    parts: Vec<R, MOST>,
-    /// It is borne, but not without reactions beyond the limit.
-    is_jammed: bool,
-}
-
 impl<R: Real> WrenchCone<R> {
     /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
     #[inline(never)]
-    fn shared(&self, load: Wrench<R>, little: R) -> Shared<R> {
+    fn shared(&self, load: Wrench<R>, little: R) -> Vec<R, MOST> {
         let mut parts = self.none();
         let (mut count, mut large) = (0_i32, None);
         for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
@@ -48,7 +40,6 @@ impl<R: Real> WrenchCone<R> {
                 large = Some(solution);
             }
         }
-        let is_jammed = count == 0 && large.is_some();
         if let (0, Some(solution)) = (count, large) {
             add(&mut parts, &solution);
         }
@@ -57,7 +48,7 @@ impl<R: Real> WrenchCone<R> {
             *part = *part * share;
         }
         self.approach(load, &mut parts);
-        Shared { parts, is_jammed }
+        parts
     }
     /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
     fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
@@ -122,8 +113,7 @@ impl<R: Real> WrenchCone<R> {
     fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<[Part<R>; 3]> {
         let (mut solution, volume) = self.on_three(edges, load)?;
         let presses = |solution: &[Part<R>; 3]| {
-            // Without a component that is as small as the residual, they leave no more.
-            let is_usable = |part: &Part<R>| part.size >= -little && part.size < R::HUGE;
+            let is_usable = |part: &Part<R>| part.size >= R::ZERO && part.size < R::HUGE;
             solution.iter().all(is_usable)
         };
         if !presses(&solution) {
@@ -274,42 +264,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body);
         let shared = cone.shared(load, little(load));
         let mut out: Reactions<R> = body.contacts.iter().map(|_| [R::ZERO; 2]).collect();
-        for (edge, &part) in cone.edges().iter().zip(&shared.parts) {
+        for (edge, &part) in cone.edges().iter().zip(&shared) {
             let [n, t] = edge.reaction(part);
             if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {
                 (*sum_n, *sum_t) = (*sum_n + n, *sum_t + t);
             }
         }
         out
-    }
-    /// The contacts bear the load, but only with reactions beyond the limit.
-    pub(crate) fn is_jammed(&self, body: &Body<R>) -> bool {
-        self.reserve(body).is_none()
-    }
-    /// How much the load may grow until the contacts jam, |load| (64 - N)/N of the largest N, as reactions grow with it (R17); none if they
-    /// jam already.
-    pub(crate) fn reserve(&self, body: &Body<R>) -> Option<R> {
-        if body.freedom() != Freedom::Fixed || self.is_edge(&body.contacts) {
-            return Some(R::HUGE);
-        }
-        let (cone, load) = (self.cone(body), self.present_load(body));
-        let Shared { parts, is_jammed } = cone.shared(load, little(load));
-        if is_jammed {
-            return None;
-        }
-        let mut pressing = [R::ZERO; MAX_CONTACTS];
-        for (edge, &part) in cone.edges().iter().zip(&parts) {
-            if let Some(sum) = pressing.get_mut(edge.contact) {
-                *sum = *sum + edge.cone.cos * part;
-            }
-        }
-        let most = pressing.into_iter().fold(R::ZERO, R::max);
-        let left = (R::limit() - most).max(R::ZERO);
-        Some(if most > R::ZERO {
-            load.size() * (left / most)
-        } else {
-            R::HUGE
-        })
     }
     /// The motion of two contacts that slide, in the direction of their senses: the one in which friction takes power by their velocities, as
     /// a foot that turns back goes the same way in both.

@@ -107,13 +107,15 @@ pub(crate) enum Freedom {
 
 impl<R: Real> Body<R> {
     pub(crate) fn freedom(&self) -> Freedom {
-        let [first, second] = self.contacts.pair();
-        match self.contacts.len() {
-            0 => Freedom::Free,
-            1 if first.sense.slides() => Freedom::Slides,
-            _ if first.sense.slides() || second.sense.slides() => Freedom::Together,
-            _ if self.contacts.turn_about_first() => Freedom::Turns,
-            _ => Freedom::Fixed,
+        match self.contacts.as_slice() {
+            [] => Freedom::Free,
+            [only] if only.sense.slides() => Freedom::Slides,
+            [_] => Freedom::Turns,
+            [first, second, ..] if first.sense.slides() || second.sense.slides() => {
+                Freedom::Together
+            }
+            [_, _, ..] if self.contacts.turn_about_first() => Freedom::Turns,
+            [_, _, ..] => Freedom::Fixed,
         }
     }
     /// The body at an instant of a motion of its own.

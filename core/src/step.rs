@@ -68,10 +68,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
         self.do_piece(to, more);
-        // Before a jump nothing has moved yet.
-        let about_to_jump = self.errand.jumps && self.body.hand != to;
-        if self.errand.stage == Stage::Still && !about_to_jump {
-            self.log_slide();
+        if C > 0
+            && self.errand.stage == Stage::Still
+            && self.errand.search.motion.kind == Kind::Pair
+        {
+            self.statics.widen(self.body);
+        }
+        if self.errand.stage == Stage::Still {
+            self.log_slide(to);
         }
     }
     fn do_piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
@@ -156,9 +160,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             | Ending::GivesWay) => Stage::At(ending),
         };
     }
-    /// Logs where a slide begins and ends.
-    fn log_slide(&mut self) {
+    /// Logs where a slide begins and ends, on the way to a pose. What begins before a jump has not moved yet; what ended has.
+    fn log_slide(&mut self, to: HandPose<R>) {
         let slides = self.body.contacts.iter().any(|c| c.sense.slides());
+        let about_to_jump = self.errand.jumps && self.body.hand != to;
+        if slides && about_to_jump {
+            return;
+        }
         if slides && !self.errand.slid {
             self.log.event(Event::Slide);
         } else if self.errand.slid && !slides && !self.body.contacts.is_empty() {
@@ -274,16 +282,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
     }
-    /// The contacts bear the load, and any one that differs by less than the slack; whether they jam is examined where a load that
-    /// grows would reach it, at the latest before it has doubled.
+    /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
     fn stay(&mut self, slack: R) {
-        let Some(reserve) = self.statics.reserve(self.body) else {
+        let Some(change) = self.statics.free_of_jam(self.body) else {
             return self.log.limit(Status::Jammed);
         };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
-            let load = self.statics.present_load(self.body);
-            self.body.slack = slack.min(R::ONE + load.size()).min(reserve);
+            self.body.slack = slack.min(change);
         }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.

@@ -44,9 +44,10 @@ pub(crate) trait Thresholds: Real {
     fn of_balance(load: Self) -> Self {
         Self::EPSILON * Self::from_int(8) * (Self::ONE + load)
     }
-    /// 64 ε (1 + load) (k_h L²): a moment with which a slip begins and that lasts until it ends; less is the rounding of eight such residuals.
+    /// zero + 64 ε (1 + load) (k_h L²): a moment with which a slip begins and that lasts until it ends; less is what a search leaves of the
+    /// balance that it ends in, and the rounding of eight residuals.
     fn of_lasting_moment(load: Self) -> Self {
-        Self::of_balance(load) * Self::from_int(8)
+        Self::zero() + Self::of_balance(load) * Self::from_int(8)
     }
     /// 2 ε (1 + load) (k_h L²): the load drives a motion by more than the rounding of one product.
     fn of_drive(load: Self) -> Self {

@@ -111,11 +111,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
     /// A contact and all that close together with it; the pose exactly on them.
     pub(crate) fn touch(&mut self, feature: Feature) {
-        let before = self.statics.kind(&self.body.contacts);
+        let before = self.body.contacts;
         self.statics.join(self.body, feature, R::TOUCH);
         self.statics.join_closed(self.body, R::TOUCH);
-        let after = self.statics.kind(&self.body.contacts);
-        self.log.touch(before, after);
+        let [was, is] = [&before, &self.body.contacts].map(|contacts| self.statics.kind(contacts));
+        if self.body.contacts.len() > before.len() {
+            self.log.touch(was, is);
+        } else {
+            self.log.replace(was, is);
+        }
     }
     /// On the hand's path.
     pub(crate) fn touches(&mut self, feature: Feature) {

@@ -40,6 +40,7 @@ pub(crate) enum Begin<'a, R> {
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// The end of a window of a curve, from a beginning in balance to p1, if the window is certainly on one stable branch: the instant in
     /// `out`, and bounds. Otherwise the part of the window that may be.
+    #[inline(never)]
     pub(crate) fn window(
         &self,
         m: &Motion<R>,
@@ -47,33 +48,40 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         p1: R,
         out: &mut Instant<R>,
     ) -> Result<Pace<R>, R> {
-        // E and E_u at the same u with the hand at p1: E is linear in p.
-        let (first, way, e1, s0, s1) = match begin {
+        let (first, residual) = match begin {
             Begin::At(i) => {
+                // E and E_u at the same u with the hand at p1: E is linear in p.
                 let way = p1 - i.p;
                 let s1 = -(i.e_u + self.e_up(m, i) * way);
-                (i, way, i.e + i.e_p * way, -i.e_u, s1)
+                let (e1, s0) = (i.e + i.e_p * way, -i.e_u);
+                (i, Residual { way, e1, s0, s1 })
             }
             Begin::Spot { spot, rotation } => {
                 let known = (m.kind != Kind::Pair).then_some(rotation);
                 self.place(m, Spot { p: p1, ..spot }, known, out);
-                let way = p1 - spot.p;
-                let s0 = self.e_up(m, out) * way - out.e_u;
-                (&*out, way, out.e, s0, -out.e_u)
+                (&*out, self.residual_after(m, out, p1 - spot.p))
             }
         };
-        let pace = self.certified(m, first, Residual { way, e1, s0, s1 })?;
+        let pace = self.certified(m, first, residual)?;
         let (spot, step) = match begin {
-            Begin::At(i) => {
-                let e_u1 = i.e_u + self.e_up(m, i) * way;
-                (Spot { u: i.u, p: p1 }, -(i.e + i.e_p * way) / e_u1)
-            }
+            Begin::At(i) => (Spot { u: i.u, p: p1 }, residual.e1 / residual.s1),
             Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
         };
         self.balance(m, spot, step, out);
         Ok(pace)
     }
+    /// The residual of a window of this width that ends at an instant with the u of its beginning.
+    #[inline(always)]
+    pub(crate) fn residual_after(&self, m: &Motion<R>, i: &Instant<R>, way: R) -> Residual<R> {
+        Residual {
+            way,
+            e1: i.e,
+            s0: self.e_up(m, i) * way - i.e_u,
+            s1: -i.e_u,
+        }
+    }
     /// One stable branch of balance on a window, with the bounds of its rates: (E9), (E10). Otherwise the part of the window that may be.
+    #[inline(always)]
     pub(crate) fn certified(
         &self,
         m: &Motion<R>,
@@ -145,8 +153,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         })
     }
     /// Q
+    #[inline(always)]
     fn chord(&self, m: &Motion<R>, i: &Instant<R>) -> R {
-        if m.kind == Kind::Slide && m.first().is_corner() {
+        if m.kind == Kind::Slide && self.turns(m.first()) {
             self.curvature(
                 m,
                 i,

@@ -143,6 +143,8 @@ pub(crate) struct World<R, const V: usize, const S: usize, const C: usize> {
     /// The inward normals of the body's sides, body frame.
     pub(crate) normals: Vec<Vec2<R>, V>,
     pub(crate) corners: Vec<Corner<R>, C>,
+    /// [`Corner::NOWHERE`]: what stands for a corner or side that there is not.
+    pub(crate) nowhere: Corner<R>,
     pub(crate) obstacles: Vec<Obstacle<R>, C>,
     pub(crate) stiffness: Stiffness<R>,
     /// w >= 0: the size of the weight, which acts along -y.
@@ -186,14 +188,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
     }
     /// A half-plane, or a side of an obstacle after them; one that nothing reaches if there is none of that index.
-    pub(crate) fn side(&self, index: u8) -> Side<R> {
-        let side = self.world.sides.get(usize::from(index));
-        if C > 0 && side.is_none() {
-            return self
-                .corner_of_side(index)
-                .map_or(Side::NOWHERE, |corner| self.corner(corner).side);
+    pub(crate) fn side(&self, index: u8) -> &Side<R> {
+        match self.world.sides.get(usize::from(index)) {
+            Some(side) => side,
+            None if C == 0 => &self.world.nowhere.side,
+            None => {
+                let corner = self.corner_of_side(index);
+                corner.map_or(&self.world.nowhere.side, |c| &self.corner(c).side)
+            }
         }
-        side.copied().unwrap_or(Side::NOWHERE)
     }
     /// All half-planes, with their indices.
     pub(crate) fn sides(&self) -> impl Iterator<Item = (u8, &Side<R>)> {

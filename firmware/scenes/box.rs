@@ -1,10 +1,10 @@
-// The scene in the images `footprint` and `count_scene`: a box on a floor. `lab footprint` replaces it with others, each in several
-// models: files that define the same three names, given by the environment variable STICTION_SCENE_CODE.
+// The scene in the images `footprint` and `count_scene`: a box on a floor. `lab footprint` replaces it with others, each with
+// several capacities: files that define these three names, given by the environment variable STICTION_SCENE_CODE.
 
-use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightless};
+use stiction_core::{Description, Evolution, Scene, SurfaceDescription};
 
-/// The number type, the capacities for vertices and surfaces, and the model that the scene needs.
-pub(crate) type CompiledScene = Scene<f32, 4, 1, Weightless>;
+/// The number type and the capacities for vertices, surfaces and corners that the scene needs.
+pub(crate) type CompiledScene = Scene<f32, 4, 1, 0>;
 /// How a frame is evolved.
 pub(crate) const EVOLUTION: Evolution = Evolution::Path;
 /// The scene, SI units.

@@ -2,12 +2,14 @@
 
 use std::collections::HashMap;
 use stiction_core::{Evolution, Fixed, Real, SiFloat, StateKind, Status, Touch};
-use stiction_firmware::bits::{CORNERS, Place, follow, of_walk};
+use stiction_firmware::bits::{CORNERS, follow, of_walk};
 
 const FRAMES: u32 = 10_000;
 
 /// How often each state was held, after checking what must hold for every answer.
-fn held_states<R: Real<Si: SiFloat>, M: Place>(evolution: Evolution) -> HashMap<StateKind, u32> {
+fn held_states<R: Real<Si: SiFloat>, const C: usize>(
+    evolution: Evolution,
+) -> HashMap<StateKind, u32> {
     let (mut seen, mut limited, mut states) = (0, 0, HashMap::new());
     follow::<R, C>(evolution, FRAMES, |answer| {
         let output = &answer.output;

@@ -1,9 +1,10 @@
 //! A job of the instruction bench returns the solver's own answers; bytes that are not a job are refused.
 
 use crate::with;
-use stiction_core::{Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription};
+use stiction_core::{
+    Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+};
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, Totals, run};
-use stiction_firmware::model::BoardModel;
 use stiction_tests::station::{BOX, FLOOR};
 use stiction_wire::{Command, Decoder, EventSet, Frame, Mode, Pose, Report, SceneCommand};
 
@@ -119,7 +120,7 @@ fn answers(results: &[u8]) -> Vec<(u32, Pose, u32, u32)> {
 }
 
 fn comes_back<R: Real<Si = f32>>(evolution: Evolution) {
-    let (totals, results) = done::<R, 8, 4, Full>(None, job_of(&SCENE, evolution)).unwrap();
+    let (totals, results) = done::<R, 8, 4, 0>(None, job_of(&SCENE, evolution)).unwrap();
     assert_eq!(totals.stack, 4321);
     let answers = answers(&results);
     assert_eq!(answers.len(), SAMPLES as usize);
@@ -149,17 +150,14 @@ fn a_job_comes_back_with_the_answers_of_the_solver() {
 }
 
 #[test]
-fn in_a_model_of_its_own_it_gives_the_same_answers() {
-    let weightless = with(SCENE, |scene| scene.weight = 0.0);
-    let own = done::<f32, 8, 4, Full>(None, job_of(&weightless, Evolution::Frame)).unwrap();
-    let in_model = |scene| {
-        let job = job_of(scene, Evolution::Path);
-        done::<f32, 4, 2, Weightless>(Some(Evolution::Frame), job)
-    };
-    let small = in_model(&weightless).unwrap();
-    assert_eq!(answers(&own.1), answers(&small.1));
-    assert!(small.0.solver < own.0.solver);
-    assert!(matches!(in_model(&SCENE), Err(Failure::Scene(_))));
+fn with_a_capacity_of_its_own_it_gives_the_same_answers() {
+    let large = done::<f32, 8, 4, 9>(None, job_of(&SCENE, Evolution::Frame)).unwrap();
+    let small =
+        done::<f32, 4, 2, 0>(Some(Evolution::Frame), job_of(&SCENE, Evolution::Path)).unwrap();
+    assert_eq!(answers(&large.1), answers(&small.1));
+    assert!(small.0.solver < large.0.solver);
+    let too_small = done::<f32, 3, 2, 0>(None, job_of(&SCENE, Evolution::Path));
+    assert!(matches!(too_small, Err(Failure::Scene(_))));
 }
 
 #[test]
@@ -176,7 +174,7 @@ fn what_is_not_a_job_is_refused() {
         scene.clone(),
         [scene.clone(), scene].concat(),
     ] {
-        let failure = done::<f32, 8, 4, Full>(None, other).err();
+        let failure = done::<f32, 8, 4, 0>(None, other).err();
         assert_eq!(failure, Some(Failure::Format));
     }
     let sunk = job_of(
@@ -184,7 +182,7 @@ fn what_is_not_a_job_is_refused() {
         Evolution::Path,
     );
     assert!(matches!(
-        done::<f32, 8, 4, Full>(None, sunk),
+        done::<f32, 8, 4, 0>(None, sunk),
         Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
     ));
 }

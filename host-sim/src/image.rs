@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use crate::columns::thousands;
 use crate::files::whole::write;
-use crate::firmware::board::{Board, OBSTACLES};
+use crate::firmware::board::Board;
 use crate::firmware::image::{Contents, parts};
 use crate::firmware::process::EmulatorError;
 use crate::firmware::uf2::{Family, blocks, uf2};
@@ -34,9 +34,6 @@ pub struct ImageArgs {
     /// Scene file (TOML), or the name of a bundled scene, to compile in instead of the board's own: the board has room for this scene alone
     #[arg(add = scene_completer())]
     scene: Option<PathBuf>,
-    /// Leave room for scenes with obstacles, sent over the wire
-    #[arg(long, conflicts_with = "scene")]
-    obstacles: bool,
     /// Device at the board's pins; without one the hand comes over the serial line
     #[arg(long)]
     device: Option<Device>,
@@ -56,10 +53,6 @@ pub(crate) enum ImageError {
     Write(#[from] WriteError),
     #[error("{0} has no drive that takes UF2, allowed: --out FILE.elf")]
     NoDrive(&'static str),
-    #[error(
-        "{0} has no room for obstacles over the wire, allowed: a scene with obstacles to compile in"
-    )]
-    NoObstacles(&'static str),
     #[error("{board} has no pins for a {device}, allowed: {allowed}")]
     NoDevice {
         board: &'static str,
@@ -120,17 +113,14 @@ pub(crate) fn image(args: &ImageArgs) -> Result<(), ImageError> {
         (ImageFormat::Uf2, None) => return Err(ImageError::NoDrive(board.name)),
         (ImageFormat::Uf2, family) => family,
     };
-    if args.obstacles && !board.takes_obstacles() {
-        return Err(ImageError::NoObstacles(board.name));
-    }
-    let features = features(args)?;
+    let device = device(args)?;
     let scene = args.scene.as_deref().map(usable_scene).transpose()?;
     check(args.scene.as_deref(), [("--out", out.clone())])?;
     board.require_build()?;
     let building = Activity::begin(format!("building the image of {}", board.name));
     let image = match &scene {
-        Some(scene) => built_with(board, &features, scene)?,
-        None => board.image(&features, None)?,
+        Some(scene) => built_with(board, device, scene)?,
+        None => board.image(device, None)?,
     };
     building.end();
     let bytes = match family {
@@ -142,8 +132,8 @@ pub(crate) fn image(args: &ImageArgs) -> Result<(), ImageError> {
     Ok(())
 }
 
-/// The features of the boards' package, as cargo takes them.
-fn features(args: &ImageArgs) -> Result<String, ImageError> {
+/// The feature of the boards' package for the device at the pins; "" for none.
+fn device(args: &ImageArgs) -> Result<&'static str, ImageError> {
     let board = args.board;
     let device = args.device.map(Device::feature);
     if let Some(device) = device.filter(|device| !board.devices.contains(device)) {
@@ -156,9 +146,7 @@ fn features(args: &ImageArgs) -> Result<String, ImageError> {
             },
         });
     }
-    let obstacles = args.obstacles.then_some(OBSTACLES);
-    let all: Vec<&str> = device.into_iter().chain(obstacles).collect();
-    Ok(all.join(","))
+    Ok(device.unwrap_or_default())
 }
 
 fn out(args: &ImageArgs) -> (PathBuf, ImageFormat) {

@@ -4,8 +4,8 @@
 use super::Obstacle;
 use super::axes::{At, Axis, Normal, speed};
 use crate::bounds::Bound;
-use crate::contact::{Contact, Feature, Sense};
-use crate::events::{Ending, Judging, Watch, Which};
+use crate::contact::{Contact, Feature};
+use crate::events::{Ending, Judging};
 use crate::judge::{Found, Track};
 use crate::motion::{Instant, Kind, Motion};
 use crate::real::Real;
@@ -15,8 +15,8 @@ use crate::thresholds::Thresholds;
 use crate::values::Value;
 use crate::world::Statics;
 
-/// What a window did with an obstacle: how far it is at the end, or that it is touched where the window begins.
-type Watched<R> = Result<R, Feature>;
+/// What a window did with an obstacle: how far it is at the end, or what is touched where the window begins.
+pub(super) type Left<R> = Result<R, Feature>;
 
 impl<R: Real> Instant<R> {
     /// Where the body is.
@@ -53,7 +53,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> Option<R> {
         let (o, at) = (self.obstacle(index), i.at());
         let far = self.distance_bound(&o, i.g);
-        if far > b.way.doubled() || self.is_kept_behind(body, index) {
+        if far > b.way.doubled() || self.is_behind_contacts(body, index) {
             return Some(if far > b.way.doubled() { far } else { R::HUGE });
         }
         let own = self.own_axis(body, index);
@@ -97,7 +97,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         own.last().and_then(|c| self.normal_of(c))
     }
     /// What lies behind the side of a contact is as far as that side lets the body come.
-    fn is_kept_behind(&self, body: &Body<R>, index: u8) -> bool {
+    fn is_behind_contacts(&self, body: &Body<R>, index: u8) -> bool {
         let o = self.obstacle(index);
         let is_own = |c: Contact| self.obstacle_of(c) == Some(index);
         !body.contacts.iter().any(is_own)
@@ -109,62 +109,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
-    /// The ends of the sides on which contacts slide.
-    pub(crate) fn judge_ends(&mut self, found: &mut Found<R>) -> Option<Ended<R>> {
-        let motion = self.watched.motion;
-        let watch = self.watched.watch;
-        let sliding: &[Which] = match watch {
-            Watch::Slip(_) | Watch::Slide | Watch::Topple => &[Which::First],
-            Watch::Joint | Watch::JointSlip => &[Which::First, Which::Second],
-            Watch::Way | Watch::Stick | Watch::Corner | Watch::Turn => &[],
-        };
-        for &which in sliding {
-            let contact = which.of(motion.contacts);
-            let [a, b] = self.watched.statics.ends(contact);
-            let sense = match watch {
-                Watch::Slip(sense) => sense,
-                Watch::Topple => Sense::of(self.hi.rates.xi),
-                Watch::Way
-                | Watch::Stick
-                | Watch::Corner
-                | Watch::Turn
-                | Watch::Slide
-                | Watch::Joint
-                | Watch::JointSlip => contact.sense,
-            };
-            if !sense.slides() || b >= R::HUGE {
-                continue;
-            }
-            let statics = self.watched.statics;
-            // Half a touch more than where a contact counts as on its side.
-            let room = |end: &WindowEnd<R>| {
-                let i = &end.instant;
-                let xi = if which == Which::First {
-                    i.foot
-                } else {
-                    statics.foot_of(contact, i.rotation, i.g)
-                };
-                let left = if sense == Sense::Plus { b - xi } else { xi - a };
-                Value {
-                    v: left + R::TOUCH,
-                    d: R::ZERO,
-                }
-            };
-            let end = room(self.hi);
-            if end.v > R::zero() {
-                continue;
-            }
-            self.know_low();
-            let begin = room(self.lo);
-            let is_over = begin.v <= R::ZERO && self.bracket.certain == R::ZERO;
-            if is_over && end.v <= begin.v {
-                return Some(self.ended_low(Ending::Ends(which), R::ZERO));
-            }
-            self.judge(found, &Track::monotonous(Ending::Ends(which), [begin, end]));
-        }
-        None
-    }
-
     /// All obstacles; the least gap of those that are apart.
     pub(crate) fn judge_obstacles(
         &mut self,
@@ -179,14 +123,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 *room = room.min(far);
                 continue;
             }
-            if statics.is_kept_behind(self.watched.body, index) {
+            if statics.is_behind_contacts(self.watched.body, index) {
                 continue;
             }
-            let watched = match statics.own_axis(self.watched.body, index) {
+            let left = match statics.own_axis(self.watched.body, index) {
                 Some(normal) => self.judge_own(on, found, &o, normal),
                 None => self.judge_other(on, found, &o),
             };
-            match watched {
+            match left {
                 Ok(gap) => *room = room.min(gap),
                 Err(feature) => return Some(self.ended_low(Ending::Touch(feature), R::ZERO)),
             }
@@ -194,7 +138,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         None
     }
     /// The gap along an axis at an end of the window.
-    fn value_along(&self, o: &Obstacle<R>, normal: Normal, k: u8, end: &WindowEnd<R>) -> Value<R> {
+    pub(super) fn value_along(
+        &self,
+        o: &Obstacle<R>,
+        normal: Normal,
+        k: u8,
+        end: &WindowEnd<R>,
+    ) -> Value<R> {
         let (statics, at) = (self.watched.statics, end.instant.at());
         let axis = statics.axis(o, normal, at);
         let lever = statics.lever(&axis, k, at);
@@ -203,12 +153,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             d: axis.n.dot(end.rates.g + lever.turned() * end.rates.theta),
         }
     }
-    fn bend(&self, on: &Judging<R>, axis: &Axis<R>, k: u8) -> R {
+    pub(super) fn bend(&self, on: &Judging<R>, axis: &Axis<R>, k: u8) -> R {
         self.watched
             .statics
             .bend_along(self.watched.motion, &self.hi.instant, &on.bound, axis, k)
     }
-    fn is_held(&self, axis: &Axis<R>, k: u8) -> bool {
+    pub(super) fn is_held(&self, axis: &Axis<R>, k: u8) -> bool {
         let (statics, contacts) = (self.watched.statics, &self.watched.body.contacts);
         statics
             .feature(axis, k)
@@ -221,7 +171,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         found: &mut Found<R>,
         o: &Obstacle<R>,
         normal: Normal,
-    ) -> Watched<R> {
+    ) -> Left<R> {
         let (statics, motion) = (self.watched.statics, self.watched.motion);
         let [first, second] = motion.contacts;
         // Along one line nothing comes nearer.
@@ -262,156 +212,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             );
         }
         Ok(room)
-    }
-    /// Whether an axis certainly keeps an obstacle apart on a window; contacts that are held aside.
-    fn keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>, normal: Normal) -> bool {
-        let (statics, tol) = (self.watched.statics, R::zero());
-        let axis = statics.axis(o, normal, self.hi.instant.at());
-        let mut all = statics.compared(o, &axis);
-        all.all(|k| {
-            if self.is_held(&axis, k) {
-                return true;
-            }
-            let begin = self.value_along(o, normal, k, self.lo);
-            let end = self.value_along(o, normal, k, self.hi);
-            let half = self.bend(on, &axis, k).halved();
-            if end.v > tol.max(half) && begin.v >= -tol {
-                return true;
-            }
-            if begin.v <= tol && end.v < begin.v && begin.d < -tol * speed(&self.lo.rates) {
-                return false;
-            }
-            // What lies a little behind, a step that is none, may not go farther.
-            let floor = begin.v.min(R::ZERO);
-            if begin.v < -R::MICRO || end.v < floor - tol {
-                return false;
-            }
-            let (p, q) = ((begin.v - floor).sqrt(), (end.v - floor).sqrt());
-            (p + q) * (p + q) >= half || half <= tol
-        })
-    }
-    /// An obstacle that is not in contact: an axis that keeps it apart, or what touches where the widest one closes.
-    fn judge_other(
-        &mut self,
-        on: &Judging<R>,
-        found: &mut Found<R>,
-        o: &Obstacle<R>,
-    ) -> Watched<R> {
-        let (statics, tol) = (self.watched.statics, R::zero());
-        let Some(end) = statics.widest(o, self.hi.instant.at()) else {
-            // A point and a pin do not meet.
-            return Ok(R::HUGE);
-        };
-        if end.gap > on.bound.way.doubled() {
-            return Ok(end.gap);
-        }
-        self.know_low();
-        if end.gap > tol && self.keeps_apart(on, o, end.axis.normal) {
-            return Ok(end.gap);
-        }
-        let body = self.watched.body;
-        for contact in body.contacts.iter().filter(|c| c.is_corner()) {
-            let Some(normal) = statics.normal_of(contact) else {
-                continue;
-            };
-            if self.keeps_apart(on, o, normal) {
-                let at = self.hi.instant.at();
-                let axis = statics.axis(o, normal, at);
-                return Ok(statics.along(o, axis, at).gap.max(R::ZERO));
-            }
-        }
-        let Some(begin) = statics.widest(o, self.lo.instant.at()) else {
-            return Ok(R::HUGE);
-        };
-        if begin.gap > tol {
-            return Ok(self.judge_witness(on, found, o, begin.axis.normal));
-        }
-        // It touches already: the axis that closes most slowly.
-        let at = self.lo.instant.at();
-        let step = R::MICRO.max(tol - begin.gap);
-        let Some(slowest) = statics.slowest(o, [at, at], &self.lo.rates, step) else {
-            return Ok(R::ZERO);
-        };
-        let still = tol * speed(&self.lo.rates);
-        let [then, now] = [&*self.lo, &*self.hi].map(|end| {
-            let at = end.instant.at();
-            let axis = statics.axis(o, slowest.axis.normal, at);
-            statics.along(o, axis, at).gap
-        });
-        let closes = slowest.rate < -still && now < then;
-        let is_deep = slowest.rate <= still && then < -R::TOUCH;
-        if (closes || is_deep)
-            && let Some((feature, _)) = slowest.contact
-        {
-            return Err(feature);
-        }
-        if self.keeps_apart(on, o, slowest.axis.normal) {
-            return Ok(now.max(R::ZERO));
-        }
-        Ok(self.judge_witness(on, found, o, slowest.axis.normal))
-    }
-    /// Where the axis that keeps an obstacle apart closes another one may be open, or not close.
-    fn judge_witness(
-        &mut self,
-        on: &Judging<R>,
-        found: &mut Found<R>,
-        o: &Obstacle<R>,
-        normal: Normal,
-    ) -> R {
-        let (statics, tol) = (self.watched.statics, R::zero());
-        let at = self.hi.instant.at();
-        let axis = statics.axis(o, normal, at);
-        let gap = statics.along(o, axis, at).gap;
-        if gap.abs() <= tol {
-            let is_kept = self.keeps_apart(on, o, normal);
-            if let Some(widest) = statics.widest(o, at)
-                && widest.gap > tol
-            {
-                found.unsure |= !is_kept;
-                return widest.gap;
-            }
-            let both = [self.lo.instant.at(), at];
-            if let Some(slowest) = statics.slowest(o, both, &self.hi.rates, R::MICRO) {
-                found.unsure |= !is_kept && self.bracket.width() > tol;
-                let still = tol * speed(&self.hi.rates);
-                let level = statics.along(o, slowest.axis, at).gap;
-                if slowest.rate > still || slowest.rate >= -still && level >= -tol {
-                    return R::ZERO;
-                }
-                if let Some((feature, _)) = slowest.contact {
-                    found.hit = found.hit.or(Some((Ending::Touch(feature), R::ZERO)));
-                }
-            }
-            return R::ZERO;
-        }
-        for k in statics.compared(o, &axis) {
-            let begin = self.value_along(o, normal, k, self.lo);
-            let end = self.value_along(o, normal, k, self.hi);
-            let half = self.bend(on, &axis, k).halved();
-            let floor = if begin.v >= -R::MICRO {
-                begin.v.min(R::ZERO)
-            } else {
-                R::ZERO
-            };
-            if end.v > tol.max(half) {
-                continue;
-            }
-            if end.v > tol {
-                let (p, q) = (begin.v.max(R::ZERO).sqrt(), end.v.sqrt());
-                found.unsure |= (p + q) * (p + q) < half;
-            } else if end.v >= floor - tol && end.v < -tol {
-                found.unsure |= half > tol;
-            } else if end.v < -tol {
-                let touch = statics.feature(&axis, k).map(Ending::Touch);
-                let at = self.crossing(&Track::gap(
-                    touch.unwrap_or(Ending::GoesOn),
-                    [begin, end],
-                    half,
-                ));
-                found.cross = found.cross.min(at);
-                found.crossing = found.crossing.or(touch).or(Some(Ending::GoesOn));
-            }
-        }
-        R::ZERO
     }
 }

@@ -174,6 +174,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let way = o.middle - g;
         way.x.abs().max(way.y.abs()) - o.radius - self.size()
     }
+    /// How far behind an axis counts as a step that is none: 2^-19 L; of a thin body and a thin obstacle nothing, since both sides of a wall
+    /// are nearer to each other.
+    pub(crate) fn step_behind(&self, o: &Obstacle<R>) -> R {
+        if self.world.vertices.len() < 3 && o.count < 3 {
+            R::zero()
+        } else {
+            R::MICRO
+        }
+    }
     /// At a place where they touch: the axis whose gap closes most slowly, of those with a gap of at least -`step`, now and before; of two
     /// thin shapes only those in front of which the body was. Rates before levels.
     pub(crate) fn slowest(
@@ -184,8 +193,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         step: R,
     ) -> Option<Slowest<R>> {
         let little = R::zero() * speed(rates);
-        let is_thin = self.world.vertices.len() < 3 && o.count < 3;
-        let step_before = if is_thin { R::zero() } else { step };
+        let behind = self.step_behind(o);
+        let step_before = if behind < R::MICRO { behind } else { step };
         let mut best: Option<Slowest<R>> = None;
         for axis in self.axes(o, at) {
             let then = self.axis(o, axis.normal, before);
@@ -227,8 +236,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         at: At<R>,
         rates: &Rates<R>,
     ) -> Option<(R, Option<Feature>)> {
-        let (mut least, mut on): (Option<(R, Option<Feature>)>, Option<(R, Feature)>) =
-            (None, None);
+        let mut least: Option<(R, Option<Feature>)> = None;
+        let mut on: Option<(R, Feature)> = None;
         for k in self.compared(o, axis) {
             let lever = self.lever(axis, k, at);
             if self.gap_along(axis, lever, at) > R::zero() {

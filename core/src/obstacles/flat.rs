@@ -3,7 +3,7 @@
 use super::axes::At;
 use crate::contact::{Contact, Feature};
 use crate::frame::Frame;
-use crate::geometry::Vec2;
+use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
 use crate::state::Body;
 use crate::thresholds::Thresholds;
@@ -136,6 +136,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         is_alike(f.n, n)
             && f.n.dot(way).abs() <= tol.doubled()
             && (reach <= tol * R::from_int(4) || self.is_in_line(a, b))
+    }
+    /// The frames of two contacts; those of a vertex and a corner in one line have one normal, whatever the rounding of the body's angle.
+    pub(crate) fn frames(
+        &self,
+        pair: [Contact; 2],
+        rotation: Rotation<R>,
+        g: Vec2<R>,
+    ) -> [Frame<R>; 2] {
+        self.levelled(pair, pair.map(|c| self.frame(c, rotation, g)))
+    }
+    pub(crate) fn levelled(&self, [a, b]: [Contact; 2], frames: [Frame<R>; 2]) -> [Frame<R>; 2] {
+        let [first, second] = frames;
+        if C == 0 || first.turns == second.turns || !self.is_in_line(a, b) {
+            return frames;
+        }
+        let (n, t) = (first.n, first.t);
+        [first, Frame { n, t, ..second }]
     }
     /// Two contacts of nearly one normal on one side of the body, or in one line.
     pub(crate) fn is_flat(&self, a: Contact, b: Contact, at: At<R>) -> bool {

@@ -66,6 +66,26 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut all = self.obstacles();
         all.find_map(|(index, _)| self.touches_obstacle(body, index, within))
     }
+    /// A body that has slid flat on others: what lies farther out bears now (R38).
+    pub(crate) fn widen(&self, body: &mut Body<R>) {
+        let [first, second] = body.contacts.pair();
+        if !self.is_edge(&body.contacts) {
+            return;
+        }
+        let [Some(low), Some(high)] = self.flat(first, body.at(), R::TOUCH.doubled()) else {
+            return;
+        };
+        let is_new = |end: Contact| !body.contacts.contains(end.feature);
+        let is_even = self.is_even(low, high) && self.is_even(low, first);
+        if is_even && (is_new(low) || is_new(high)) {
+            let sense = first.sense;
+            let is_led = high.feature == first.feature || low.feature == second.feature;
+            let [a, b] = if is_led { [high, low] } else { [low, high] };
+            body.contacts.keep(&[a.with(sense), b.with(sense)]);
+            body.forget();
+            self.find_foot(body);
+        }
+    }
     /// All obstacles that are closed within a distance join the contacts.
     pub(crate) fn join_obstacles(&self, body: &mut Body<R>, within: R) {
         for (index, _) in self.obstacles() {

@@ -20,13 +20,13 @@ type Point = Vec2<f64>;
 
 /// A line with its free side, as that of a half-plane.
 #[derive(Clone, Copy)]
-struct Line {
+struct Straight {
     normal: Point,
     offset: f64,
     /// The first side in it.
     index: u8,
 }
-impl Line {
+impl Straight {
     fn tangent(&self) -> Point {
         Vec2::new(self.normal.y, -self.normal.x)
     }
@@ -42,7 +42,7 @@ struct Raw {
     at: Point,
     to: Point,
     /// None for a pin.
-    line: Option<Line>,
+    line: Option<Straight>,
     ends: [f64; 2],
     friction: [f64; 3],
     one: u8,
@@ -51,8 +51,8 @@ struct Raw {
 }
 
 /// All corners, and the half-planes before them.
-struct World<const S: usize, const C: usize> {
-    planes: Vec<Line, S>,
+struct Outlines<const S: usize, const C: usize> {
+    planes: Vec<Straight, S>,
     all: Vec<Raw, C>,
 }
 
@@ -60,7 +60,7 @@ fn wide<F: SiFloat>(x: F) -> f64 {
     x.widen()
 }
 
-impl<const S: usize, const C: usize> World<S, C> {
+impl<const S: usize, const C: usize> Outlines<S, C> {
     fn index(&self, corner: usize) -> u8 {
         u8::try_from(self.planes.len().saturating_add(corner)).unwrap_or(u8::MAX)
     }
@@ -87,17 +87,17 @@ impl<const S: usize, const C: usize> World<S, C> {
         }
     }
     /// The line of a side: that of an earlier side of this direction if both ends are on it.
-    fn line(&self, from: Point, to: Point, index: u8) -> Line {
+    fn line(&self, from: Point, to: Point, index: u8) -> Straight {
         let along = to - from;
         let (x, y) = normalized(along.x, along.y);
         let normal = Vec2::new(y, -x);
         let lines = self.planes.iter().copied();
         let mut lines = lines.chain(self.all.iter().filter_map(|raw| raw.line));
-        let is_same = |line: &Line| {
+        let is_same = |line: &Straight| {
             let is_on = |end: Point| line.height(end).abs() <= NEAR;
             line.normal.dot(normal) > 0.0 && is_on(from) && is_on(to)
         };
-        lines.find(is_same).unwrap_or(Line {
+        lines.find(is_same).unwrap_or(Straight {
             normal,
             offset: normal.dot(from),
             index,
@@ -218,7 +218,7 @@ impl<const S: usize, const C: usize> World<S, C> {
         let mut all = self.around(obstacle);
         let is_at_corner = all.clone().any(|(_, raw, _)| is_near(raw.at, at));
         let is_area = all.clone().count() > 2;
-        let behind = |line: Line| line.height(at) <= NEAR;
+        let behind = |line: Straight| line.height(at) <= NEAR;
         is_area && !is_at_corner && all.all(|(_, raw, _)| raw.line.is_some_and(behind))
     }
     /// All sides that start from a point are on one side of one of them: they leave at least a half-plane free.
@@ -268,13 +268,13 @@ pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
     let plane = |(index, s): (u8, &SurfaceDescription<R::Si>)| {
         let [x, y] = s.normal.map(wide);
         let (x, y) = normalized(x, y);
-        Line {
+        Straight {
             normal: Vec2::new(x, y),
             offset: (wide(s.offset) - (x * from_x + y * from_y)) / length,
             index,
         }
     };
-    let mut world = World::<S, C> {
+    let mut world = Outlines::<S, C> {
         planes: gather((0_u8..).zip(surfaces).map(plane)),
         all: Vec::new(),
     };
@@ -334,7 +334,7 @@ fn corner<R: Real>(raw: &Raw, frictions: &[Friction<R>]) -> Corner<R> {
 
 /// An obstacle with a circle about the middle of its ranges, larger by what places round to.
 fn obstacle<R: Real, const S: usize, const C: usize>(
-    world: &World<S, C>,
+    world: &Outlines<S, C>,
     index: u8,
 ) -> Obstacle<R> {
     let places = world.around(index).map(|(_, raw, _)| raw.at);

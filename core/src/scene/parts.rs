@@ -12,9 +12,9 @@ pub(super) fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = 
     let next = vertices.iter().skip(1).chain(vertices.first());
     let sides = vertices.iter().zip(next).filter(move |_| !is_point);
     sides.map(|(&[ax, ay], &[bx, by])| {
-        let (x, y) = normalized(bx - ax, by - ay);
-        let number = |x| R::from_si(x, R::Si::ONE);
-        Vec2::new(number(-y), number(x))
+        let side = Vec2::new(bx, by) - Vec2::new(ax, ay);
+        let (x, y) = normalized(side.x, side.y);
+        Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE)).turned()
     })
 }
 

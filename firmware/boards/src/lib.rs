@@ -33,11 +33,8 @@ use stiction_firmware::station::Setup;
         feature = "pantograph",
         not(any(feature = "raspberry", feature = "olimex-stm32-h405"))
     ),
-    all(feature = "obstacles", feature = "microbit"),
 ))]
-compile_error!(
-    "the board has no pins for this device, or for both of them, or no room for obstacles"
-);
+compile_error!("the board has no pins for this device, or for both of them");
 
 pub use stop::stop;
 pub use {cortex_m, stiction_firmware};

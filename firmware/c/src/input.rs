@@ -3,7 +3,9 @@
 
 use core::{ptr, slice};
 
-use stiction_core::{Angle, Description, Hand as CoreHand, ObstacleDescription, SurfaceDescription};
+use stiction_core::{
+    Angle, Description, Hand as CoreHand, ObstacleDescription, SurfaceDescription,
+};
 
 use crate::memory::{CORNERS, Checked, OBSTACLES, SURFACES, VERTICES, checked};
 

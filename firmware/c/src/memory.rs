@@ -21,17 +21,19 @@ pub const OBSTACLES: usize = 8;
 /// The maximum number of corners of all obstacles together.
 pub const CORNERS: usize = 32;
 
+/// The solver's capacity of corners.
+///
 /// cbindgen:ignore
-#[cfg(feature = "obstacles")]
-type Model = stiction_core::WithObstacles<OBSTACLES, CORNERS>;
-/// cbindgen:ignore
-#[cfg(not(feature = "obstacles"))]
-type Model = stiction_core::Full;
+const ROOM: usize = if cfg!(feature = "obstacles") {
+    CORNERS
+} else {
+    0
+};
 
 /// cbindgen:ignore
-pub(crate) type World = Scene<Number, VERTICES, SURFACES, Model>;
+pub(crate) type World = Scene<Number, VERTICES, SURFACES, ROOM>;
 /// cbindgen:ignore
-pub(crate) type Engine = Solver<Number, VERTICES, SURFACES, Model>;
+pub(crate) type Engine = Solver<Number, VERTICES, SURFACES, ROOM>;
 /// cbindgen:ignore
 pub(crate) type Run = State<Number>;
 

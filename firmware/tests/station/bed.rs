@@ -5,7 +5,7 @@ use crate::bench::Bench;
 use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::rc::Rc;
-use stiction_core::{Wrench};
+use stiction_core::Wrench;
 use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
 
@@ -37,7 +37,7 @@ pub(crate) type Device = Pantograph<Encoders, Motors>;
 
 /// A hand at the handle of a mechanism at a board.
 pub(crate) struct Bed {
-    pub(crate) rig: Rig<f32, Full, Device>,
+    pub(crate) rig: Rig<f32, 0, Device>,
     pub(crate) shown: Rc<RefCell<Shown>>,
     pub(crate) motors: [Bench; 3],
     /// Counts of the joints since home.

@@ -159,7 +159,7 @@ fn what_happened_between_two_poses_is_reported_with_the_next() {
 
 #[test]
 fn a_pose_for_which_there_is_no_room_keeps_its_events_for_the_next() {
-    let mut rig = Rig::<f32, Full>::new();
+    let mut rig = Rig::<f32, 0>::new();
     rig.stay(Hand::new(0.0, 0.055, 0.0), 3);
     rig.line.room = 0;
     // It lands.

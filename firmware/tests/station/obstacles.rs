@@ -3,7 +3,10 @@
 
 use super::rig::{Nothing, Rig, S, V};
 use crate::{SAME, with};
-use stiction_core::{Description, Evolution, Fixed, Hand, ObstacleDescription, Parameter, Real, Scene, StateKind, Touch};
+use stiction_core::{
+    Description, Evolution, Fixed, Hand, ObstacleDescription, Parameter, Real, Scene, StateKind,
+    Touch,
+};
 use stiction_tests::station::BOX;
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::Said;
@@ -11,10 +14,11 @@ use stiction_wire::{
     Command, Reason, Reset, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
 };
 
-const LONGEST: usize = frame_bytes(scene_bytes([V, S, 4, 16]));
-type Model = WithObstacles<4, 16, Full>;
-/// A board with room for 4 obstacles with 16 corners.
-type Among<R> = Rig<R, Model, Nothing, LONGEST>;
+const LONGEST: usize = frame_bytes(scene_bytes([V, S, 16, 16]));
+/// The board's capacity of corners.
+const CORNERS: usize = 16;
+/// A board with room for obstacles.
+type Among<R> = Rig<R, CORNERS, Nothing, LONGEST>;
 
 const TABLE: ObstacleDescription<'static, f32> = ObstacleDescription {
     vertices: &[[-0.4, -0.04], [0.0, -0.04], [0.0, 0.0], [-0.4, 0.0]],
@@ -76,7 +80,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         (mode.evolution, mode.stepping) = (evolution, Stepping::PerSample);
         (mode.tick_rate, mode.forces_every, mode.health_every) = (500, 1, 0);
     });
-    let there = Scene::<R, V, S, Model>::new(&Description {
+    let there = Scene::<R, V, S, CORNERS>::new(&Description {
         obstacles: &OBSTACLES,
         ..EDGE
     });
@@ -170,8 +174,7 @@ fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
     rig.stay(Hand::new(-0.02, 0.045, 0.1), 60);
     let before = rig.pose();
     for (description, obstacles, parameter, value, limit) in [
-        (&EDGE, &[PIN; 5][..], P::ObstacleCount, 5.0, 4.0),
-        (&EDGE, &[round, PIN], P::CornerCount, 17.0, 16.0),
+        (&EDGE, &[round, PIN][..], P::CornerCount, 17.0, 16.0),
         (&EDGE, &[TABLE, clockwise], corner, 0.3, nan),
         (&EDGE, &[PIN, empty], P::Corners(1), 0.0, nan),
         (&EDGE, &[slippery], P::ObstacleFrictionStatic(0), 0.1, nan),

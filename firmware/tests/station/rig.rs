@@ -4,7 +4,6 @@ use crate::with;
 use std::collections::VecDeque;
 use stiction_core::{Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
-use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
@@ -85,7 +84,7 @@ pub(crate) struct Rig<R: Real = f32, const C: usize = 0, D = Nothing, const N: u
     pub(crate) force: Wrench<f32>,
 }
 
-impl<R: Real<Si = f32>, const C: usize, const N: usize> Rig<R, M, Nothing, N> {
+impl<R: Real<Si = f32>, const C: usize, const N: usize> Rig<R, C, Nothing, N> {
     pub(crate) fn of(setup: Setup) -> Self {
         Self::with(setup, (FromLine, NoActuators))
     }
@@ -95,7 +94,7 @@ impl<R: Real<Si = f32>, const C: usize, const N: usize> Rig<R, M, Nothing, N> {
     }
 }
 
-impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> Rig<R, M, D, N> {
+impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> Rig<R, C, D, N> {
     pub(crate) fn with(setup: Setup, device: D) -> Self {
         Self {
             station: Station::new(Box::leak(Box::new(setup))).unwrap(),

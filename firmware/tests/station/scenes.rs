@@ -1,7 +1,7 @@
 //! Scenes that a client sends: a good one begins at its start, an unusable one is refused and changes nothing (FRAME 4
 //! and 5.4).
 
-use super::commands::{PARAMETERS, deep, refused, seen};
+use super::commands::{deep, refused, seen};
 use super::rig::{Rig, setup};
 use crate::with;
 use stiction_core::{Description, Hand, Parameter, Status, SurfaceDescription};
@@ -96,23 +96,4 @@ fn scenes_that_cannot_be_used_are_refused() {
     let vertex = |vertex| Subject::Scene(Parameter::Penetration { surface, vertex });
     assert!((0..2).any(|v| answer.subject == vertex(v)), "{answer:?}");
     assert_eq!(seen(&mut rig), before);
-}
-
-#[test]
-fn what_the_solver_lacks_is_not_supported() {
-    const SMOOTH: SurfaceDescription<f32> = SurfaceDescription {
-        friction_static: 0.0,
-        friction_dynamic: 0.0,
-        ..FLOOR
-    };
-    let smooth = with(setup(), |setup| setup.scene.surfaces = &[SMOOTH]);
-    let mut rig = Rig::<f32, Bare>::of(smooth);
-    assert_eq!(rig.info().has, [false; 3]);
-    let answer = rig.ask(Command::Parameters(PARAMETERS));
-    assert_eq!(answer.reason, Reason::Unsupported);
-    assert_eq!(answer.subject, Subject::Scene(Parameter::FrictionStatic(0)));
-    assert_eq!((answer.value, answer.limit), (0.8, 0.0));
-    let answer = rig.ask(scene(&TRIANGLE));
-    assert_eq!(answer.subject, Subject::Scene(Parameter::Weight));
-    assert_eq!((answer.reason, answer.limit), (Reason::Unsupported, 0.0));
 }

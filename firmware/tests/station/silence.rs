@@ -85,7 +85,7 @@ impl Actuators for Motors {
     }
 }
 
-fn with_motors() -> Rig<f32, Full, (FromLine, Motors)> {
+fn with_motors() -> Rig<f32, 0, (FromLine, Motors)> {
     let mut rig = Rig::with(driven(), (FromLine, Motors::default()));
     rig.stay(deep(), 50);
     assert!(size(&rig.force) > 2.0 && rig.servo.device.1.given == rig.force);

@@ -81,8 +81,10 @@
 //! bears in proportion to its N. In addition, among obstacles alone:
 //!
 //! * Body and obstacle are apart along some axis, within the tolerance for half-planes.
-//! * A contact is between the ends of its side (adjoining coplanar sides of equal friction are one side), its side faces what is next to
-//!   the vertex or corner, and two contacts with one obstacle are not at the same place. A reported direction is the normal.
+//! * Sides of one direction that lie in one line within 2^-19 L are in that line, and one side if their frictions are equal and they are no
+//!   farther apart (STATICS 12, R35).
+//! * A contact is between the ends of its side, its side faces what is next to the vertex or corner, and two contacts with one obstacle are not
+//!   at the same place. A reported direction is the normal.
 //! * Features that touch to within 8 roundings in two consecutive frames are reported as a contact, unless they have opened in between;
 //!   exceptions are features at the end of a side, between two contacts on one line, at the place of a contact with the same obstacle, or
 //!   at a covered corner.
@@ -137,6 +139,7 @@ mod frame;
 mod hold;
 pub mod insertion;
 mod judge;
+mod level;
 mod model;
 mod obstacles;
 mod onset;

@@ -4,6 +4,7 @@
 use crate::body::{centroid, size};
 use crate::finding::Bounds;
 use crate::frame::{Contact, Frame};
+use crate::level::level;
 use crate::scene::Scene;
 use crate::sides::Sides;
 use crate::touch::Face;
@@ -71,7 +72,8 @@ const SHORTEST: f64 = 1.0 / 524_288.0;
 pub(crate) const LIMIT: f64 = 64.0;
 
 impl Model {
-    pub(crate) fn new(scene: Scene) -> Self {
+    pub(crate) fn new(mut scene: Scene) -> Self {
+        scene.obstacles = level(&scene);
         let offsets = scene.surfaces.iter().map(|surface| surface.offset.abs());
         Self {
             size: size(&scene.vertices),

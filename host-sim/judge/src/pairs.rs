@@ -5,6 +5,7 @@ use stiction_core::Touch;
 
 use crate::frame::Contact;
 use crate::model::Model;
+use crate::obstacles::OVERLAP;
 use crate::pin::Spot;
 use crate::scene::{Obstacle, Scene, face};
 use crate::shape::{ends, neighbours, outward, sides};
@@ -227,7 +228,7 @@ impl Model {
             Lined::Yes
         } else if dot(first, second) <= 0.0
             || off > LINE * self.size + blur
-            || turn * reach > LINE * reach + blur
+            || turn * reach > LINE * reach + OVERLAP * self.size + blur
         {
             Lined::No
         } else if turn <= SAME_LINE && off <= SAME_LINE * self.size {

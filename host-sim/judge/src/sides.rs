@@ -2,11 +2,12 @@
 //! world frame).
 
 use crate::body::size;
+use crate::obstacles::OVERLAP;
 use crate::scene::{Obstacle, Scene};
 use crate::shape::{ends, gap_of_segments, outward, sides};
 use crate::vector::{Vec2, cross, dot, sub};
 
-/// Corners and sides that are closer than this coincide, in body sizes and rad.
+/// Sides at a smaller angle (rad) are parallel: those in one line have been made so.
 const SAME: f64 = 1e-9;
 
 /// The properties of every obstacle, by its index.
@@ -60,7 +61,7 @@ fn span(normal: Vec2, points: [Vec2; 2]) -> [f64; 2] {
 
 impl Sides {
     pub(crate) fn new(scene: &Scene) -> Self {
-        let near = SAME * size(&scene.vertices);
+        let near = OVERLAP * size(&scene.vertices);
         let of = |obstacle: &Obstacle| -> Vec<Part> {
             let all = 0..sides(&obstacle.vertices);
             all.map(|side| Part::new(obstacle, side)).collect()

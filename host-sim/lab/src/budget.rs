@@ -4,11 +4,10 @@
 
 use std::error::Error;
 
-use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
+use stiction_core::{Evolution, Hand, Status};
 use stiction_host_sim::columns::thousands;
 use stiction_host_sim::trade::chip::Chip;
 use stiction_host_sim::trade::{Case, Group, Suite};
-use stiction_scene::NumberType;
 
 use crate::emulator::{Board, Counted, Counter, Frame, Profile, job};
 use crate::markdown::{Destination, Table};
@@ -18,7 +17,7 @@ const PART: f64 = 0.875;
 /// Quantiles over all steps (%).
 const PARTS: [f64; 4] = [50.0, 99.0, 99.9, 99.99];
 /// A shorter step fits into a tick, whatever its units cost.
-const LONG: u32 = 100;
+const LONG: u32 = 10;
 
 /// Ticks per second (Hz), and hands per second, that are demanded of a chip.
 const fn rate(chip: Chip) -> u32 {
@@ -31,16 +30,6 @@ const fn rate(chip: Chip) -> u32 {
 /// The capacity of a tick: in instructions, or in cycles if those are counted.
 fn tick(chip: Chip) -> f64 {
     1e6 / f64::from(rate(chip)) / chip.microseconds(1.0)
-}
-
-fn least(number: NumberType) -> u32 {
-    fn of<R: Real<Si: SiFloat>>() -> u32 {
-        Solver::<R, 8, 4>::LEAST_BUDGET
-    }
-    match number {
-        NumberType::F32 => of::<f32>(),
-        NumberType::Fixed => of::<Fixed>(),
-    }
 }
 
 fn counted(
@@ -149,7 +138,7 @@ fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15]
         format!("{mean:.0} / {most:.0} / {in_long:.0}"),
         steps_within(&free),
         thousands(tick as u64),
-        format!("{budget} / {}", least(chip.number())),
+        budget.to_string(),
         thousands(bound.steps as u64),
         bound.behind.to_string(),
         format!("{longest:.0}"),
@@ -172,7 +161,7 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
     let drags: Vec<&Case> = random.take(drags).collect();
     let mut table = Table::new(
         "chip | MHz: | tick (Hz): | cycles per instruction: | evolution | instructions per unit: | \
-         without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest: | of a tick: | budget / least (units): | steps: | behind: | \
+         without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest: | of a tick: | budget (units): | steps: | behind: | \
          longest behind (ms): | longest step (ms): | steps over the tick: | deepest stack (bytes):",
     );
     for chip in Chip::ALL {
@@ -184,8 +173,7 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
         "Written by `cargo run --release -p stiction-lab -- budget --write`: {} random drags of 4 s through a solver of 8 vertices and\n\
          4 surfaces, on emulated chips. For the M0+, cycles are counted, in memory without wait states. For the others, instructions are counted, and the cycles per\n\
          instruction are an estimated upper bound of the average. The cost of a unit of work is given in instructions (M0+: cycles): on\n\
-         average / at most / at most in steps of {LONG} or more units. The budget is what fits into seven eighths of a tick at the last of these costs. From the least\n\
-         budget on, no step exceeds its budget; below it, a single piece of work may.\n\n{table}",
+         average / at most / at most in steps of {LONG} or more units. The budget is what fits into seven eighths of a tick at the last of these costs.\n\n{table}",
         drags.len()
     );
     Ok(output.put("host-sim/README.md", "budget", &text)?)

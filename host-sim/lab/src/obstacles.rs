@@ -1,20 +1,17 @@
-//! Measures the cost of obstacles: bundled scenes along their own path of the hand on an emulated Cortex-M4F, without a budget and with
-//! the least one that no step exceeds; and a scene with an increasing number of boxes that are never touched, within reach of the body and
+//! Measures the cost of obstacles: bundled scenes along their own path of the hand on an emulated Cortex-M4F; and a scene with an increasing number of boxes that are never touched, within reach of the body and
 //! out of it. Needs QEMU.
 
 use std::error::Error;
 use std::path::Path;
 
-use stiction_core::{Evolution, Solver, Status};
+use stiction_core::Evolution;
 use stiction_host_sim::columns::thousands;
 use stiction_scene::ObstacleInfo;
 
-use crate::emulator::{Board, Counted, Counter, Frame, Profile, job};
+use crate::emulator::{Board, Counted, Counter, Profile, job};
 use crate::footprint::Case;
 use crate::markdown::{Destination, Table};
 
-/// The least budget of the solver in the image, see [`Counter::among`].
-const LEAST: u32 = Solver::<f32, 4, 1, WithObstacles<17, 68>>::LEAST_BUDGET;
 /// The scenes of the first table.
 const SCENES: [&str; 4] = ["table-edge", "peg-in-hole", "step", "plank-on-posts"];
 /// The scene of the second table, and the numbers of boxes in addition to its own obstacles.
@@ -41,30 +38,22 @@ fn with_boxes(name: &str, count: usize, height: f64) -> Result<Case, Box<dyn Err
     Ok(case)
 }
 
-fn count(counter: &Counter, case: &Case, budget: u32) -> Result<Counted, Box<dyn Error>> {
+fn count(counter: &Counter, case: &Case) -> Result<Counted, Box<dyn Error>> {
     let job = job(&case.scene, Evolution::Path, &case.hands);
-    Ok(counter.count(&job, budget)?)
+    Ok(counter.count(&job, u32::MAX)?)
 }
 
 /// A row of the first table.
-fn scene_row(counter: &Counter, name: &str) -> Result<[String; 9], Box<dyn Error>> {
+fn scene_row(counter: &Counter, name: &str) -> Result<[String; 5], Box<dyn Error>> {
     let case = Case::open(Path::new(name))?;
-    let free = count(counter, &case, u32::MAX)?;
-    let bound = count(counter, &case, LEAST)?;
-    let of = |counted: &Counted, is: fn(&Frame) -> bool| {
-        counted.steps().iter().filter(|step| is(step)).count()
-    };
-    let most_work = |counted: &Counted| counted.steps().iter().map(|step| step.work).max();
+    let counted = count(counter, &case)?;
+    let most_work = counted.steps().iter().map(|step| step.work).max();
     Ok([
         name.to_owned(),
-        thousands(free.steps().len() as u64),
-        format!("{:.0}", free.mean()),
-        thousands(free.worst().into()),
-        most_work(&free).unwrap_or(0).to_string(),
-        thousands(bound.worst().into()),
-        most_work(&bound).unwrap_or(0).to_string(),
-        of(&bound, |step| step.pose.status == Status::Behind).to_string(),
-        of(&bound, |step| step.work > LEAST).to_string(),
+        thousands(counted.steps().len() as u64),
+        format!("{:.0}", counted.mean()),
+        thousands(counted.worst().into()),
+        most_work.unwrap_or(0).to_string(),
     ])
 }
 
@@ -74,7 +63,7 @@ fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
     for boxes in BOXES {
         let counted = [IN_REACH, OUT_OF_REACH].map(|height| {
             let case = with_boxes(AROUND, boxes, height)?;
-            count(counter, &case, u32::MAX).map(|counted| counted.mean())
+            count(counter, &case).map(|counted| counted.mean())
         });
         let [near, far] = counted;
         let (near, far) = (near?, far?);
@@ -96,16 +85,14 @@ fn of_boxes(counter: &Counter) -> Result<Table, Box<dyn Error>> {
 /// QEMU or a target is missing, or the document cannot be written.
 pub fn obstacles(output: Destination) -> Result<(), Box<dyn Error>> {
     let counter = Counter::among(Board::Stm32F405, Profile::Device)?;
-    let mut table = Table::new(
-        "scene | steps: | mean: | worst: | units, worst: | worst with the budget: | its units: | steps behind: | steps over the budget:",
-    );
+    let mut table = Table::new("scene | steps: | mean: | worst: | units, worst:");
     for name in SCENES {
         table.row(scene_row(&counter, name)?);
     }
     let boxes = of_boxes(&counter)?;
     let text = format!(
         "Written by `cargo run --release -p stiction-lab -- obstacles --write`: instructions of a step on an emulated Cortex-M4F, f32, path\n\
-         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners. The budget is the least one that no step exceeds, {LEAST} units.\n\n\
+         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners.\n\n\
          {table}\nBoxes in addition to the obstacles of `{AROUND}`, which are never touched: instructions per step, on average, and the increase per box.\n\n\
          {boxes}"
     );

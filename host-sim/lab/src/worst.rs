@@ -28,9 +28,7 @@ struct Cost {
 fn costs(kind: Kind, evolution: Evolution, count: usize) -> Vec<Cost> {
     let mut costs = Vec::new();
     for scenario in scenes(kind).take(count) {
-        let scene = scenario
-            .setup
-            .scene_of::<Counted, VERTICES, SURFACES, Full>();
+        let scene = scenario.setup.scene_of::<Counted, VERTICES, SURFACES, 0>();
         let solver = Solver::new(scene.expect("a sound scene"), evolution);
         let mut hands = scenario.hands(1).into_iter();
         let first = hands.next().expect("a path");

@@ -114,7 +114,8 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     let size = length(scene);
     // Slightly less, to allow for rounding.
     let range = (1.0 - 1e-6) * R::RANGE.to_si(R::Si::ONE).widen() * size;
-    let is_within = |corner: &[f64; 2]| beyond(*corner) <= range;
+    let origin = first_vertex(scene);
+    let is_within = |corner: &[f64; 2]| beyond(sub(*corner, origin)) <= range;
     let mut corners = scene.obstacles.iter().flat_map(|o| &o.vertices);
     if corners.all(is_within) {
         return (scene.obstacles.clone(), None);
@@ -129,7 +130,7 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
         let corners: Vec<_> = obstacle.vertices.iter().enumerate().map(corner).collect();
         let corners = match obstacle.vertices.iter().all(is_within) {
             true => corners,
-            false => within(corners, range, 1e-3 * size),
+            false => within(corners, (origin, range), 1e-3 * size),
         };
         if corners.is_empty() {
             continue;
@@ -146,6 +147,14 @@ pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     (remaining, Some(Indices(indices)))
 }
 
+/// Where the first vertex starts (m): the origin inside the solver.
+fn first_vertex(scene: &WrittenScene) -> [f64; 2] {
+    let [x, y, theta] = scene.start;
+    let (sin, cos) = theta.sin_cos();
+    let [a, b] = scene.vertices.first().copied().unwrap_or_default();
+    [x + cos * a - sin * b, y + sin * a + cos * b]
+}
+
 /// The larger coordinate of a point plus half the other: the bound that a number type checks.
 fn beyond([x, y]: [f64; 2]) -> f64 {
     let (x, y) = (x.abs(), y.abs());
@@ -154,13 +163,16 @@ fn beyond([x, y]: [f64; 2]) -> f64 {
 
 /// The part of a polygon, a wall or a pin within the range. Added corners are farther than `least` from each other and from the line
 /// between their neighbours; of a thinner polygon nothing is left.
-fn within(corners: Vec<Corner>, range: f64, least: f64) -> Vec<Corner> {
+fn within(corners: Vec<Corner>, (origin, range): ([f64; 2], f64), least: f64) -> Vec<Corner> {
     let is_polygon = corners.len() > 2;
     let mut rest = corners;
     for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
         for [a, b] in [[1.0, 0.5], [0.5, 1.0]] {
             let [a, b] = [a * signs[0], b * signs[1]];
-            rest = cut(&rest, |[x, y]| range - a * x - b * y);
+            rest = cut(&rest, |place| {
+                let [x, y] = sub(place, origin);
+                range - a * x - b * y
+            });
         }
     }
     let needless = |all: &[Corner], k: usize| {
@@ -243,10 +255,10 @@ mod tests {
     use crate::source::Source;
     use stiction_core::Fixed;
 
-    /// A rod of 1 m and an obstacle with these corners.
+    /// A rod of 1 m whose first vertex starts at the origin, and an obstacle with these corners.
     fn scene(corners: &str) -> WrittenScene {
         let text = format!(
-            "[body]\nvertices = [[-0.5, 0.0], [0.5, 0.0]]\nstart = [0.0, 1.0, 0.0]\n[spring]\ntranslation = 1.0\nrotation = 1.0\n\
+            "[body]\nvertices = [[-0.5, 0.0], [0.5, 0.0]]\nstart = [0.5, 0.0, 0.0]\n[spring]\ntranslation = 1.0\nrotation = 1.0\n\
              [[obstacle]]\nname = \"far\"\nvertices = [[0.0, 40.0]]\nstatic = 0.5\ndynamic = 0.3\n\
              [[obstacle]]\nname = \"table\"\nvertices = {corners}\nstatic = 0.5\ndynamic = 0.3\n"
         );

@@ -131,7 +131,7 @@ impl WrittenScene {
                 let problem = format!("`{key}` is {value}, allowed: {allowed}");
                 self.source.error_at(offset, problem)
             }
-            None => self.source.error(&error),
+            None => self.source.error(error),
         }
     }
 

@@ -3,7 +3,9 @@
 
 use std::path::Path;
 
-use stiction_core::{Description, ObstacleDescription, Parameter, Real, Scene, SiFloat, SurfaceDescription};
+use stiction_core::{
+    Description, ObstacleDescription, Parameter, Real, Scene, SiFloat, SurfaceDescription,
+};
 
 use crate::check::Check;
 use crate::clip::{Indices, clipped};

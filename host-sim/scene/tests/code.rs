@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiction_scene::{NumberType, ObstacleRoom, SceneModel, code};
+use stiction_scene::{NumberType, SceneModel, code};
 use tempfile::TempDir;
 
 const ROD: &str = r#"[body]
@@ -40,24 +40,14 @@ fn code_with(from: &str, to: &str) -> String {
 
 #[test]
 fn the_solver_has_what_the_scene_needs() {
-    let unchanged = ("", "");
+    let pin = "dynamic = 0.3\n[[obstacle]]\nvertices = [[1.0, 1.0]]\nstatic = 0.5\ndynamic = 0.3\n";
     for ((from, to), expected) in [
-        (
-            unchanged,
-            "Scene<f32, 2, 1, stiction_core::Parts<true, true>>",
-        ),
-        (
-            ("weight = 2.0", ""),
-            "Scene<f32, 2, 1, stiction_core::Parts<true, false>>",
-        ),
-        (
-            ("static = 0.5\ndynamic = 0.3", "static = 0.0\ndynamic = 0.0"),
-            "Scene<f32, 2, 1, stiction_core::Parts<false, true>>",
-        ),
+        (("", ""), "Scene<f32, 2, 1, 0>"),
         (
             ("[-0.1, 0.0], [0.1, 0.0]", "[0.0, 0.0]"),
-            "Scene<f32, 1, 1, stiction_core::Parts<true, true>>",
+            "Scene<f32, 1, 1, 0>",
         ),
+        (("dynamic = 0.3\n", pin), "Scene<f32, 2, 1, 1>"),
     ] {
         let code = code_with(from, to);
         assert!(code.contains(expected), "{expected}: {code}");
@@ -71,12 +61,10 @@ fn a_solver_for_other_scenes_too_has_at_least_what_it_is_given() {
         let room = SceneModel {
             vertices,
             surfaces,
-            friction: false,
-            weight: false,
-            obstacles: ObstacleRoom::default(),
+            corners: 0,
         };
         let code = code(&file, NumberType::Fixed, Some(room)).unwrap();
-        let expected = format!("{expected}, stiction_core::Parts<true, true>>");
+        let expected = format!("{expected}, 0>");
         assert!(code.contains(&expected), "{expected}: {code}");
     }
 }

@@ -1,7 +1,7 @@
 //! Obstacles of a scene file: what is read, which scenes they make, and what a solver without obstacles refuses.
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Touch};
-use stiction_scene::{Among, HostSolver, SceneFile, SceneModel, Source};
+use stiction_scene::{HostSolver, SceneFile, SceneModel, Source};
 
 const SCENE: &str = r#"[body]
 rectangle = [0.10, 0.06]
@@ -56,7 +56,7 @@ fn friction_is_that_of_the_file_unless_it_is_given() {
 
 fn touched<R: Real<Si: SiFloat>>(text: &str) -> Vec<Touch> {
     let (scene, indices) = scene(text).written.scene_in().expect("sound");
-    let solver: HostSolver<R, Among> = Solver::new(scene, Evolution::Path);
+    let solver: HostSolver<R> = Solver::new(scene, Evolution::Path);
     let hand = Hand::new(R::Si::narrow(0.0), R::Si::narrow(0.05), R::Si::narrow(0.0));
     let (state, _) = solver.start(hand);
     let original = |touch| indices.as_ref().map_or(touch, |known| known.touch(touch));
@@ -83,14 +83,6 @@ fn a_table_that_is_cut_is_touched_by_its_own_side() {
 }
 
 #[test]
-fn what_takes_no_obstacles_says_so_at_the_first_one() {
-    let scene = scene(SCENE);
-    let error = scene
-        .scene::<f32>()
-        .map(|_| ())
-        .expect_err("half-planes alone");
-    let expected = "made.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone";
-    assert!(error.to_string().starts_with(expected), "{error}");
-    // The model of a board is determined for scenes without obstacles.
-    assert_eq!(SceneModel::smallest(&scene).surfaces, 1);
+fn a_board_has_room_for_the_corners_of_its_scene() {
+    assert_eq!(SceneModel::smallest(&scene(SCENE)).corners, 5);
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::firmware::board::{Board, OBSTACLES, RunningBoard};
+use crate::firmware::board::{Board, RunningBoard};
 use crate::firmware::process::EmulatorError;
 use clap::ValueEnum;
 
@@ -72,16 +72,13 @@ impl Emulator {
         board.board().require_emulator()?;
         let building = Activity::begin(format!("building the image of {}", board.name()));
         let image = match image {
-            Image::Plain => board.board().image("", None)?,
-            Image::Obstacles(_) if board.board().takes_obstacles() => {
-                board.board().image(OBSTACLES, None)?
-            }
-            Image::Obstacles(scene) => {
+            Image::Obstacles(scene) if !board.board().takes_obstacles() => {
                 let folder = tempfile::tempdir()?;
                 let file = folder.path().join("scene.toml");
                 fs::write(&file, scene)?;
                 board.board().small_image(&file)?
             }
+            Image::Plain | Image::Obstacles(_) => board.board().image("", None)?,
         };
         building.end();
         // Its clock follows the real one.

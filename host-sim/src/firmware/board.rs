@@ -32,9 +32,6 @@ const LINE: &str = "line";
 /// See [`LINE`].
 const MONITOR: &str = "monitor";
 
-/// The feature of the boards' package that adds capacity for obstacles.
-pub const OBSTACLES: &str = "obstacles";
-
 /// A board with an emulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Board {
@@ -111,8 +108,8 @@ impl Board {
     /// All boards that one can own.
     pub const ALL: [Self; 4] = [Self::OLIMEX, Self::MICROBIT, Self::PICO, Self::PICO2];
 
-    /// Whether it has enough memory for obstacles over the wire, with the feature [`OBSTACLES`]; otherwise it has memory only for those
-    /// of a compiled-in scene, in an image for small flash.
+    /// Whether it has enough memory for obstacles over the wire; otherwise it has memory only for those of a compiled-in scene, in an image
+    /// for small flash.
     pub fn takes_obstacles(self) -> bool {
         self != Self::MICROBIT
     }

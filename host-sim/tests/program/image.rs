@@ -138,7 +138,6 @@ fn what_cannot_be_an_image_is_refused_before_anything_is_built() {
         ("pico3", "olimex-stm32-h405, microbit, pico"),
         ("pico --out a.hex", "ends in .uf2 or .elf"),
         ("microbit --out a.uf2", "allowed: --out FILE.elf"),
-        ("microbit --obstacles", "no room for obstacles"),
         (
             "olimex-stm32-h405 --device knob",
             "has no pins for a knob, allowed: pantograph",
@@ -148,7 +147,6 @@ fn what_cannot_be_an_image_is_refused_before_anything_is_built() {
             "has no pins for a knob, allowed: no --device",
         ),
         ("pico no-such-scene", "box-flat"),
-        ("pico ladder --obstacles", "cannot be used with"),
     ] {
         let message = folder.refused(&format!("image {arguments}"), &[expected]);
         assert!(!message.contains("building"), "{message}");

@@ -3,7 +3,7 @@
 use crate::subject::{Digits, Made, Solver, Subject};
 use stiction_core::{Evolution, Fixed};
 use stiction_judge::{Contact, Frame};
-use stiction_statics::{self as core, Output, Solver as Core, State};
+use stiction_statics::{Output, Solver as Core, State};
 use stiction_tests::Number;
 use stiction_tests::obstacles::Among;
 use stiction_tests::obstacles::scene::{CORNERS, SURFACES, VERTICES};
@@ -58,7 +58,7 @@ impl<R: Number, const C: usize> Run<R, C> {
         let wide = R::wide;
         let [x, y] = output.position;
         let pose = [wide(x), wide(y), R::wide_angle(output.angle)];
-        let contact = |c: &core::Contact<R::Si>| Contact {
+        let contact = |c: &stiction_core::Contact<R::Si>| Contact {
             touch: c.touch,
             point: c.point.map(wide),
             direction: Some(c.direction.map(wide)),

@@ -5,7 +5,6 @@ use std::collections::VecDeque;
 
 use stiction_core::{Description, Fixed, Real};
 use stiction_firmware::device::{FromLine, NoActuators, Servo};
-use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
@@ -15,8 +14,8 @@ const V: usize = 8;
 const S: usize = 2;
 const ROOM: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
 /// For a board with capacity for obstacles.
-const ROOM_AMONG: usize = frame_bytes(scene_bytes([V, S, 3, 9]));
-type Among = WithObstacles<3, 9, Full>;
+const ROOM_AMONG: usize = frame_bytes(scene_bytes([V, S, CORNERS, CORNERS]));
+const CORNERS: usize = 9;
 /// Further bytes are ignored.
 const LONGEST_TRAFFIC: usize = 8192;
 
@@ -41,15 +40,18 @@ static FIXED: Setup = board(NumberType::Fixed);
 /// A board that computes in f32, or else in fixed point, with room for obstacles or without.
 pub(crate) fn receives(traffic: &[u8], is_single: bool, is_among: bool) {
     match (is_single, is_among) {
-        (true, false) => follow::<f32, Full, ROOM>(&SINGLE, traffic),
-        (true, true) => follow::<f32, Among, ROOM_AMONG>(&SINGLE, traffic),
-        (false, false) => follow::<Fixed, Full, ROOM>(&FIXED, traffic),
-        (false, true) => follow::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic),
+        (true, false) => follow::<f32, 0, ROOM>(&SINGLE, traffic),
+        (true, true) => follow::<f32, CORNERS, ROOM_AMONG>(&SINGLE, traffic),
+        (false, false) => follow::<Fixed, 0, ROOM>(&FIXED, traffic),
+        (false, true) => follow::<Fixed, CORNERS, ROOM_AMONG>(&FIXED, traffic),
     }
 }
 
-fn follow<R: Real<Si = f32>, const C: usize, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
-    let station = Station::<R, V, S, M, N>::new(setup);
+fn follow<R: Real<Si = f32>, const C: usize, const N: usize>(
+    setup: &'static Setup,
+    traffic: &[u8],
+) {
+    let station = Station::<R, V, S, C, N>::new(setup);
     let mut station = station.expect("a sound setup");
     let mut line = Line::new(traffic);
     let (mut now_us, limits) = (0u32, &setup.limits);

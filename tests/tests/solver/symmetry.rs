@@ -11,15 +11,16 @@ const FRAMES_PER_LEG: usize = 47;
 const BOUND: f64 = 1e-9;
 
 /// Runs a scene and its image in both evolutions and compares every frame: `pose` maps the pose of the scene, in SI
-/// units, and `force` the magnitude of its forces.
+/// units, `units` the magnitudes of its lengths and forces. The size of a point is one metre in whatever units.
 fn compare(
     name: &str,
     scenario: &Scenario,
     image: &Scenario,
     pose: impl Fn([f64; 3]) -> [f64; 3],
-    force: f64,
+    units: [f64; 2],
 ) {
-    let l = image.setup.size();
+    let [length, force] = units;
+    let l = scenario.setup.size() * length;
     for evolution in Evolution::ALL {
         let original = run::<f64>(&scenario.setup, evolution, &scenario.hands(FRAMES_PER_LEG));
         let mapped = run::<f64>(&image.setup, evolution, &image.hands(FRAMES_PER_LEG));
@@ -84,7 +85,7 @@ fn mirror_image_evolves_as_a_mirror_image() {
             &scenario,
             &Scenario { setup, keyframes },
             flip_pose,
-            1.0,
+            [1.0; 2],
         );
     }
 }
@@ -108,7 +109,7 @@ fn turned_and_shifted_world_evolves_alike() {
         });
         setup.start = pose(setup.start);
         let keyframes = scenario.keyframes.iter().map(|&hand| pose(hand)).collect();
-        compare(name, &scenario, &Scenario { setup, keyframes }, pose, 1.0);
+        compare(name, &scenario, &Scenario { setup, keyframes }, pose, [1.0; 2]);
     }
 }
 
@@ -126,7 +127,8 @@ fn inches_and_pounds_evolve_as_metres_and_newtons() {
         setup.stiffness_translation *= pound / inch;
         setup.stiffness_rotation *= pound * inch;
         let keyframes = scenario.keyframes.iter().map(|&hand| pose(hand)).collect();
-        compare(name, &scenario, &Scenario { setup, keyframes }, pose, pound);
+        let image = Scenario { setup, keyframes };
+        compare(name, &scenario, &image, pose, [inch, pound]);
     }
 }
 

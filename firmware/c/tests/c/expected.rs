@@ -117,12 +117,7 @@ pub(crate) fn hashes<R: Real<Si = f32>>(library: &Library, frames: u32) -> Vec<u
         .collect()
 }
 
-fn hash<R: Real<Si = f32>>(
-    solver: &HostSolver<R>,
-    start: [f32; 3],
-    seed: u32,
-    frames: u32,
-) -> u32 {
+fn hash<R: Real<Si = f32>>(solver: &HostSolver<R>, start: [f32; 3], seed: u32, frames: u32) -> u32 {
     let (mut random, mut hash) = (Random(seed), Hash(2_166_136_261));
     let [mut x, mut y, mut phi] = [0; 3];
     let mut run: Option<State<R>> = None;

@@ -10,9 +10,9 @@ mod machine;
 use expected::scenes_header;
 use library::Library;
 use machine::{CORTEX_M0, CORTEX_M4F, Compiler, Machine, RISC_V};
-use stiction_core::{Fixed};
+use stiction_core::Fixed;
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
-use stiction_scene::{Among, NumberType};
+use stiction_scene::NumberType;
 
 const FRAMES: u32 = 10_000;
 
@@ -29,11 +29,9 @@ fn hashes(machine: &Machine, library: &Library) -> Result<Vec<u32>, EmulatorErro
 }
 
 fn same_bits(machine: &Machine, library: &Library) {
-    let expected = match (library.number, library.obstacles) {
-        (NumberType::F32, false) => expected::hashes::<f32, Full>(library, FRAMES),
-        (NumberType::Fixed, false) => expected::hashes::<Fixed, Full>(library, FRAMES),
-        (NumberType::F32, true) => expected::hashes::<f32, Among>(library, FRAMES),
-        (NumberType::Fixed, true) => expected::hashes::<Fixed, Among>(library, FRAMES),
+    let expected = match library.number {
+        NumberType::F32 => expected::hashes::<f32>(library, FRAMES),
+        NumberType::Fixed => expected::hashes::<Fixed>(library, FRAMES),
     };
     if let Some(hashes) = if_installed(hashes(machine, library)) {
         assert_eq!(hashes, expected, "{} {library:?}", machine.name);

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use stiction_core::{Fixed, Hand, Output, Real, SiFloat, Solver, State, narrow_hand};
 use stiction_judge::{Bounds, Contact, Evolution, Frame, Scene};
-use stiction_scene::{Among, HostSolver, Indices, Motion, SceneFile, Source};
+use stiction_scene::{HostSolver, Indices, Motion, SceneFile, Source};
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,17 +55,6 @@ pub(crate) fn truth(name: &str, text: &str, number: Number, evolution: Evolution
 }
 
 fn of_number<R: Real<Si: SiFloat + Display>>(file: &SceneFile, evolution: Evolution) -> Vec<Frame> {
-    if file.obstacles.is_empty() {
-        of_model::<R>(file, evolution)
-    } else {
-        of_model::<R>(file, evolution)
-    }
-}
-
-fn of_model<R: Real<Si: SiFloat + Display>>(
-    file: &SceneFile,
-    evolution: Evolution,
-) -> Vec<Frame> {
     let (scene, indices) = file.written.scene_in().expect("a scene");
     let solver: HostSolver<R> = Solver::new(scene, evolution);
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {

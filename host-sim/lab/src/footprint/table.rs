@@ -86,7 +86,6 @@ mod tests {
     use super::*;
     use crate::emulator::{Counted, Frame};
     use stiction_firmware::count::Totals;
-    use stiction_scene::ObstacleRoom;
 
     fn measured(instructions: &[u32]) -> Measured {
         let frame = |&instructions: &u32| Frame {
@@ -112,9 +111,7 @@ mod tests {
         let model = SceneModel {
             vertices: 1,
             surfaces: 1,
-            friction: false,
-            weight: false,
-            obstacles: ObstacleRoom::default(),
+            corners: 0,
         };
         let row = Row {
             scene: "tip".to_owned(),
@@ -127,7 +124,7 @@ mod tests {
         let cells = row.cells();
         let expected = [
             "tip",
-            "V = 1, S = 1, Bare",
+            "V = 1, S = 1",
             "M0, fixed",
             "frame",
             "100 / 100",

@@ -1,7 +1,7 @@
 //! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.
 
 use crate::board::Board;
-use crate::chip::{AN505, Chip, F405, F405_AMONG, MICROBIT, PICO};
+use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use std::fs;
 use stiction_core::Hand;
 use stiction_host_sim::firmware::workspace;
@@ -159,15 +159,4 @@ fn every_board_is_within_its_budget() {
     }
     // What serves USB has places where it panics: `pico` shows what happens then.
     figures_within_budget(&PICO);
-}
-
-#[test]
-fn the_f405_with_obstacles_is_within_its_budget() {
-    let Some(image) = F405_AMONG.image() else {
-        return;
-    };
-    assert_eq!(image.contents.panics(), [""; 0]);
-    let budget = Budget::named(&format!("{}-obstacles", F405_AMONG.name()));
-    budget.holds("flash", image.contents.flash);
-    budget.holds("variables", image.contents.variables);
 }

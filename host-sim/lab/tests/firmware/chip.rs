@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
 use std::sync::Mutex;
-use stiction_host_sim::firmware::board::{Board, OBSTACLES};
+use stiction_host_sim::firmware::board::Board;
 use stiction_host_sim::firmware::image::Contents;
 use stiction_host_sim::firmware::process::{if_installed, output_of};
 use stiction_host_sim::firmware::workspace;
@@ -91,11 +91,6 @@ pub(crate) const ENDING_AN505: Chip = Chip {
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,
     ..MICROBIT
-};
-
-pub(crate) const F405_AMONG: Chip = Chip {
-    features: OBSTACLES,
-    ..F405
 };
 
 /// The images that are built. Who builds one holds this until it has a copy: the next one takes its place.

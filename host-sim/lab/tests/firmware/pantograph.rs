@@ -20,7 +20,7 @@ fn the_f405_with_a_pantograph_steps_by_itself() {
     budget.holds("flash", board.image.contents.flash);
     budget.holds("variables", board.image.contents.variables);
     let info = board.info();
-    assert!(info.has[2] && info.stiffest[0] == 1_000.0, "{info:?}");
+    assert!(info.actuators && info.stiffest[0] == 1_000.0, "{info:?}");
     board.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));
     let answer = board.wait(|_, said| match said {
         Said::Reply(answer) => Some(answer.clone()),

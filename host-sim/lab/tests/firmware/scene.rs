@@ -3,13 +3,13 @@
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT, SMALL_MICROBIT, bundled};
 use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
-use stiction_scene::{Among, Motion, SURFACES, SceneFile, VERTICES, WrittenScene};
+use stiction_scene::{Motion, SceneFile, WrittenScene};
 use stiction_tests::station::BOX;
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Said, scene};
 use stiction_wire::{Command, Mode, Pose, Reason, Stepping};
 
-/// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface, friction, no weight.
+/// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface.
 const SCENE: &str = "point-stick-slip";
 const SAMPLES: u16 = 400;
 
@@ -59,7 +59,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
         return;
     };
     let info = board.info();
-    assert_eq!((info.room, info.has), ([1, 1, 0], [true, false, false]));
+    assert_eq!((info.room, info.actuators), ([1, 1, 0], false));
     assert_eq!((info.stiffness, info.friction), ([500.0, 0.5], [0.5, 0.3]));
     board.send(scene(&ROD));
     let refused = board.wait(|_, said| match said {
@@ -127,10 +127,7 @@ fn runs_its_obstacles<R: Real<Si = f32>>(chip: &'static Chip) {
     let Some(Motion::Keyframes(path)) = &file.hand.motion else {
         panic!("{OBSTACLES} has no keyframes");
     };
-    let (scene, _) = file
-        .written
-        .scene_in::<R, VERTICES, SURFACES, Among>()
-        .unwrap();
+    let (scene, _) = file.written.scene_in::<R>().unwrap();
     let mut beside = Beside::solving(scene, info.mode.evolution);
     beside.solver = beside.solver.with_budget(info.budget);
     let mut tips = 0;

@@ -17,8 +17,6 @@ pub(crate) fn info<R: Real>(mode: Mode, budget: u32) -> Info<'static> {
         vertices: VERTICES as u8,
         surfaces: SURFACES as u8,
         corners: 0,
-        friction: true,
-        weight: true,
         actuators: false,
         longest_frame: LONGEST as u16,
         fastest_tick: FASTEST,

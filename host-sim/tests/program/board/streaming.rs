@@ -80,7 +80,7 @@ fn a_scene_that_is_too_large_for_the_board_is_said() {
     let (folder, socket) = place(&DRAGGED.replace(VERTICES, &vertices));
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
     let parts = [
-        "60 vertices and 2 surfaces",
+        "60 vertices, 2 surfaces,",
         "allowed: 16 vertices, 8 surfaces",
     ];
     assert_error("corners", &board(&folder, ""), &parts);

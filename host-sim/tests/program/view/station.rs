@@ -89,7 +89,7 @@ fn serve<R: Real<Si = f32>>(
     pulled: &AtomicBool,
 ) {
     stream.set_nonblocking(true).expect("an option");
-    let station = Station::<R, V, S, Full, LONGEST>::new(setup);
+    let station = Station::<R, V, S, 0, LONGEST>::new(setup);
     let mut station = station.expect("a board");
     let begun = Instant::now();
     let mut line = Line {

@@ -1,0 +1,6 @@
+//! The solver from outside. It is one program, so that every number type is compiled only once.
+
+mod bench;
+mod closed;
+mod hand;
+mod transitions;
