@@ -109,7 +109,13 @@ fn turned_and_shifted_world_evolves_alike() {
         });
         setup.start = pose(setup.start);
         let keyframes = scenario.keyframes.iter().map(|&hand| pose(hand)).collect();
-        compare(name, &scenario, &Scenario { setup, keyframes }, pose, [1.0; 2]);
+        compare(
+            name,
+            &scenario,
+            &Scenario { setup, keyframes },
+            pose,
+            [1.0; 2],
+        );
     }
 }
 
