@@ -223,7 +223,7 @@ fn place_by_u<R: Real, const V: usize, const S: usize, const C: usize>(
         p = p + step;
         let known = (motion.kind != Kind::Pair).then_some(i.rotation);
         statics.place(motion, Spot { u, p }, known, i);
-        if motion.kind != Kind::Slide || !motion.first().is_corner() {
+        if motion.kind != Kind::Slide || !statics.turns(motion.first()) {
             break;
         }
     }

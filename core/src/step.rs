@@ -122,7 +122,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             },
         }
     }
-    /// The windows of a search, each a piece. Between two steps only the bracket is kept: what is certain is evaluated again, to the same bits.
+    /// The windows of a search, each a piece. Between two steps only the bracket lasts: what is certain is evaluated again, to the same bits.
     #[inline(never)]
     fn search(&mut self, more: &mut impl FnMut() -> bool) {
         let (statics, mut windows) = (self.statics, Windows::NONE);

@@ -152,7 +152,7 @@ mod cases {
             most = most.max(steps);
         }
         println!("{behind} behind, {caught_up} not; {most} steps to catch up");
-        assert!(behind > 500 && caught_up > 500, "{behind} {caught_up}");
+        assert!(behind > 300 && caught_up > 300, "{behind} {caught_up}");
     }
 
     /// A hand lets go in mid-step: the body stays where it is, and a hand that grasps it later starts a new path.
@@ -195,9 +195,9 @@ fn no_step_takes_more_than_its_budget() {
     assert!(per_piece <= OPERATIONS_PER_PIECE, "{per_piece}");
 }
 
-/// The most operations on numbers of a piece: a window of two contacts that slide, after the certain end of the one before is evaluated
-/// again.
-const OPERATIONS_PER_PIECE: f64 = 5000.0;
+/// The most operations on numbers of a piece: a look at whether contacts jam. A window takes 4700 with the certain end of the one before,
+/// which is evaluated again.
+const OPERATIONS_PER_PIECE: f64 = 7000.0;
 
 fn dear_piece(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {
     let scene = (scenario.setup).scene_of::<Counted, VERTICES, SURFACES, 0>();

