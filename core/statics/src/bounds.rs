@@ -190,9 +190,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Pair => {
                 let sup = self.pair_sup(m, i, pace.extent);
                 let pivot = sup.foot.along(pace, R::ZERO);
-                let theta = sup.turn.slope * rate;
+                let (theta, xi1) = (sup.turn.slope * rate, sup.foot.slope * rate);
                 let turning = theta * theta + sup.turn.along(pace, R::ZERO);
-                let xi1 = sup.foot.slope * rate;
                 let turns = self.turns(m.first());
                 let more = if turns { theta * xi1 } else { R::ZERO };
                 Bound {
