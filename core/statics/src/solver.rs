@@ -1,7 +1,7 @@
 //! The door: hands in SI units in, poses, events and forces out.
 
 use crate::description::Described;
-use crate::errand::{Errand, Stage};
+use crate::errand::Errand;
 use crate::geometry::{Rotation, Vec2, one_in};
 use crate::hold::{Sample, is_representable};
 use crate::log::Log;
@@ -187,7 +187,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         more: &mut impl FnMut() -> bool,
     ) -> bool {
         let (sample, is_new) = sample;
-        let is_still = state.errand.stage == Stage::Still;
+        let is_still = state.errand.is_still();
         let mut target = state.relative(sample);
         if is_new && is_still {
             state.unwind();

@@ -33,7 +33,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
-        if self.errand.stage == Stage::Path && self.errand.target != to {
+        if matches!(self.errand.stage, Stage::Path) && self.errand.target != to {
             self.turn_path();
         }
         while !self.is_done(&to) {
@@ -47,7 +47,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         true
     }
     fn is_done(&self, to: &HandPose<R>) -> bool {
-        self.errand.stage == Stage::Still && self.body.hand == *to
+        self.errand.is_still() && self.body.hand == *to
     }
     /// The path ends where it is certain, if that is beyond its beginning.
     fn turn_path(&mut self) {
@@ -69,7 +69,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.do_piece(to);
         // Before a jump nothing has moved yet.
         let about_to_jump = self.errand.jumps && self.body.hand != to;
-        if self.errand.stage == Stage::Still && !about_to_jump {
+        if self.errand.is_still() && !about_to_jump {
             self.log_slide();
         }
     }
