@@ -144,8 +144,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// The bounds on a window with this pace.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn bound(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
+        self.bound_inlined(m, i, pace)
+    }
+    /// [`Self::bound`], compiled into the caller: what it knows of the motion is decided there.
+    #[inline(always)]
+    pub(crate) fn bound_inlined(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
         let (rate, way) = (pace.rate, pace.extent.way);
         let h_p = m.hand_p.at.length_bound() * way;
         let turn = rate * rate + pace.bent;
@@ -190,9 +195,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Pair => {
                 let sup = self.pair_sup(m, i, pace.extent);
                 let pivot = sup.foot.along(pace, R::ZERO);
-                let theta = sup.turn.slope * rate;
+                let (theta, xi1) = (sup.turn.slope * rate, sup.foot.slope * rate);
                 let turning = theta * theta + sup.turn.along(pace, R::ZERO);
-                let xi1 = sup.foot.slope * rate;
                 let turns = self.turns(m.first());
                 let more = if turns { theta * xi1 } else { R::ZERO };
                 Bound {

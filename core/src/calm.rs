@@ -100,7 +100,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut i = Instant::ZERO;
         let u = body.angle;
         self.place_inlined(m, Spot { u, p }, Some(body.rotation), &mut i);
-        let pace = self.certified(m, &i, self.residual_after(m, &i, p)).ok()?;
+        let pace = self
+            .certified_inlined(m, &i, self.residual_after(m, &i, p))
+            .ok()?;
         let u = u + self.first_step(m, &i);
         self.place_inlined(m, Spot { u, p }, None, &mut i);
         let step = -i.e / i.e_u;
@@ -112,7 +114,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             self.balance(&{ *m }, Spot { u, p }, step, &mut on);
             i = on;
         }
-        let bound = self.bound(m, &i, &pace);
+        let bound = self.bound_inlined(m, &i, &pace);
         Some((i, bound))
     }
     /// Nothing else happens: the body goes to the end, unless a gap may close.

@@ -143,6 +143,10 @@ impl<R: Real> Errand<R> {
     pub(crate) fn has_caught_up(&mut self) {
         (self.paths, self.jumps, self.left) = (0, false, R::ZERO);
     }
+    /// Nothing is under way.
+    pub(crate) fn is_still(&self) -> bool {
+        matches!(self.stage, Stage::Still)
+    }
     /// The body comes to rest at the frozen hand, beginning with a word.
     pub(crate) fn settle(&mut self, next: Next) {
         self.stage = Stage::Settle;

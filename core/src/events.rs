@@ -250,7 +250,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Watch::Stick => {
                 let cone = friction.cone(self.body.stiction);
                 let (n, t) = (normal.times(cone.sin), pull.times(cone.cos));
-                out.fill(&[n + -t, n + t, normal, self.stiction(&friction, normal)]);
+                out.fill(&[n + -t, n + t, normal, self.stiction(friction, normal)]);
             }
             Watch::Slip(sense) => {
                 let t = pull.times(sense.along(friction.sliding.cos));
@@ -264,7 +264,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                     v: (m.first().sense.along(rates.xi) + slack) / size,
                     d: R::ZERO,
                 };
-                out.fill(&[normal, halt, self.stiction(&friction, normal)]);
+                out.fill(&[normal, halt, self.stiction(friction, normal)]);
             }
             Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
             Watch::Way | Watch::Corner | Watch::Turn | Watch::Joint | Watch::JointSlip => {}

@@ -84,32 +84,43 @@ pub(crate) enum Picked {
     None,
 }
 
-/// Candidates after the facets, by class: slides of two, turns about one, slides of one, lift, slides of two whose reactions count at
-/// balance only.
-fn candidates(count: usize) -> impl Iterator<Item = (Mode, Pressing)> {
-    let both = [Sense::Plus, Sense::Minus];
-    let joint = move |pressing| {
-        (0..count).flat_map(move |i| {
-            (i.saturating_add(1)..count).flat_map(move |j| {
-                both.into_iter().map(move |sense| {
-                    let mode = Mode::Joint {
-                        contacts: [i, j],
-                        senses: [sense, Sense::Rests],
-                    };
-                    (mode, pressing)
-                })
-            })
-        })
+/// A candidate after the facets by its place, by class: slides of two, turns about one, slides of one, lift, slides of two whose reactions
+/// count at balance only.
+fn candidate(count: usize, place: usize) -> Option<(Mode, Pressing)> {
+    let joints = count.saturating_mul(count.saturating_sub(1));
+    let sizes = [joints, count, count.saturating_mul(2), 1];
+    let (mut class, mut k) = (0_u8, place);
+    for size in sizes {
+        if k < size {
+            break;
+        }
+        (class, k) = (class.saturating_add(1), k.saturating_sub(size));
+    }
+    let sense = [Sense::Plus, Sense::Minus].into_iter().nth(k % 2)?;
+    let joint = |pressing| {
+        let (contacts, senses) = (pair(count, k / 2)?, [sense, Sense::Rests]);
+        Some((Mode::Joint { contacts, senses }, pressing))
     };
-    let turns = (0..count).map(|about| Mode::Turn { about, with: None });
-    let slides = (0..count).flat_map(move |contact| {
-        let of = move |sense| Mode::Slide { contact, sense };
-        both.into_iter().map(of)
-    });
-    let single = turns.chain(slides).chain([Mode::Lift]);
-    joint(Pressing::Always)
-        .chain(single.map(|mode| (mode, Pressing::Always)))
-        .chain(joint(Pressing::AtBalance))
+    let (about, contact, with) = (k, k / 2, None);
+    let mode = match class {
+        0 => return joint(Pressing::Always),
+        1 => Mode::Turn { about, with },
+        2 => Mode::Slide { contact, sense },
+        3 => Mode::Lift,
+        _ => return joint(Pressing::AtBalance),
+    };
+    Some((mode, Pressing::Always))
+}
+/// Two of so many contacts, by their place: (0, 1), (0, 2), .. (1, 2), ..
+fn pair(count: usize, mut left: usize) -> Option<[usize; 2]> {
+    for i in 0..count {
+        let next = i.saturating_add(1);
+        match left.checked_sub(count.saturating_sub(next)) {
+            Some(rest) => left = rest,
+            None => return Some([i, next.saturating_add(left)]),
+        }
+    }
+    None
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
@@ -132,7 +143,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     return Picked::More;
                 }
             },
-            Place::List(done) => match candidates(body.contacts.len()).nth(done) {
+            Place::List(done) => match candidate(body.contacts.len(), done) {
                 Some((mode, pressing)) => {
                     ranking.place = Place::List(done.saturating_add(1));
                     (self.with_vertex(body, mode), pressing)

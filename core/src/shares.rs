@@ -26,20 +26,33 @@ struct Part<R> {
     size: R,
 }
 
+impl<R: Real> Part<R> {
+    const NONE: Self = Self {
+        edge: 0,
+        size: R::ZERO,
+    };
+}
+
+/// Components along up to three edges.
+type Solution<R> = [Part<R>; 3];
+
 impl<R: Real> WrenchCone<R> {
     /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
     #[inline(never)]
     fn shared(&self, load: Wrench<R>, little: R) -> Vec<R, MOST> {
         let mut parts = self.none();
         let (mut count, mut large) = (0_i32, None);
-        for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
+        self.triples(|edges| {
+            let Some(solution) = self.bearing(edges, load, little) else {
+                return;
+            };
             if self.is_within_limit(&solution) {
                 count = count.saturating_add(1);
                 add(&mut parts, &solution);
             } else {
                 large = Some(solution);
             }
-        }
+        });
         if let (0, Some(solution)) = (count, large) {
             add(&mut parts, &solution);
         }
@@ -51,68 +64,78 @@ impl<R: Real> WrenchCone<R> {
         parts
     }
     /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
+    #[inline(never)]
     fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
-        let mut rest = self.remainder(load, parts);
         for _ in 0..2 {
+            let rest = self.remainder(load, parts);
             if rest.size() <= R::of_balance(load.size()).halved() {
                 return;
             }
-            let mut better = None;
-            let mut left = rest.size();
-            let mut consider = |solution: &[Part<R>]| {
+            let (mut left, mut better) = (rest.size(), None);
+            let mut consider = |solution: Solution<R>| {
                 let mut trial = parts.clone();
-                add(&mut trial, solution);
-                let remainder = self.remainder(load, &trial);
-                if remainder.size() < left {
-                    left = remainder.size();
-                    better = Some((trial, remainder));
+                add(&mut trial, &solution);
+                let size = self.remainder(load, &trial).size();
+                if size < left {
+                    (left, better) = (size, Some(solution));
                 }
             };
-            for triple in self.triples() {
-                if let Some((solution, _)) = self.on_three(triple, rest) {
-                    consider(&solution);
-                }
-            }
-            for pair in self.pairs() {
-                if let Some(solution) = self.on_two(pair, rest) {
-                    consider(&solution);
-                }
-            }
-            for (edge, along) in self.edges().iter().enumerate() {
-                let w = along.wrench;
-                let size = -(w.dot(rest) / w.dot(w));
-                consider(&[Part { edge, size }]);
-            }
+            self.solutions(rest, &mut consider);
             match better {
-                Some((trial, remainder)) => (*parts, rest) = (trial, remainder),
+                Some(solution) => add(parts, &solution),
                 None => return,
             }
+        }
+    }
+    /// The components along any three, two and single edges that bear a load or come closest to it.
+    fn solutions(&self, load: Wrench<R>, consider: &mut dyn FnMut(Solution<R>)) {
+        self.triples(|edges| {
+            if let Some((solution, _)) = self.on_three(edges, load) {
+                consider(solution);
+            }
+        });
+        let n = self.edges().len();
+        for i in 0..n {
+            for k in i.saturating_add(1)..n {
+                if let Some([a, b]) = self.on_two([i, k], load) {
+                    consider([a, b, Part::NONE]);
+                }
+            }
+        }
+        for (edge, along) in self.edges().iter().enumerate() {
+            let w = along.wrench;
+            let size = -(w.dot(load) / w.dot(w));
+            consider([Part { edge, size }, Part::NONE, Part::NONE]);
         }
     }
     fn none(&self) -> Vec<R, MOST> {
         self.edges().iter().map(|_| R::ZERO).collect()
     }
     /// What components along the edges leave of a load.
+    #[inline(never)]
     fn remainder(&self, load: Wrench<R>, parts: &[R]) -> Wrench<R> {
         let edges = self.edges().iter().zip(parts);
         edges.fold(load, |rest, (edge, &part)| rest + edge.wrench * part)
     }
-    fn pairs(&self) -> impl Iterator<Item = [usize; 2]> + use<R> {
+    /// Any three edges.
+    fn triples(&self, mut each: impl FnMut([usize; 3])) {
         let n = self.edges().len();
-        (0..n).flat_map(move |i| (i.saturating_add(1)..n).map(move |k| [i, k]))
-    }
-    fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
-        let n = self.edges().len();
-        let thirds = move |[i, j]: [usize; 2]| (j.saturating_add(1)..n).map(move |k| [i, j, k]);
-        self.pairs().flat_map(thirds)
+        for i in 0..n {
+            for j in i.saturating_add(1)..n {
+                for k in j.saturating_add(1)..n {
+                    each([i, j, k]);
+                }
+            }
+        }
     }
     fn wrench(&self, edge: usize) -> Option<Wrench<R>> {
         self.edges().get(edge).map(|edge| edge.wrench)
     }
     /// The components along three edges that bear a load; those along edges that are almost coplanar are refined.
-    fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<[Part<R>; 3]> {
+    #[inline(never)]
+    fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<Solution<R>> {
         let (mut solution, volume) = self.on_three(edges, load)?;
-        let presses = |solution: &[Part<R>; 3]| {
+        let presses = |solution: &Solution<R>| {
             let is_usable = |part: &Part<R>| part.size >= R::ZERO && part.size < R::HUGE;
             solution.iter().all(is_usable)
         };
@@ -139,7 +162,8 @@ impl<R: Real> WrenchCone<R> {
         None
     }
     /// The components along three edges that balance a load, and the volume of the edges.
-    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<([Part<R>; 3], R)> {
+    #[inline(never)]
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<(Solution<R>, R)> {
         let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);

@@ -1,6 +1,6 @@
 //! The door: hands in SI units in, poses, events and forces out.
 
-use crate::errand::{Errand, Stage};
+use crate::errand::Errand;
 use crate::event::Status;
 use crate::evolution::Evolution;
 use crate::geometry::Angle;
@@ -186,7 +186,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         more: &mut impl FnMut() -> bool,
     ) -> bool {
         let (sample, is_new) = sample;
-        let is_still = state.errand.stage == Stage::Still;
+        let is_still = state.errand.is_still();
         let mut target = state.relative(sample);
         if is_new && is_still {
             state.unwind();

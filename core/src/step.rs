@@ -34,7 +34,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
-        if self.errand.stage == Stage::Path && self.errand.target != to {
+        if matches!(self.errand.stage, Stage::Path) && self.errand.target != to {
             self.turn_path();
         }
         while !self.is_done(&to) {
@@ -50,7 +50,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.log.work < self.budget && more()
     }
     fn is_done(&self, to: &HandPose<R>) -> bool {
-        self.errand.stage == Stage::Still && self.body.hand == *to
+        self.errand.is_still() && self.body.hand == *to
     }
     /// The path ends where it is certain, if that is beyond its beginning.
     fn turn_path(&mut self) {
@@ -68,13 +68,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
         self.do_piece(to, more);
-        if C > 0
-            && self.errand.stage == Stage::Still
-            && self.errand.search.motion.kind == Kind::Pair
-        {
+        if C > 0 && self.errand.is_still() && self.errand.search.motion.kind == Kind::Pair {
             self.statics.widen(self.body);
         }
-        if self.errand.stage == Stage::Still {
+        if self.errand.is_still() {
             self.log_slide(to);
         }
     }

@@ -81,8 +81,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// One stable branch of balance on a window, with the bounds of its rates: (E9), (E10). Otherwise the part of the window that may be.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn certified(
+        &self,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        residual: Residual<R>,
+    ) -> Result<Pace<R>, R> {
+        self.certified_inlined(m, i, residual)
+    }
+    /// [`Self::certified`], compiled into the caller: what it knows of the motion is decided there.
+    #[inline(always)]
+    pub(crate) fn certified_inlined(
         &self,
         m: &Motion<R>,
         i: &Instant<R>,

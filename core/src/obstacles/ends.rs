@@ -157,6 +157,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A contact leaves its side in a sense: it is handed on, in one line to where what touches ends now. Returns whether the load on it has
     /// changed.
     pub(crate) fn hand_on(&mut self, k: usize, sense: Sense) -> bool {
+        if C == 0 {
+            return false;
+        }
         let (at, statics) = (self.body.at(), self.statics);
         let left = self.body.contacts.get(k);
         self.body.forget();
