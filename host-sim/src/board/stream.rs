@@ -80,6 +80,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             audience.note(&remark);
         }
         let indices = setup.indices(&about);
+        let steps = Steps::of(&about.mode);
         let stream = Self {
             setup,
             indices,
@@ -94,7 +95,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             counts: Counts::default(),
             verdict: Verdict::default(),
             pending: Pending::default(),
-            steps: Steps::default(),
+            steps,
             recorder: Recorder::default(),
             tracker_gone: None,
         };
