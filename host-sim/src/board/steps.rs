@@ -132,6 +132,12 @@ impl Steps {
         }
     }
 
+    /// When the pose arrived whose forces may not be due: that of the last step, where not every pose has some.
+    pub(super) fn last_pose_at(&self) -> Option<Instant> {
+        let last = self.pending.back().filter(|_| !self.with_forces)?;
+        last.pose.map(|(at, _)| at)
+    }
+
     /// Returns the rest when nothing more will arrive.
     pub(super) fn flush(&mut self) -> Vec<Step> {
         self.finish(self.pending.len())
