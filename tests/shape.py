@@ -39,6 +39,12 @@ BINDING = "an interface: one value for each that Python or JavaScript passes"
 
 # (file, or folder with a slash at its end; rule; most that is allowed: the largest size, or the number of places; reason)
 EXCEPTIONS = [
+    ("core/statics/src/obstacles/apart.rs", "file", 411, TODAY),
+    ("core/statics/src/bounds.rs", "function", 61, TODAY),
+    ("core/statics/src/description.rs", "function", 67, TODAY),
+    ("core/statics/src/obstacles/apart.rs", "function", 63, TODAY),
+    ("core/statics/", "types", 5, TODAY),
+    ("core/statics/", "words", 6, WORDING),
     ("core/src/detect.rs", "file", 373, STATICS),
     ("core/src/detect/obstacles/axes.rs", "file", 459, STATICS),
     ("core/src/detect/obstacles/reached.rs", "file", 422, STATICS),

@@ -199,9 +199,10 @@ export class BoardModel {
     const { run } = this;
     run.forces = message;
     const row = [this.since(message.time), ...this.scene.surfaces.flatMap(() => [0, 0])];
-    for (const [, surface, , , n, t] of message.contact) {
-      row[1 + 2 * surface] += n;
-      row[2 + 2 * surface] += t;
+    for (const contact of message.contact) {
+      const [, , surface, , , , , normal, friction] = contact;
+      row[1 + 2 * surface] += normal;
+      row[2 + 2 * surface] += friction;
     }
     run.strip.push(row);
   }

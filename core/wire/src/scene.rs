@@ -32,6 +32,7 @@ pub const fn scene_bytes([vertices, surfaces, obstacles, corners]: [usize; 4]) -
 ///     friction_dynamic: 0.3,
 ///     memory: None,
 /// };
+/// let (surfaces, obstacles) = ([floor], [table]);
 /// let sent = SceneCommand::from(&Description {
 ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
 ///     start: [-0.05, 0.03, 0.0],
@@ -40,8 +41,8 @@ pub const fn scene_bytes([vertices, surfaces, obstacles, corners]: [usize; 4]) -
 ///     reach: 0.01,
 ///     stiffness_translation: 500.0,
 ///     stiffness_rotation: 0.5,
-///     surfaces: &[floor],
-///     obstacles: &[table],
+///     surfaces: &surfaces,
+///     obstacles: &obstacles,
 /// });
 ///
 /// // On the board, with room for 4 vertices, 1 surface, and 2 obstacles with 8 corners together:

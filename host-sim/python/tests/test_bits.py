@@ -53,7 +53,9 @@ def test_a_trace_of_the_program_reads_back_to_the_bits_of_the_run(stiction_run, 
     trace = stiction_run(name, "--number", number)
     scene = stiction.Scene.bundled(name)
     run = stiction.Solver(scene, number=number).run(**scene.recorded())
-    same(run, stiction.Run.read_trace(scene, trace, number), without=["longest_slip"])
+    # A trace has the direction of a contact with an obstacle alone: a surface has its own.
+    missing = ["longest_slip"] if scene.obstacles else ["longest_slip", "direction"]
+    same(run, stiction.Run.read_trace(scene, trace, number), without=missing)
 
 
 def recorded(folder, hand):

@@ -24,7 +24,6 @@ impl<A: Audience> Stream<'_, A> {
         self.audience.gone();
         let lost = self.pending.give_up();
         self.lose(lost)?;
-        self.steps = Steps::default();
         loop {
             let next = Instant::now() + RETRY;
             match self.begin_again() {
@@ -59,6 +58,7 @@ impl<A: Audience> Stream<'_, A> {
         } = self;
         let (mut session, mut about) = Session::begin(address, inbox, *timeout, *begun)?;
         setup.apply(&mut session, &mut about, inbox)?;
+        self.steps = Steps::of(&about.mode);
         self.about = about;
         Ok(session)
     }

@@ -14,7 +14,7 @@ pub(super) struct Recorder {
 }
 
 impl Recorder {
-    /// The frame of an answer; nothing if a part of it was lost. `indices`: the indices of the board's obstacles in the scene
+    /// The frame of an answer; nothing if a part of it was lost, or it came without forces. `indices`: the indices of the board's obstacles in the scene
     /// file, if they differ.
     pub(super) fn frame(
         &mut self,

@@ -39,7 +39,7 @@ impl<A: Audience> Stream<'_, A> {
                 self.feed.drop_waiting();
                 // They belong to the previous run.
                 self.pending.give_up();
-                self.steps = Steps::default();
+                self.steps = Steps::of(&self.about.mode);
             }
         }
         self.audience.answer(result)?;

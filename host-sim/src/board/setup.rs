@@ -196,8 +196,8 @@ impl Setup {
         }
     }
 
-    /// If the line is too slow for a pose with forces at every tick: fewer of them, or, if every step is needed, fewer ticks; the
-    /// remark reports which.
+    /// If the line is too slow for a pose with forces at every tick: fewer of them, or, if every step is needed, fewer ticks, and then fewer
+    /// forces; the remark reports which.
     fn set_mode(
         &self,
         session: &mut Session,
@@ -221,7 +221,11 @@ impl Setup {
             }
             remark = Some(match mode.stepping {
                 Stepping::PerSample => {
-                    format!("the line carries {} steps a second", mode.tick_rate)
+                    let steps = format!("the line carries {} steps a second", mode.tick_rate);
+                    match mode.forces_every {
+                        1 => steps,
+                        every => format!("{steps}, and the forces of one in {every}"),
+                    }
                 }
                 Stepping::Timed => {
                     format!(
@@ -287,10 +291,14 @@ fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
         let fitting = (f64::from(mode.tick_rate) / too_much).floor() as u16;
         let tick_rate = fitting.min(mode.tick_rate.saturating_sub(1));
         // No board makes fewer steps than this.
-        if tick_rate < SLOWEST_TICK {
-            return None;
+        match tick_rate < SLOWEST_TICK {
+            false => Mode { tick_rate, ..*mode },
+            true => Mode {
+                tick_rate: SLOWEST_TICK,
+                forces_every: mode.forces_every.saturating_add(1),
+                ..*mode
+            },
         }
-        Mode { tick_rate, ..*mode }
     } else {
         let fitting = (f64::from(mode.pose_every) * too_much).ceil() as u16;
         let every = fitting.max(mode.pose_every.saturating_add(1));
@@ -307,8 +315,8 @@ mod tests {
     use super::*;
     use stiction_wire::Reference;
 
-    /// What of ticks and of every how many poses a mode is left after a refusal of this value, with this limit.
-    fn left(mode: Mode, (subject, value, limit): (Subject, f32, f32)) -> Option<(u16, u16)> {
+    /// What of ticks and of every how many poses and forces a mode is left after a refusal of this value, with this limit.
+    fn left(mode: Mode, (subject, value, limit): (Subject, f32, f32)) -> Option<(u16, u16, u16)> {
         let refusal = Answer {
             command: Reference::default(),
             reason: Reason::Unsupported,
@@ -318,8 +326,7 @@ mod tests {
             allowed: String::new(),
         };
         let mode = less(&mode, &refusal)?;
-        assert_eq!(mode.pose_every, mode.forces_every);
-        Some((mode.tick_rate, mode.pose_every))
+        Some((mode.tick_rate, mode.pose_every, mode.forces_every))
     }
 
     #[test]
@@ -337,11 +344,11 @@ mod tests {
         let much = (Subject::LineRate, 256_000.0, 92_160.0);
         let little = (Subject::LineRate, 11_521.0, 11_520.0);
         for (mode, refusal, expected) in [
-            (timed(1), much, Some((1000, 3))),
-            (per_sample(1000), much, Some((360, 1))),
-            (per_sample(200), much, None),
-            (timed(2), little, Some((1000, 3))),
-            (per_sample(170), little, Some((169, 1))),
+            (timed(1), much, Some((1000, 3, 3))),
+            (per_sample(1000), much, Some((360, 1, 1))),
+            (per_sample(200), much, Some((100, 1, 2))),
+            (timed(2), little, Some((1000, 3, 3))),
+            (per_sample(170), little, Some((169, 1, 1))),
             // Another refusal is one.
             (timed(1), (Subject::TickRate, 5000.0, 1000.0), None),
             (timed(1), (Subject::LineRate, 256_000.0, f32::NAN), None),

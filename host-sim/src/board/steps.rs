@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Instant;
 
-use stiction_wire::{EventSet, Pose};
+use stiction_wire::{EventSet, Mode, Pose};
 
 use super::message::{Events, Forces, Received, Said};
 
@@ -33,10 +33,10 @@ struct Parts {
 }
 
 impl Parts {
-    /// Returns whether pose and forces arrived, and all events of the pose are among those reported since the previous pose.
-    fn is_whole(&self, reported: EventSet) -> bool {
+    /// Returns whether the pose arrived, and all its events are among those reported since the previous pose.
+    fn has_pose(&self, reported: EventSet) -> bool {
         let is_reported = |pose: &Pose| reported.union(pose.events) == reported;
-        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| is_reported(&pose))
+        self.pose.is_some_and(|(_, pose)| is_reported(&pose))
     }
 
     fn lacks(&self, said: &Said) -> bool {
@@ -54,14 +54,31 @@ fn set(events: Option<&Events>) -> EventSet {
     events.map_or_else(EventSet::default, |events| EventSet::of(&events.list))
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Steps {
     pending: VecDeque<Parts>,
+    /// Forces come with every pose, not only with some.
+    with_forces: bool,
     /// Events of steps whose pose was not sent: they belong to the next pose that is sent.
     earlier: Option<Events>,
 }
 
 impl Steps {
+    /// Those of a board in this mode.
+    pub(super) fn of(mode: &Mode) -> Self {
+        Self {
+            pending: VecDeque::new(),
+            with_forces: mode.forces_every == mode.pose_every,
+            earlier: None,
+        }
+    }
+
+    /// Nothing of it was lost. Forces follow their pose, so where not every pose has some, what comes next says that there are none.
+    fn is_whole(&self, parts: &Parts, reported: EventSet, is_last: bool) -> bool {
+        let has_forces = parts.forces.is_some() || !(self.with_forces || is_last);
+        has_forces && parts.has_pose(reported)
+    }
+
     /// Adds a part. Returns the steps for which nothing more will arrive, in order.
     pub(super) fn add(&mut self, received: Received) -> Vec<Step> {
         let Received { at, time, said } = received;
@@ -95,7 +112,7 @@ impl Steps {
         let mut count = 0;
         for (k, parts) in self.pending.iter().enumerate() {
             reported = reported.union(set(parts.events.as_ref()));
-            if parts.is_whole(reported) {
+            if self.is_whole(parts, reported, k + 1 == self.pending.len()) {
                 count = k + 1;
             }
             if parts.pose.is_some() {
@@ -115,6 +132,12 @@ impl Steps {
         }
     }
 
+    /// When the pose arrived whose forces may not be due: that of the last step, where not every pose has some.
+    pub(super) fn last_pose_at(&self) -> Option<Instant> {
+        let last = self.pending.back().filter(|_| !self.with_forces)?;
+        last.pose.map(|(at, _)| at)
+    }
+
     /// Returns the rest when nothing more will arrive.
     pub(super) fn flush(&mut self) -> Vec<Step> {
         self.finish(self.pending.len())
@@ -125,7 +148,7 @@ impl Steps {
         let done: Vec<Parts> = self.pending.drain(..count).collect();
         for mut parts in done {
             self.keep(parts.events.take());
-            let is_whole = parts.is_whole(set(self.earlier.as_ref()));
+            let is_whole = self.is_whole(&parts, set(self.earlier.as_ref()), false);
             if let Some((at, pose)) = parts.pose {
                 steps.push(Step {
                     at,
@@ -176,10 +199,18 @@ mod tests {
         })
     }
 
+    /// Of a board that sends every pose, and forces with one pose in so many.
+    fn steps(forces_every: u16) -> Steps {
+        Steps::of(&Mode {
+            forces_every,
+            ..Mode::default()
+        })
+    }
+
     /// After these parts, with their times: of each step for which nothing more will come, whether it is whole. All come with the last
     /// part.
     fn whole(parts: &[(u32, Said)]) -> (Vec<bool>, Option<Events>) {
-        let mut steps = Steps::default();
+        let mut steps = steps(1);
         let mut done = Vec::new();
         for (time, part) in parts {
             assert!(done.is_empty(), "{parts:?}");
@@ -229,6 +260,24 @@ mod tests {
     }
 
     #[test]
+    fn a_step_whose_forces_are_not_due_is_whole_when_the_next_part_comes() {
+        let mut steps = steps(2);
+        let parts = [
+            (1, pose(&[])),
+            (2, pose(&[])),
+            (2, forces(0)),
+            (3, pose(&[])),
+        ];
+        let done = parts.map(|(time, part)| {
+            let done = steps.add(received(time, part));
+            done.iter().map(|step| step.is_whole).collect::<Vec<_>>()
+        });
+        assert_eq!(done, [vec![], vec![true], vec![true], vec![]]);
+        let last: Vec<_> = steps.flush().iter().map(|step| step.is_whole).collect();
+        assert_eq!(last, [true]);
+    }
+
+    #[test]
     fn events_without_a_pose_are_of_the_next_one() {
         use Event::{Slip, Touch};
         let (_, reported) = whole(&[
@@ -243,7 +292,7 @@ mod tests {
 
     #[test]
     fn events_of_a_step_without_a_sample_are_of_the_next_one() {
-        let mut steps = Steps::default();
+        let mut steps = steps(1);
         for slips in 1..3 {
             steps.keep(Some(Events {
                 slips,
@@ -258,7 +307,7 @@ mod tests {
 
     #[test]
     fn events_without_a_pose_stay_in_a_bounded_list() {
-        let mut steps = Steps::default();
+        let mut steps = steps(1);
         for time in 0..10_000 {
             assert!(steps.add(received(time, events(&[Event::Slip]))).is_empty());
         }
@@ -270,7 +319,7 @@ mod tests {
 
     #[test]
     fn what_is_lost_does_not_hold_back_the_others() {
-        let mut steps = Steps::default();
+        let mut steps = steps(1);
         let done: usize = (0..100)
             .map(|k| steps.add(received(k, pose(&[]))).len())
             .sum();

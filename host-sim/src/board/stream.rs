@@ -36,6 +36,8 @@ const BURST: usize = 2;
 const MOST_NEWS: usize = 256;
 /// The type of a hand on the wire.
 const HAND: u8 = 0x01;
+/// The time in which what is on its way from a board arrives.
+const PATIENCE: Duration = Duration::from_millis(400);
 /// Interval of the checks of the progress line.
 const BREATH: Duration = Duration::from_millis(50);
 
@@ -80,6 +82,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             audience.note(&remark);
         }
         let indices = setup.indices(&about);
+        let steps = Steps::of(&about.mode);
         let stream = Self {
             setup,
             indices,
@@ -94,7 +97,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             counts: Counts::default(),
             verdict: Verdict::default(),
             pending: Pending::default(),
-            steps: Steps::default(),
+            steps,
             recorder: Recorder::default(),
             tracker_gone: None,
         };
@@ -312,6 +315,11 @@ impl<'a, A: Audience> Stream<'a, A> {
 
     fn give_up_overdue(&mut self) -> Result<(), BoardError> {
         let now = Instant::now();
+        // Forces follow their pose; after the last sample nothing comes that says that there are none.
+        let is_late = |at| now.duration_since(at) > PATIENCE;
+        if self.feed.is_over() && self.steps.last_pose_at().is_some_and(is_late) {
+            self.answer_rest()?;
+        }
         if self
             .pending
             .overdue(self.timeout)
@@ -323,14 +331,19 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
-    /// Receives what is still on its way, and the last report of the board.
-    fn finish(&mut self, session: &mut Session) -> Result<(), BoardError> {
+    /// Nothing more of the steps arrives.
+    fn answer_rest(&mut self) -> Result<(), BoardError> {
         for step in self.steps.flush() {
             self.answer(&step)?;
         }
-        let patience = Duration::from_millis(400);
+        Ok(())
+    }
+
+    /// Receives what is still on its way, and the last report of the board.
+    fn finish(&mut self, session: &mut Session) -> Result<(), BoardError> {
+        self.answer_rest()?;
         if session.health.is_some()
-            && let Some(health) = session.wait_for_health(&mut self.inbox, patience)?
+            && let Some(health) = session.wait_for_health(&mut self.inbox, PATIENCE)?
         {
             self.counts.note(health);
         }

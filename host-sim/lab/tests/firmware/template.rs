@@ -33,8 +33,9 @@ fn packages() -> Option<PathBuf> {
     let folder = target.join("package");
     for package in PACKAGES.map(file_name) {
         let mut tar = Process::new("tar");
+        // With the times of now: a package has one time for all files, by which cargo would take what it built of an older one.
         tar.current_dir(&folder)
-            .args(["-xzf", &format!("{package}.crate")]);
+            .args(["-xmzf", &format!("{package}.crate")]);
         if_installed(output_of(tar))?;
     }
     Some(folder)
