@@ -6,13 +6,9 @@ interface SolverPage {
   take(text: string): void;
   turn(): string[];
   untilDue(): number;
-  isBeyond(text: string): boolean;
-  handedOver(): string[];
-  handedShown(): string;
   putScene(name: string, text: string): string;
   putEdit(name: string, json: string): string;
   sceneFile(): string;
-  free(): void;
 }
 
 /** A script of wasm-bindgen. */
@@ -22,7 +18,6 @@ interface Bound {
 }
 
 declare const wasm_bindgen: Bound;
-declare const stiction_whole: Bound;
 
 /** What the page asks of a file: as VIEW.md has the paths of a server. */
 type FileRequest = { file: number; path: string; name: string; body: string };

@@ -1,14 +1,11 @@
-// The worker of a page without a server: it runs the solver in real time. The output of wasm-bindgen precedes this script. It starts
-// with the solver for scenes without obstacles, a third of the whole, and loads the whole one when a scene needs it.
+// The worker of a page without a server: it runs the solver in real time. The output of wasm-bindgen precedes this script.
 // Timers of a busy browser are some ms late, and sleep for at least 4 ms if they follow one another. Waiting for a value that never
 // changes ends on time. Between two waits the worker sends itself a message, so that the page's messages are handled.
 
-/** Messages and files that wait until a solver is loaded. @type {(string | FileRequest)[]} */
+/** Messages and files that wait until the solver is loaded. @type {(string | FileRequest)[]} */
 let waiting = [];
 /** @type {SolverPage | null} */
 let page = null;
-/** The whole solver, if this is a part of it. @type {{script: string, wasm: string} | undefined} */
-let whole;
 /** Never changes. Shared memory of WebAssembly exists even if SharedArrayBuffer is hidden. */
 const still = new Int32Array(new WebAssembly.Memory({ shared: true, initial: 1, maximum: 1 }).buffer);
 
@@ -17,14 +14,14 @@ self.addEventListener("message", ({ data }) => {
   else start(data);
 });
 
-/** Starts the solver and its clock. @param {{wasm: string | ArrayBuffer, whole?: {script: string, wasm: string}}} files */
-async function start(files) {
+/** Starts the solver and its clock. @param {{wasm: string | ArrayBuffer}} files */
+async function start({ wasm }) {
   try {
-    whole = files.whole;
-    await wasm_bindgen({ module_or_path: files.wasm });
+    await wasm_bindgen({ module_or_path: wasm });
     page = new wasm_bindgen.Page();
     self.postMessage([page.hello()]);
-    takeWaiting();
+    waiting.forEach(take);
+    waiting = [];
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => turn(port2);
     port2.postMessage(0);
@@ -36,14 +33,8 @@ async function start(files) {
 /** A message of the page, or a file. @param {string | FileRequest} said */
 function take(said) {
   if (!page) waiting.push(said);
-  else if (whole && isBeyond(page, said)) grow(whole, page, said).catch(stop);
   else if (typeof said === "string") page.take(said);
   else answer(page, said);
-}
-
-/** What only the whole solver can do: obstacles, and scenes of the page's own. @param {SolverPage} part @param {string | FileRequest} said */
-function isBeyond(part, said) {
-  return typeof said === "string" ? part.isBeyond(said) : said.path !== "scene.toml";
 }
 
 /** Answers what is asked of a file. @param {SolverPage} page @param {FileRequest} request */
@@ -55,30 +46,6 @@ function answer(page, { file, path, name, body }) {
   } catch (why) {
     self.postMessage({ file, problem: why instanceof Error ? why.message : String(why) });
   }
-}
-
-function takeWaiting() {
-  const all = waiting;
-  waiting = [];
-  all.forEach(take);
-}
-
-/**
- * The whole solver continues where the part of it stopped, with this message or file. Messages that arrive
- * meanwhile wait.
- * @param {{script: string, wasm: string}} files @param {SolverPage} part @param {string | FileRequest} said
- */
-async function grow(files, part, said) {
-  whole = undefined;
-  page = null;
-  importScripts(files.script);
-  await stiction_whole({ module_or_path: files.wasm });
-  page = new stiction_whole.Page();
-  for (const message of part.handedOver()) page.take(message);
-  page.take(part.handedShown());
-  part.free();
-  take(said);
-  takeWaiting();
 }
 
 /** Executes the ticks that are due. @param {MessagePort} port */

@@ -8,8 +8,8 @@ import { Talk } from "./talk.js";
 const HIDDEN = ["record", "upload", "recording-section", "let-go", "clients", "holder"];
 const CHOICES = ["recording", "upload"];
 
-/** Files next to the page: the solver for scenes without obstacles, and the complete one. */
-const BESIDE = { script: "worker.js", wasm: "part.wasm", whole: { script: "whole.js", wasm: "whole.wasm" } };
+/** The solver, in files next to the page. */
+const BESIDE = { script: "worker.js", wasm: "stiction.wasm" };
 
 export class Alone extends Talk {
   /** @param {FeedEvents} events */

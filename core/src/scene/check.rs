@@ -119,14 +119,14 @@ pub(super) fn fits<R: Real>(x: R) -> bool {
 }
 
 /// The friction of a surface or an obstacle as it is given.
-struct Friction<F> {
+struct GivenFriction<F> {
     mu_s: F,
     mu_d: F,
     /// The memory length (m).
     memory: Option<F>,
 }
 
-impl<F: Real> Friction<F> {
+impl<F: Real> GivenFriction<F> {
     /// Checks that mu_s >= mu_d >= 0, and the memory length; `names`: of the three.
     fn check(&self, names: [Parameter; 3]) -> Checked<F> {
         let [fixed, sliding, length] = names;
@@ -209,7 +209,7 @@ pub(super) fn check_surfaces<R: Real, const S: usize>(
             "a finite vector that is not zero",
         )?;
         require(true, Parameter::Offset(i), d.offset, "a finite number")?;
-        let friction = Friction {
+        let friction = GivenFriction {
             mu_s: d.friction_static,
             mu_d: d.friction_dynamic,
             memory: d.memory,

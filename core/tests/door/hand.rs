@@ -319,5 +319,4 @@ fn far_from_the_origin_only_the_samples_are_rounded() {
     setup.start = [1e7, 0.0, 0.0];
     let error = setup.solver::<f32>().expect_err("no digit is left");
     assert_eq!(error.parameter, stiction_core::Parameter::Start);
-    assert!(f64::RANGE > 1e9);
 }

@@ -38,11 +38,11 @@
 
 #if !defined(STICTION_OBSTACLES)
 // The size of the memory in words of 8 bytes.
-#define STICTION_WORDS 96
+#define STICTION_WORDS 144
 #endif
 
 // The size of a snapshot in words of 8 bytes.
-#define STICTION_SNAPSHOT_WORDS 33
+#define STICTION_SNAPSHOT_WORDS 72
 
 #if (!defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES))
 // What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.

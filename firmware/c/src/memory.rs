@@ -42,9 +42,9 @@ pub(crate) type Run = State<Number>;
 pub const WORDS: usize = 512;
 /// The size of the memory in words of 8 bytes.
 #[cfg(not(feature = "obstacles"))]
-pub const WORDS: usize = 96;
+pub const WORDS: usize = 144;
 /// The size of a snapshot in words of 8 bytes.
-pub const SNAPSHOT_WORDS: usize = 33;
+pub const SNAPSHOT_WORDS: usize = 72;
 
 /// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
 #[cfg(all(not(feature = "fixed"), not(feature = "obstacles")))]

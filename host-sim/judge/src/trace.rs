@@ -31,7 +31,7 @@ enum Records {
 }
 
 /// A line, counted from 1, and its frame or the problem.
-type Line = (u64, Result<Frame, String>);
+type Numbered = (u64, Result<Frame, String>);
 
 impl Trace {
     /// Opens a trace of a scene; its extension, `jsonl` or `csv`, determines the format.

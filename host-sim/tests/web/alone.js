@@ -76,5 +76,5 @@ export async function filesOfFirstDrawing(live) {
     const files = performance.getEntriesByType("resource").filter(({ startTime }) => startTime < drawn);
     return files.map(({ name }) => new URL(name).pathname);
   });
-  return [...new Set(["/index.html", "/worker.js", "/part.wasm", ...names])];
+  return [...new Set(["/index.html", "/worker.js", "/stiction.wasm", ...names])];
 }

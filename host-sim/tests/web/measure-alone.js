@@ -6,7 +6,7 @@
 // The time of its first frame, the number of its late ticks while the mouse drags, its size, and the time of a step in the npm
 // package.
 
-import { readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
+import { readFileSync, renameSync, writeFileSync } from "node:fs";
 import { cpus, release, type } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -97,13 +97,11 @@ async function step(number) {
 
 const host = await Host.start();
 const first = await files(host.origin);
-const all = /** @type {string[]} */ (readdirSync(folder, { recursive: true })).filter((name) => /^whole/.test(name));
 const rows = [
   ["first frame, median of 5: from a web host, in one file", `${(await firstFrame(host.origin)).toFixed(0)} ms, ${(await firstFrame(oneFile)).toFixed(0)} ms`],
   [`ticks more than 2 ms late in ${options.seconds} s of dragging: box-flat`, await ticking(host.origin, "box-flat")],
   [`the same among obstacles: step`, await ticking(host.origin, "step")],
   ["weight until the first frame: Brotli, gzip", `${weight(first, brotliCompressSync)} kB, ${weight(first, (bytes) => gzipSync(bytes, { level: 9 }))} kB`],
-  ["what the first scene with obstacles loads besides: Brotli, gzip", `${weight(all, brotliCompressSync)} kB, ${weight(all, (bytes) => gzipSync(bytes, { level: 9 }))} kB`],
   ["`stiction.html`: gzip", `${weight(["stiction.html"], (bytes) => gzipSync(bytes, { level: 9 }))} kB`],
   ["a sample in `run`, f32, Node.js", await step("f32")],
   ["a sample in `run`, f64", await step("f64")],

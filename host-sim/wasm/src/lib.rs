@@ -2,13 +2,9 @@
 //! `stiction view` does. Both are bound with `wasm-bindgen`; `stiction-page` builds them.
 
 mod page;
-#[cfg(feature = "package")]
 mod scenes;
-#[cfg(feature = "package")]
 mod solver;
 
 pub use page::Page;
-#[cfg(feature = "package")]
 pub use scenes::{scene_names, scene_path, scene_text};
-#[cfg(feature = "package")]
 pub use solver::{Solver, state_names, status_names};

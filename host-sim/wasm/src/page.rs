@@ -3,7 +3,6 @@
 
 use std::path::Path;
 
-use serde_json::json;
 use stiction_core::Evolution;
 use stiction_live::body::Setting;
 use stiction_live::feed::{Cursor, Shown};
@@ -13,7 +12,6 @@ use stiction_live::number::Number;
 use stiction_live::outbound::{self, Runner};
 use stiction_live::own;
 use stiction_live::scenes;
-use stiction_live::simulate;
 use stiction_live::stage::Stage;
 use stiction_scene::SceneFile;
 use wasm_bindgen::prelude::*;
@@ -77,41 +75,9 @@ impl Page {
         outbound::hello(CLIENT, &self.live.offers(true), &Runner::Core)
     }
 
-    /// Whether only the whole solver can handle a message: a scene with obstacles, if this build has none. Another page should
-    /// handle it, after [`Page::handed_over`].
-    #[wasm_bindgen(js_name = isBeyond)]
-    pub fn is_beyond(&self, text: &str) -> bool {
-        let Ok(Message::Scene { name }) = inbound::read(text).message else {
-            return false;
-        };
-        let scene = scenes::ALL.iter().find(|(known, _)| *known == name);
-        scene.is_some_and(scenes::has_obstacles) && !cfg!(feature = "obstacles")
-    }
-
-    /// The messages that bring another page to the state of this one, except for the scene.
-    #[wasm_bindgen(js_name = handedOver)]
-    pub fn handed_over(&self) -> Vec<String> {
-        let setting = &self.live.pair.setting;
-        let messages = [
-            json!({"type": "number", "value": setting.number.name()}),
-            json!({"type": "evolution", "value": setting.evolution.name()}),
-            json!({"type": "pause", "value": self.live.paused}),
-            json!({"type": "speed", "value": self.live.speed}),
-            json!({"type": "rate", "value": 1.0 / self.period.as_secs_f64()}),
-        ];
-        messages.iter().map(ToString::to_string).collect()
-    }
-
-    /// The message that shows the present scene.
-    #[wasm_bindgen(js_name = handedShown)]
-    pub fn handed_shown(&self) -> String {
-        json!({"type": "scene", "name": self.live.stage.scene.title}).to_string()
-    }
-
     /// Shows the scene of a text, under a name given by the page. Returns its title.
     ///
     /// Throws if the text is no scene: the message names the key and the line.
-    #[cfg(feature = "obstacles")]
     #[wasm_bindgen(js_name = putScene)]
     pub fn put_scene(&mut self, name: &str, text: &str) -> Result<String, JsError> {
         let stage = own::parse(name, text.into(), self.live.pair.setting.number.limit());
@@ -121,7 +87,6 @@ impl Page {
     /// Changes the present scene (JSON), under a name given by the page. Returns its title.
     ///
     /// Throws if the result is no scene.
-    #[cfg(feature = "obstacles")]
     #[wasm_bindgen(js_name = putEdit)]
     pub fn put_edit(&mut self, name: &str, json: &str) -> Result<String, JsError> {
         let limit = self.live.pair.setting.number.limit();
@@ -184,7 +149,6 @@ impl Page {
         wait.as_secs_f64() * 1e3
     }
 
-    #[cfg(feature = "obstacles")]
     fn show(&mut self, stage: Result<Stage, String>) -> Result<String, JsError> {
         let shown = stage.and_then(|stage| {
             let title = stage.scene.title.clone();

@@ -4,12 +4,12 @@
 use super::product::{PLACES, RAIL, wide};
 
 /// A normal float: `mantissa` / 2^30, in [1, 2), times 2^(`exponent` - 127).
-struct Normal {
+struct Normalized {
     mantissa: i32,
     exponent: i32,
 }
 
-impl Normal {
+impl Normalized {
     /// `None` for zero, a subnormal number, infinity and NaN.
     #[inline]
     fn new(x: f32) -> Option<Self> {
@@ -35,7 +35,7 @@ fn product(a: i32, b: i32) -> (i64, i32) {
 /// is subnormal.
 #[inline(never)]
 pub(super) fn from_single(x: f32, per: f32) -> i32 {
-    let size = match (Normal::new(x), Normal::new(per)) {
+    let size = match (Normalized::new(x), Normalized::new(per)) {
         (Some(a), Some(b)) => {
             let (product, halved) = product(a.mantissa, b.mantissa);
             let top = (product >> 29) as u32;
@@ -62,7 +62,8 @@ pub(super) fn to_single(x: i32, unit: f32) -> f32 {
         return 0.0;
     }
     // where the result can neither overflow nor be subnormal
-    let Some(normal) = Normal::new(unit).filter(|unit| matches!(unit.exponent, 26..=240)) else {
+    let Some(normal) = Normalized::new(unit).filter(|unit| matches!(unit.exponent, 26..=240))
+    else {
         return x as f32 * STEP * unit;
     };
     let shift = x.unsigned_abs().leading_zeros();

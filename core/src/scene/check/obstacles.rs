@@ -1,7 +1,7 @@
 //! The checks of obstacles with corners that need only their numbers and the body's size L.
 
 use super::outline::{check_convex, sides, spread};
-use super::{Checked, Friction, Representable, fits, larger, require, thinnest};
+use super::{Checked, GivenFriction, Representable, fits, larger, require, thinnest};
 use crate::geometry::Vec2;
 use crate::real::Real;
 use crate::scene::{ObstacleDescription, Parameter};
@@ -47,7 +47,7 @@ pub(in crate::scene) fn check_obstacles<R: Real>(
             obstacle.friction_static,
             Parameter::ObstacleFrictionStatic(i),
         );
-        let friction = Friction {
+        let friction = GivenFriction {
             mu_s,
             mu_d: obstacle.friction_dynamic,
             memory: obstacle.memory,

@@ -6,7 +6,7 @@ use std::io::BufReader;
 use stiction_scene::text;
 
 use super::record::{Names, Record};
-use super::{LONGEST_RECORD, Line};
+use super::{LONGEST_RECORD, Numbered};
 use crate::frame::Frame;
 
 pub(super) struct Lines(text::Lines<BufReader<File>>);
@@ -17,7 +17,7 @@ impl Lines {
     }
 
     /// The next line that is not blank, with its number.
-    pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
+    pub(super) fn next(&mut self, names: &Names) -> Option<Numbered> {
         loop {
             let line = self.0.number() as u64 + 1;
             match self.0.advance() {

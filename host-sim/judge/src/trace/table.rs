@@ -12,7 +12,7 @@ use csv::{Reader, StringRecord};
 use stiction_core::StateKind as State;
 
 use super::record::{Entry, Names, Record};
-use super::{LONGEST_RECORD, Line};
+use super::{LONGEST_RECORD, Numbered};
 
 const CONTACTS: usize = 4;
 
@@ -139,7 +139,7 @@ impl Rows {
         })
     }
 
-    pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
+    pub(super) fn next(&mut self, names: &Names) -> Option<Numbered> {
         self.left.set(LONGEST_RECORD);
         match self.reader.read_record(&mut self.row) {
             Ok(false) => None,

@@ -20,9 +20,6 @@ fn is_of_tools(name: &str) -> bool {
 
 /// A placeholder in the `package.json` of the npm package.
 const NO_VERSION: &str = "\"version\": \"0.0.0\"";
-/// The global name that the scripts of wasm-bindgen define.
-const PART: &str = "wasm_bindgen";
-const WHOLE: &str = "stiction_whole";
 /// A mark that tells the page that it contains the solver itself.
 const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 
@@ -32,34 +29,13 @@ pub(crate) struct Page {
     pub(crate) web: Vec<File>,
     /// Names and pictures of the scenes.
     pub(crate) pictures: Vec<(String, String)>,
-    worker: Vec<u8>,
-    part: Bound,
-    pub(crate) whole: Bound,
-}
-
-/// A script of wasm-bindgen and its wasm.
-#[derive(Debug, Default)]
-pub(crate) struct Bound {
-    script: Vec<u8>,
+    /// The script of wasm-bindgen, and `worker.js`.
+    pub(crate) worker: Vec<u8>,
     pub(crate) wasm: Vec<u8>,
 }
 
-impl Bound {
-    fn new(module: &Module, name: &'static str) -> Built<Self> {
-        let mut bound = Self::default();
-        for (name, bytes) in module.bound(For::Worker(name))? {
-            match name.ends_with(".js") {
-                true => bound.script = bytes,
-                false => bound.wasm = bytes,
-            }
-        }
-        Ok(bound)
-    }
-}
-
 impl Page {
-    /// The page with both modules.
-    pub(crate) fn new(part: &Module, whole: &Module) -> Built<Self> {
+    pub(crate) fn new(module: &Module) -> Built<Self> {
         let folder = workspace().join("host-sim/web");
         let mut web = Vec::new();
         gather(&folder, "", &mut web)?;
@@ -76,13 +52,20 @@ impl Page {
                 *bytes = text.replacen(MARK.0, MARK.1, 1).into_bytes();
             }
         }
-        let worker = workspace().join("host-sim/wasm/worker.js");
+        let (mut worker, mut wasm) = (Vec::new(), Vec::new());
+        for (name, bytes) in module.bound(For::Worker)? {
+            match name.ends_with(".js") {
+                true => worker = bytes,
+                false => wasm = bytes,
+            }
+        }
+        let own = workspace().join("host-sim/wasm/worker.js");
+        worker.extend(fs::read(&own).map_err(of(&own))?);
         Ok(Self {
             web,
             pictures: pictures()?,
-            worker: fs::read(&worker).map_err(of(&worker))?,
-            part: Bound::new(part, PART)?,
-            whole: Bound::new(whole, WHOLE)?,
+            worker,
+            wasm,
         })
     }
 
@@ -94,22 +77,10 @@ impl Page {
         };
         files.extend(self.pictures.iter().map(picture));
         files.extend([
-            (
-                "worker.js".to_owned(),
-                [&*self.part.script, &self.worker].concat(),
-            ),
-            ("part.wasm".to_owned(), self.part.wasm.clone()),
-            ("whole.js".to_owned(), self.whole.script.clone()),
-            ("whole.wasm".to_owned(), self.whole.wasm.clone()),
+            ("worker.js".to_owned(), self.worker.clone()),
+            ("stiction.wasm".to_owned(), self.wasm.clone()),
         ]);
         files
-    }
-
-    /// A worker that starts with the whole solver.
-    pub(crate) fn whole_worker(&self) -> Vec<u8> {
-        // `worker.js` refers to its solver by the name of the part.
-        let name = format!("\nlet {PART} = {WHOLE};\n");
-        [&*self.whole.script, name.as_bytes(), &self.worker].concat()
     }
 }
 

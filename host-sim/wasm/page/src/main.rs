@@ -52,17 +52,15 @@ fn main() -> ExitCode {
 }
 
 fn build(arguments: &Arguments) -> Built<()> {
-    let whole = Module::compile("whole.wasm", &[])?;
+    let module = Module::compile()?;
     if let Some(out) = &arguments.out {
-        // For scenes without obstacles.
-        let part = Module::compile("part.wasm", &["--no-default-features"])?;
-        let page = folder::Page::new(&part, &whole)?;
+        let page = folder::Page::new(&module)?;
         folder::write(out, &page.files())?;
         let one = one_file::page(&page)?;
         folder::write(out, &[("stiction.html".to_owned(), one.into_bytes())])?;
     }
     if let Some(npm) = &arguments.npm {
-        folder::write(npm, &folder::package(&whole)?)?;
+        folder::write(npm, &folder::package(&module)?)?;
     }
     Ok(())
 }

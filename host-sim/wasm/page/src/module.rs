@@ -20,8 +20,8 @@ pub(crate) struct Module {
 /// The environment it is for; the code is the same for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum For {
-    /// A classic script of a worker, with the global name that it defines.
-    Worker(&'static str),
+    /// A classic script of a worker.
+    Worker,
     /// A module, with types.
     Package,
 }
@@ -31,8 +31,7 @@ pub(crate) fn workspace() -> PathBuf {
 }
 
 impl Module {
-    /// Compiles the whole solver, or a part of it, to a file of this name.
-    pub(crate) fn compile(name: &str, features: &[&str]) -> Built<Self> {
+    pub(crate) fn compile() -> Built<Self> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -40,7 +39,6 @@ impl Module {
             .args(["build", "--locked", "--package", "stiction-wasm"])
             .args(["--target", TARGET, "--profile", PROFILE, "--target-dir"])
             .arg(&target)
-            .args(features)
             .current_dir(workspace())
             .status();
         if !done.is_ok_and(|status| status.success()) {
@@ -48,10 +46,7 @@ impl Module {
                 "cargo failed; if the target is missing: rustup target add wasm32-unknown-unknown";
             return Err(problem.into());
         }
-        let folder = target.join(TARGET).join(PROFILE);
-        // The next one is built at the same path.
-        let (made, file) = (folder.join("stiction_wasm.wasm"), folder.join(name));
-        fs::copy(&made, &file).map_err(of(&made))?;
+        let file = target.join(TARGET).join(PROFILE).join("stiction_wasm.wasm");
         Ok(Self { file })
     }
 
@@ -66,14 +61,12 @@ impl Module {
             .remove_producers_section(true)
             .typescript(whom == For::Package);
         let kind = match whom {
-            For::Worker(name) => bindgen
-                .no_modules(true)
-                .and_then(|bindgen| bindgen.no_modules_global(name)),
+            For::Worker => bindgen.no_modules(true),
             For::Package => bindgen.web(true),
         };
         kind.map_err(|error| refused(&error))?;
         let folder = self.file.with_extension(match whom {
-            For::Worker(_) => "worker",
+            For::Worker => "worker",
             For::Package => "package",
         });
         // Files of an earlier version would be taken for new ones.

@@ -39,8 +39,8 @@ pub(crate) fn page(all: &Page) -> Built<String> {
     }
     let mut modules = modules(files)?;
     let packed = json!({
-        "worker": packed(&all.whole_worker()),
-        "wasm": packed(&all.whole.wasm),
+        "worker": packed(&all.worker),
+        "wasm": packed(&all.wasm),
     });
     for (module, name) in [
         ("insertion.js", "insertion.css"),
