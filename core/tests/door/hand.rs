@@ -5,7 +5,7 @@ use crate::bench::{
     Number, Of, Run, Setup, all_near, block, hand, in_every_number_type, near, solver_of,
 };
 use stiction_core::{
-    Angle, CarryError, Description, Event, Evolution, Hand, Hold, Present, Real, SiFloat, Solver,
+    Angle, CarryError, Description, Event, Evolution, Hand, Hold, Present, SiFloat, Solver,
     StateKind, Status,
 };
 
