@@ -110,7 +110,7 @@ fi
 # What the lints, the tests and the documentation are of.
 packages=(--workspace)
 if ! is_all; then
-  for package in boards c differential fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
+  for package in boards c fuzz lab page python wasm; do packages+=(--exclude stiction-$package); done
 fi
 
 part 'lints'
