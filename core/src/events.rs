@@ -131,9 +131,9 @@ pub(crate) struct Judging<R> {
     pub(crate) pair: Option<PairSup<R>>,
     /// |p''|: 0 where x = p.
     pub(crate) p_bend: R,
-    /// |E''| of a frozen motion; what bounds -E_u along u.
+    /// |E''| of a frozen motion; |E_u''| along u.
     pub(crate) drive: R,
-    pub(crate) stable: Order<R>,
+    pub(crate) stable: R,
     /// The width of the window.
     pub(crate) width: R,
 }
@@ -320,7 +320,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 self.pair_order(function, on)
             }
             Function::Path => Order::Second(on.p_bend),
-            Function::Stable => on.stable,
+            Function::Stable => Order::Second(on.stable),
         }
     }
 }
