@@ -192,8 +192,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Watch::Joint | Watch::JointSlip => self.pair_values(i, rates, out),
         }
         if let Some(stop) = stop {
+            // p is known to the rounding of E over E_p (R10).
+            let known = R::EPSILON / i.e_p.abs().max(R::divisor());
+            let left = stop - i.p;
             let path = Value {
-                v: stop - i.p,
+                v: if left.abs() <= known { R::ZERO } else { left },
                 d: -rates.p,
             };
             let stable = Value {

@@ -133,7 +133,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (e_u, e_p) = (i.e_u.abs(), i.e_p.abs());
         let within = |way| self.curvature(m, i, Extent { way, strip: l });
         // |p - p_1| stays below d, which is twice what it is with E_p as at the end.
-        let d = ((e_u + within(R::ZERO).k * l) * l / e_p).doubled();
+        let d = ((e_u + within(R::ZERO).k * l) / e_p * l).doubled();
         let Curvature { k, j, q } = within(d);
         let lost = j * l + q * d;
         let low = e_p - lost;
