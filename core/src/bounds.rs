@@ -48,20 +48,31 @@ pub(crate) struct Bound<R> {
     pub(crate) way: R,
 }
 
-/// Bounds of a function and of its first and second derivative by u, on a strip.
+/// Bounds of a function and of its first and second derivative by u, on a strip; of the third only where that is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sup<R> {
+pub(crate) struct Sup<R, const THIRD: bool = false> {
     pub(crate) value: R,
     pub(crate) slope: R,
     pub(crate) bend: R,
+    pub(crate) third: R,
 }
 
-impl<R: Real> Sup<R> {
-    pub(crate) const fn new(value: R, slope: R, bend: R) -> Self {
-        Self { value, slope, bend }
+/// The bound of a third derivative, where that is asked for.
+pub(crate) fn third<R: Real, const THIRD: bool>(bound: impl FnOnce() -> R) -> R {
+    if THIRD { bound() } else { R::ZERO }
+}
+
+impl<R: Real, const THIRD: bool> Sup<R, THIRD> {
+    pub(crate) const fn new(value: R, [slope, bend, third]: [R; 3]) -> Self {
+        Self {
+            value,
+            slope,
+            bend,
+            third,
+        }
     }
     pub(crate) const fn constant(value: R) -> Self {
-        Self::new(value, R::ZERO, R::ZERO)
+        Self::new(value, [R::ZERO; 3])
     }
     /// The second derivative along x, with a function of p whose slope by u is at most `mixed`.
     pub(crate) fn along(&self, pace: &Pace<R>, mixed: R) -> R {
@@ -69,24 +80,29 @@ impl<R: Real> Sup<R> {
         self.bend * pace.rate * pace.rate + both + self.slope * pace.bent
     }
 }
-impl<R: Real> Add for Sup<R> {
+impl<R: Real, const THIRD: bool> Add for Sup<R, THIRD> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         Self::new(
             self.value + b.value,
-            self.slope + b.slope,
-            self.bend + b.bend,
+            [
+                self.slope + b.slope,
+                self.bend + b.bend,
+                third::<R, THIRD>(|| self.third + b.third),
+            ],
         )
     }
 }
-impl<R: Real> Mul for Sup<R> {
+impl<R: Real, const THIRD: bool> Mul for Sup<R, THIRD> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        Self::new(
-            self.value * b.value,
-            self.slope * b.value + self.value * b.slope,
-            self.bend * b.value + (self.slope * b.slope).doubled() + self.value * b.bend,
-        )
+        let slope = self.slope * b.value + self.value * b.slope;
+        let bend = self.bend * b.value + (self.slope * b.slope).doubled() + self.value * b.bend;
+        let third = third::<R, THIRD>(|| {
+            let mixed = self.bend * b.slope + self.slope * b.bend;
+            self.third * b.value + mixed.doubled() + mixed + self.value * b.third
+        });
+        Self::new(self.value * b.value, [slope, bend, third])
     }
 }
 
@@ -127,8 +143,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 }
             }
             Kind::Pair => {
-                let sup = self.pair_sup(m, i, at);
-                let mixed = self.pair_mixed(m, &sup);
+                let sup = self.pair_sup::<false>(m, i, at);
+                let mixed = self.pair_drive_p(m, &sup).slope;
                 (sup.drive().bend, mixed, R::ZERO)
             }
         };
@@ -193,7 +209,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 self.about(m, none, (r, foot), rate)
             }
             Kind::Pair => {
-                let sup = self.pair_sup(m, i, pace.extent);
+                let sup = self.pair_sup::<false>(m, i, pace.extent);
                 let pivot = sup.foot.along(pace, R::ZERO);
                 let (theta, xi1) = (sup.turn.slope * rate, sup.foot.slope * rate);
                 let turning = theta * theta + sup.turn.along(pace, R::ZERO);

@@ -131,9 +131,9 @@ pub(crate) struct Judging<R> {
     pub(crate) pair: Option<PairSup<R>>,
     /// |p''|: 0 where x = p.
     pub(crate) p_bend: R,
-    /// |E''| of a frozen motion; what bounds -E_u along u.
+    /// |E''| of a frozen motion; |E_u''| along u.
     pub(crate) drive: R,
-    pub(crate) stable: Order<R>,
+    pub(crate) stable: R,
     /// The width of the window.
     pub(crate) width: R,
 }
@@ -192,8 +192,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Watch::Joint | Watch::JointSlip => self.pair_values(i, rates, out),
         }
         if let Some(stop) = stop {
+            // p is known to the rounding of E over E_p (R10).
+            let known = R::EPSILON / i.e_p.abs().max(R::divisor());
+            let left = stop - i.p;
             let path = Value {
-                v: stop - i.p,
+                v: if left.abs() <= known { R::ZERO } else { left },
                 d: -rates.p,
             };
             let stable = Value {
@@ -320,7 +323,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 self.pair_order(function, on)
             }
             Function::Path => Order::Second(on.p_bend),
-            Function::Stable => on.stable,
+            Function::Stable => Order::Second(on.stable),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The ends of a search's windows: where the body is there, and the bounds in between.
 
 use crate::bounds::{Extent, Pace};
-use crate::events::{Ending, Judging, Order, Watched};
+use crate::events::{Ending, Judging, Watched};
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
@@ -118,7 +118,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             pace,
             p_bend: R::ZERO,
             drive,
-            stable: Order::First(R::ZERO),
+            stable: R::ZERO,
             width,
         })
     }
@@ -155,10 +155,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             pace,
             p_bend,
             drive: R::ZERO,
-            stable: match along.stable {
-                Order::First(slope) => Order::First(slope * width),
-                Order::Second(bend) => Order::Second(bend * square),
-            },
+            stable: along.stable * square,
             width,
         })
     }

@@ -1,7 +1,6 @@
 //! The certificate of a window of a curve: one stable branch of balance (STATICS 4).
 
 use crate::bounds::{Curvature, Extent, Pace};
-use crate::events::Order;
 use crate::geometry::Rotation;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
@@ -17,12 +16,12 @@ pub(crate) struct Residual<R> {
     pub(crate) s1: R,
 }
 
-/// What bounds a curve along u (E13), per u: |p'| <= rate, |p''| <= bend; J; and -E_u.
+/// What bounds a curve along u (E13), per u: |p'| <= rate, |p''| <= bend; J; and |d²E_u/du²| <= stable.
 pub(crate) struct Along<R> {
     pub(crate) rate: R,
     pub(crate) bend: R,
     pub(crate) mixed: R,
-    pub(crate) stable: Order<R>,
+    pub(crate) stable: R,
 }
 
 /// Where a window begins.
@@ -134,7 +133,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (e_u, e_p) = (i.e_u.abs(), i.e_p.abs());
         let within = |way| self.curvature(m, i, Extent { way, strip: l });
         // |p - p_1| stays below d, which is twice what it is with E_p as at the end.
-        let d = ((e_u + within(R::ZERO).k * l) * l / e_p).doubled();
+        let d = ((e_u + within(R::ZERO).k * l) / e_p * l).doubled();
         let Curvature { k, j, q } = within(d);
         let lost = j * l + q * d;
         let low = e_p - lost;
@@ -149,12 +148,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         let square = q * rate * rate;
         let bend = (k + (j * rate).doubled() + square) * inverse;
-        let stable = if m.kind == Kind::Pair {
-            Order::First(k + j * rate)
+        // |E_uuu|, |E_uup|
+        let (third, mixed) = if m.kind == Kind::Pair {
+            let sup = self.pair_sup::<true>(m, i, Extent { way: d, strip: l });
+            (sup.drive().third, self.pair_drive_p(m, &sup).bend)
         } else {
-            let twice = k + (j * rate).doubled();
-            Order::Second(twice.doubled() + square + j * bend)
+            (k.doubled(), j.doubled())
         };
+        let stable = third + (mixed * rate).doubled() + square + j * bend;
         Ok(Along {
             rate,
             bend,
