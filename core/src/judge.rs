@@ -197,11 +197,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
         let tol = track.accuracy();
         let (a, b) = (track.begin, track.end);
+        // Of two the one that the other leads beyond, otherwise the first in the order of the functions.
+        let is_earlier = (found.hit).is_none_or(|(_, dx)| b.v + self.slope(track) * dx < -tol);
         let Order::Second(k) = track.order else {
             return false;
         };
         let is_inside = self.is_reached(track, newton);
-        let is_first = found.hit.is_none() && (a.v > tol || b.v.abs() <= tol);
+        let is_first = is_earlier && (a.v > tol || b.v.abs() <= tol);
         if !is_first || !is_inside || !self.is_last(track, k, newton) {
             return false;
         }

@@ -230,6 +230,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         };
         if hi <= b.certain {
             hi = b.certain + w * R::EPSILON.sqrt();
+            if hi <= b.certain {
+                // No number is in between: it happens at the beginning.
+                return Some(self.ended_low(found.crossing.unwrap_or(Ending::GoesOn), R::ZERO));
+            }
         }
         if hi >= b.hi {
             hi = middle;
@@ -246,8 +250,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             // The last step of Newton's iteration: what remains is rounding.
             let x = hi + dx;
             let is_step = dx != R::ZERO && x > self.bracket.certain && x <= end;
+            let left = left - dx.abs() * (R::ONE + on.bound.way / w);
+            if is_step && dx > R::ZERO && (left < -R::TOUCH || self.leads_beyond(dx)) {
+                let next = x.min(hi + (self.bracket.bad - hi).halved());
+                if next > hi {
+                    self.bracket.hi = next;
+                    return None;
+                }
+            }
             if is_step && (self.place(x).is_ok() || self.bracket.branch.is_some()) {
-                let left = left - dx.abs() * (R::ONE + on.bound.way / w);
                 return Some(self.ended_high(ending, x, left));
             }
             return Some(self.ended_high(ending, hi, left));
@@ -274,8 +285,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         b.hi = estimate(self.hi, hi, end).min(end).min(hi + growth);
         b.shrunk = false;
         if b.bad < R::HUGE && b.hi >= b.bad {
-            b.hi = if b.bad > hi {
-                hi + (b.bad - hi).halved()
+            let middle = hi + (b.bad - hi).halved();
+            b.hi = if middle > hi {
+                middle
             } else {
                 (hi + w).min(end)
             };
@@ -283,6 +295,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         (b.low, b.placed) = (b.low.other(), self.hi.instant.placed);
         b.is_known = true;
         None
+    }
+    /// A step beyond the window leads to where something else is over, by the tangents: a window up to there tells which is first.
+    fn leads_beyond(&self, dx: R) -> bool {
+        let below = -R::zero();
+        (self.hi.values.iter()).any(|f| f.d < R::ZERO && f.v >= below && f.v + f.d * dx < below)
     }
     /// The position of a pair on a path is known no farther.
     fn is_beyond_reach(&self) -> bool {
