@@ -142,7 +142,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let frame = self.frame(contact, rotation, g);
         self.gap_of(contact, &frame, rotation, g)
     }
-    /// The gap of a contact whose frame is known.
+    /// The gap of a contact whose frame is known. Its normal is its own: that of a frame may be levelled with another contact's, and its
+    /// rounding would count times the distance from the origin of the line.
     pub(crate) fn gap_of(
         &self,
         contact: Contact,
@@ -151,10 +152,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         g: Vec2<R>,
     ) -> R {
         match contact.feature {
-            Feature::Vertex { side, .. } => frame.n.dot(g + frame.r) - self.side(side).offset,
-            Feature::Corner { body_side, .. } => frame
-                .n
-                .dot(rotation.apply(self.vertex(body_side)) - frame.r),
+            Feature::Vertex { side, .. } => {
+                let side = self.side(side);
+                side.normal.dot(g + frame.r) - side.offset
+            }
+            Feature::Corner { body_side, .. } => {
+                let n = rotation.apply(self.inward(body_side));
+                n.dot(rotation.apply(self.vertex(body_side)) - frame.r)
+            }
         }
     }
 }
