@@ -4,7 +4,7 @@
 //! A job consists of messages to a board (FRAME 4): a scene, the mode, of which the evolution counts, and the samples of the hand, the first
 //! of which is where the solver starts. The results are messages from a board (FRAME 5): for every sample a pose and its events. The clock
 //! in their heads is not one of time: in that of a pose it is the number of instructions of the step, `u32::MAX` if there were more than can
-//! be counted, and in that of the events the units of work.
+//! be counted, and in that of the events the pieces of work.
 
 use core::mem::size_of;
 use heapless::Vec;

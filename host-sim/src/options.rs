@@ -36,7 +36,7 @@ fn trace(name: OsString) -> Result<(PathBuf, Format), String> {
     }
 }
 
-/// A budget of a frame (units of work).
+/// A budget of a frame (pieces of work).
 pub(crate) fn parse_budget(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(units) if units > 0 => Ok(units),

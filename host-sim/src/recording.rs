@@ -9,7 +9,7 @@
 //! {"samples":1}
 //! ```
 //!
-//! A number that is not finite is null in a sample. A missing answer is null. A `budget` follows the evolution if a frame had one (units of work). The first sample starts the scene. The last
+//! A number that is not finite is null in a sample. A missing answer is null. A `budget` follows the evolution if a frame had one (pieces of work). The first sample starts the scene. The last
 //! line counts the samples; a recording without it was cut.
 //!
 //! Between two samples there may be a change: from there on, the body continues where it is, under another setting.
@@ -50,7 +50,7 @@ pub(crate) struct Head {
     /// As on the command line.
     pub(crate) number: String,
     pub(crate) evolution: String,
-    /// The units of work that a frame may use; absent: unlimited.
+    /// The pieces of work that a frame may use; absent: unlimited.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) budget: Option<u32>,
     /// The name of the scene file.
@@ -69,7 +69,7 @@ pub(crate) fn this_build() -> String {
 #[derive(Clone, Debug)]
 pub(crate) struct Maker {
     pub(crate) build: String,
-    /// The units of work that a frame may use, if they are limited.
+    /// The pieces of work that a frame may use, if they are limited.
     pub(crate) budget: Option<u32>,
 }
 

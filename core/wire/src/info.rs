@@ -37,7 +37,7 @@ pub struct Info<'a> {
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
-    /// The budget of a step in units of work, see [`Solver::with_budget`](stiction_core::Solver::with_budget): it follows from the tick.
+    /// The budget of a step in pieces of work, see [`Solver::with_budget`](stiction_core::Solver::with_budget): it follows from the tick.
     pub budget: u32,
     /// Below these k_h (N/m) and k_theta (N·m/rad) its haptic device is passive at its tick rate; infinite without actuators.
     pub stiffest: [f32; 2],

@@ -8,7 +8,7 @@ use stiction_core::{Description, Evolution, Real, Solver};
 pub struct Settings {
     /// How a frame is evolved.
     pub evolution: Evolution,
-    /// The units of work of a step, see [`Solver::with_budget`]; `u32::MAX`: as many as it needs.
+    /// The pieces of work of a step, see [`Solver::with_budget`]; `u32::MAX`: as many as it needs.
     pub budget: u32,
     /// A body that is behind the hand goes on in ticks without a new sample. If false, it goes on with the next sample only: a step for
     /// every sample, as in a file.

@@ -40,7 +40,7 @@ fn tick_rates_from_100_hz_to_what_the_board_can() {
     assert_eq!(rig.health().missed_ticks, 0);
 }
 
-/// A board that does this many units of work per second.
+/// A board that does this many pieces of work per second.
 fn working<R: Real<Si = f32>>(work_rate: u32) -> Rig<R> {
     Rig::of(with(setup(), |setup| setup.work_rate = work_rate))
 }

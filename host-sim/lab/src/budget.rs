@@ -1,5 +1,5 @@
 //! Measures the effect of a budget: random drags on emulated chips, without a budget and with the one that fits a tick: the cost
-//! of a unit of work, how many steps are behind the hand and for how long, and the cost of the longest step. Needs QEMU, except for the
+//! of a piece of work, how many steps are behind the hand and for how long, and the cost of the longest step. Needs QEMU, except for the
 //! M0+.
 
 use std::error::Error;
@@ -66,7 +66,7 @@ struct Taken {
     most: u32,
     /// The instructions that a fraction of the steps, from [`PARTS`], does not exceed.
     within: [u32; PARTS.len()],
-    /// Instructions per unit of work: on average, at most, and at most in steps of [`LONG`] or more units.
+    /// Instructions per piece of work: on average, at most, and at most in steps of [`LONG`] or more units.
     unit: [f64; 3],
     behind: usize,
     /// The largest number of consecutive steps in which the body is behind.
@@ -172,7 +172,7 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
     let text = format!(
         "Written by `cargo run --release -p stiction-lab -- budget --write`: {} random drags of 4 s through a solver of 8 vertices and\n\
          4 surfaces, on emulated chips. For the M0+, cycles are counted, in memory without wait states. For the others, instructions are counted, and the cycles per\n\
-         instruction are an estimated upper bound of the average. The cost of a unit of work is given in instructions (M0+: cycles): on\n\
+         instruction are an estimated upper bound of the average. The cost of a piece of work is given in instructions (M0+: cycles): on\n\
          average / at most / at most in steps of {LONG} or more units. The budget is what fits into seven eighths of a tick at the last of these costs.\n\n{table}",
         drags.len()
     );

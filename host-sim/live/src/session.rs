@@ -12,7 +12,7 @@ use crate::simulate::{Kind, Running, Shared, Task, with_solver};
 pub struct Session(Box<dyn Steps>);
 
 impl Session {
-    /// Creates a session of a scene, before its first sample, with the budget of a frame (units of work; `u32::MAX`: none).
+    /// Creates a session of a scene, before its first sample, with the budget of a frame (pieces of work; `u32::MAX`: none).
     ///
     /// # Errors
     /// The scene is refused in this number type.

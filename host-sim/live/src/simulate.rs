@@ -44,7 +44,7 @@ impl<R: Real> Running<R> {
 }
 
 impl<R: Real<Si: SiFloat>> Running<R> {
-    /// Creates a run of a scene, with the budget of a frame (units of work).
+    /// Creates a run of a scene, with the budget of a frame (pieces of work).
     ///
     /// # Errors
     /// The scene is refused.
@@ -120,7 +120,7 @@ pub struct Kind {
     pub number: Number,
     /// The evolution within a frame.
     pub evolution: Evolution,
-    /// The budget of a frame (units of work); `u32::MAX`: none.
+    /// The budget of a frame (pieces of work); `u32::MAX`: none.
     pub budget: u32,
 }
 

@@ -180,7 +180,7 @@ impl Solver {
         self.evolution.name()
     }
 
-    /// The units of work that a frame may take.
+    /// The pieces of work that a frame may take.
     #[getter]
     fn budget(&self) -> Option<u32> {
         self.budget

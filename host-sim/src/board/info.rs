@@ -63,7 +63,7 @@ fn obstacles(about: &About) -> String {
 fn budget(about: &About) -> String {
     match about.budget {
         u32::MAX => "none".to_owned(),
-        units => format!("{units} units of work in a step"),
+        units => format!("{units} pieces of work in a step"),
     }
 }
 

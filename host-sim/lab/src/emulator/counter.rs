@@ -21,7 +21,7 @@ pub struct Frame {
     pub pose: Pose,
     /// Slips that ended in this frame.
     pub slips: u32,
-    /// The units of work that the step took.
+    /// The pieces of work that the step took.
     pub work: u32,
 }
 

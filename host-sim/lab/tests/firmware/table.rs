@@ -75,7 +75,7 @@ const ROWS: [Row; 16] = [
     ("evolution after power-up", |c| {
         c.taken.about.mode.evolution.name().to_owned()
     }),
-    ("budget of a step then (units of work)", |c| {
+    ("budget of a step then (pieces of work)", |c| {
         thousands(c.taken.about.budget.into())
     }),
     ("cycles of an instruction, estimated", |c| match c.timing {

@@ -37,7 +37,7 @@ pub(crate) struct Tricks {
     pub(crate) echo: bool,
     /// Bytes that its line transfers in a second.
     pub(crate) line_rate: Option<f32>,
-    /// It does so many units of work in a second: the budget of a step follows from its tick.
+    /// It does so many pieces of work in a second: the budget of a step follows from its tick.
     pub(crate) work_rate: Option<u32>,
     /// After so many samples it answers none, and says other things as fast as the line takes them.
     pub(crate) floods_after: Option<u64>,
