@@ -133,6 +133,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 None => return Calm::Unsure,
             }
         }
+        self.leave_behind(body, i.at());
         body.go_to(i, room);
         body.hand = *to;
         Calm::End
@@ -196,6 +197,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if place.p >= end.p || place.fall.doubled() * place.p < bound.holding {
             return Calm::Unsure;
         }
+        self.leave_behind(body, i.at());
         body.go_to(&i, body.room);
         body.hand = m.hand_at(place.p);
         Calm::Yields(sense)
@@ -232,6 +234,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             };
             room = gap;
         }
+        self.leave_behind(body, i.at());
         body.go_to(&i, room);
         true
     }

@@ -88,10 +88,6 @@ pub(crate) struct Errand<R> {
     /// Of a chain of searches: their number, and the feet where the first began.
     pub(crate) runs: u8,
     pub(crate) feet: [R; 2],
-    /// The angle to which the body is still to turn without contact.
-    pub(crate) turn: R,
-    /// The angle before a turn about a contact.
-    pub(crate) from: R,
     /// The hand where contacts give way beyond doubt.
     pub(crate) released: HandPose<R>,
     pub(crate) search: Search<R>,
@@ -122,8 +118,6 @@ impl<R: Real> Errand<R> {
             },
             runs: 0,
             feet: [R::ZERO; 2],
-            turn: R::ZERO,
-            from: R::ZERO,
             released: HandPose::REST,
             search: Search::none(Motion::frozen(Kind::Line, &start)),
             ended: None,

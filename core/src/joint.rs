@@ -36,7 +36,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         let couple = self.statics.couple(m, i);
         let feet = self.feet(rates, &couple);
         let [share1, share2] = if m.pair.pressed {
-            self.share_values(i, rates, &couple)
+            self.shares_of(i, rates, &couple)
         } else {
             [Value::NONE; 2]
         };
@@ -67,7 +67,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         out
     }
     /// Multiples of N_1, N_2.
-    fn share_values(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> [Value<R>; 2] {
+    pub(crate) fn shares(&self, i: &Instant<R>, rates: &Rates<R>) -> [Value<R>; 2] {
+        let couple = self.statics.couple(self.motion, i);
+        self.shares_of(i, rates, &couple)
+    }
+    fn shares_of(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> [Value<R>; 2] {
         let force = Moving {
             at: i.force,
             rate: rates.force,

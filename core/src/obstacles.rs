@@ -3,6 +3,7 @@
 
 pub(crate) mod apart;
 pub(crate) mod axes;
+mod cover;
 pub(crate) mod ends;
 pub(crate) mod flat;
 pub(crate) mod join;
@@ -34,6 +35,8 @@ pub(crate) struct Corner<R> {
     pub(crate) obstacle: u8,
     /// No side of the body can touch it.
     pub(crate) covered: bool,
+    /// No vertex can touch its side: another obstacle is before it.
+    pub(crate) hidden: bool,
 }
 
 /// An obstacle: its corners, counter-clockwise, and a circle around it.
@@ -55,6 +58,7 @@ impl<R: Real> Corner<R> {
         first: u8::MAX,
         obstacle: u8::MAX,
         covered: true,
+        hidden: true,
     };
 }
 

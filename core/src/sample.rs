@@ -168,7 +168,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if self.bracket.refusals >= REFUSALS && !motion.frozen && self.bracket.branch.is_none() {
             self.know_low();
             let l = &self.lo.instant;
-            if l.e_p != R::ZERO && l.e_u < R::ZERO {
+            // u knows p to a touch: where the body hardly turns it does not.
+            let slope = l.e_u.abs() * motion.hand_p.size() * (R::ONE + l.u.abs());
+            let is_known = slope <= l.e_p.abs() * (R::TOUCH / R::EPSILON);
+            if l.e_p != R::ZERO && l.e_u < R::ZERO && is_known {
                 let begin = (width * part * l.e_p / l.e_u).abs().min(R::HALF.halved());
                 let direction = l.e_p.sign();
                 let reach = if motion.kind == Kind::Pair {
@@ -215,12 +218,13 @@ fn place_by_u<R: Real, const V: usize, const S: usize, const C: usize>(
     let mut p = branch.p;
     statics.place(motion, Spot { u, p }, None, i);
     // Once, but for the slide of a C, whose E is quadratic in p.
-    for _ in 0..3 {
+    for _ in 0..6 {
         let step = -i.e / i.e_p;
         p = p + step;
         let known = (motion.kind != Kind::Pair).then_some(i.rotation);
         statics.place(motion, Spot { u, p }, known, i);
-        if motion.kind != Kind::Slide || !statics.turns(motion.first()) {
+        let is_linear = motion.kind != Kind::Slide || !statics.turns(motion.first());
+        if is_linear || R::is_last(step) {
             break;
         }
     }

@@ -28,7 +28,8 @@ pub(crate) struct Ended<R> {
 pub(crate) struct Search<R> {
     pub(crate) motion: Motion<R>,
     pub(crate) watch: Watch,
-    direction: R,
+    /// A frozen motion goes against u.
+    backwards: bool,
     bracket: Bracket<R>,
 }
 
@@ -38,19 +39,19 @@ impl<R: Real> Search<R> {
         Self {
             motion,
             watch: Watch::Way,
-            direction: R::ONE,
+            backwards: false,
             bracket: Bracket::new(R::ONE, false, R::ZERO),
         }
     }
     /// A search of x from 0 to `end` along a motion; if it is eager, beginning with the tangents' estimate. No other contact than those of
     /// the body is closer than `room`.
     pub(crate) fn begin(&mut self, motion: Motion<R>, watch: Watch, end: R, eager: bool) {
-        (self.motion, self.watch, self.direction) = (motion, watch, R::ONE);
+        (self.motion, self.watch, self.backwards) = (motion, watch, false);
         self.bracket = Bracket::new(end, eager, R::ZERO);
     }
     /// The search of a frozen motion goes in the direction of this sign of u.
     pub(crate) fn toward(&mut self, direction: R) {
-        self.direction = direction;
+        self.backwards = direction < R::ZERO;
     }
     pub(crate) fn with_room(&mut self, room: R) {
         self.bracket.room = room;
@@ -95,7 +96,7 @@ impl<R: Real> Search<R> {
                 body,
                 motion: &self.motion,
                 watch: self.watch,
-                direction: self.direction,
+                direction: if self.backwards { -R::ONE } else { R::ONE },
             },
             u0: match self.motion.kind {
                 Kind::Line | Kind::Pair => R::ZERO,

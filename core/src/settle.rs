@@ -72,7 +72,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
                 if !self.is_near_balance(&m) {
-                    self.errand.from = self.body.angle;
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));
                 }
@@ -121,7 +120,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn turned(&mut self, sense: Sense, ending: Ending) -> Next {
         if let Ending::Touch(feature) = ending {
             let mut start = *self.body;
-            start.angle = self.errand.from;
+            start.angle = self.errand.settling.angle;
             self.statics.stand(&mut start);
             start.forget();
             let contact = Contact::at(feature);
@@ -294,14 +293,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let next = match leg {
             Leg::Straight if is_touch && ended.x <= R::TOUCH => {
                 // Blocked by the contact that it leaves.
-                self.errand.turn = m.line.angle;
+                m.angle = m.line.angle;
                 m.line.g_u = m.line.to - self.body.holding;
                 (m.line.angle, m.line.theta_u) = (self.body.angle, R::ZERO);
                 Some((m, Leg::Holding))
             }
             Leg::Holding if ended.ending == Ending::End => {
                 (m.line.to, m.line.g_u) = (self.body.holding, Vec2::ZERO);
-                m.line.angle = self.errand.turn;
+                m.line.angle = m.angle;
                 m.line.theta_u = m.line.angle - self.body.angle;
                 Some((m, Leg::Turning))
             }

@@ -84,6 +84,9 @@ pub(crate) struct Body<R> {
     /// G: the holding point.
     pub(crate) holding: Vec2<R>,
     pub(crate) hand: HandPose<R>,
+    /// Of a point or rod: G and theta where its last motion began that was longer than a few touches, on that side of a thin wall on which it
+    /// still is.
+    pub(crate) was: HandPose<R>,
     /// No other contact is closer than this; 0: not known.
     pub(crate) room: R,
     /// Contacts that fix the pose bear any load that differs from the present one by less; 0: not known.
@@ -136,6 +139,7 @@ impl<R: Real> Body<R> {
             rotation: Rotation::by(angle),
             holding,
             hand,
+            was: HandPose { at: holding, angle },
             room: R::ZERO,
             slack: R::ZERO,
         }

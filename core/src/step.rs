@@ -60,6 +60,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return;
         };
         self.body.hand = search.motion.hand_at(instant.p);
+        self.statics.leave_behind(self.body, instant.at());
         self.body.go_to(instant, R::ZERO);
         self.errand.stage = Stage::Still;
     }
@@ -127,7 +128,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         loop {
             let search = &mut self.errand.search;
             if let Some(ended) = search.piece(statics, self.body, &mut windows) {
-                self.body.go_to(windows.instant(ended.at), ended.room);
+                let instant = windows.instant(ended.at);
+                statics.leave_behind(self.body, instant.at());
+                self.body.go_to(instant, ended.room);
                 return self.arrived(ended);
             }
             if !self.may_go_on(more) {

@@ -1,12 +1,12 @@
 //! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
 use crate::contact::{Contact, Feature, Sense};
+use crate::events::{Watch, Watched};
 use crate::geometry::Rotation;
-use crate::motion::{Kind, Motion, Rates, Spot};
+use crate::motion::{Kind, Motion, Rates};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
-use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
@@ -163,14 +163,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             if i.e_u >= R::ZERO || rates.u <= R::ZERO {
                 continue;
             }
-            let ahead = Spot {
-                u: rates.u * R::ahead(),
-                p: R::ahead(),
+            let watched = Watched {
+                statics: self.statics,
+                body: self.body,
+                motion: &m,
+                watch: Watch::Joint,
+                direction: R::ONE,
             };
-            let near = self.statics.placed(&m, ahead);
-            let [_, now] = self.statics.shares(&m, &i).normal;
-            let [_, then] = self.statics.shares(&m, &near).normal;
-            if then > now {
+            let [_, pressing] = watched.shares(&i, &rates);
+            if pressing.d > R::ZERO {
                 senses = [first.sense, second.sense];
             }
         }

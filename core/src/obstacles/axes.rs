@@ -135,10 +135,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             axis.n.dot(at.g + lever) - axis.level
         }
     }
-    /// The contact that it would make; the ends of walls and rods make none.
+    /// The contact that it would make; the ends of walls and rods make none, nor does a side with another obstacle before it.
     pub(crate) fn feature(&self, axis: &Axis<R>, k: u8) -> Option<Feature> {
         match axis.normal {
-            Normal::Side(corner) => Some(Feature::Vertex {
+            Normal::Side(corner) => (!self.corner(corner).hidden).then(|| Feature::Vertex {
                 vertex: k,
                 side: self.side_at(corner),
             }),
@@ -198,9 +198,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut best: Option<Slowest<R>> = None;
         for axis in self.axes(o, at) {
             let then = self.axis(o, axis.normal, before);
-            let is_candidate = self.along(o, axis, at).gap >= -step
-                && self.along(o, then, before).gap >= -step_before;
-            if !is_candidate {
+            let gap = self.along(o, then, before).gap;
+            let was_in_front =
+                gap > R::zero() || gap >= -step_before && !self.is_pinched(o, &then, before);
+            let is_behind = self.along(o, axis, at).gap < -step;
+            if !was_in_front || is_behind || self.is_hollow(o, &axis, at) {
                 continue;
             }
             let Some((rate, feature)) = self.closing(o, &axis, at, rates) else {
@@ -227,6 +229,36 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         }
         best
+    }
+    /// Along an axis that is closed what keeps apart is a corner at which another obstacle goes on: nothing passes between them, however thin
+    /// it is.
+    fn is_pinched(&self, o: &Obstacle<R>, axis: &Axis<R>, at: At<R>) -> bool {
+        match axis.normal {
+            Normal::Side(_) => false,
+            Normal::Wall(corner) => self.is_joined(corner),
+            Normal::Body(_) | Normal::Rod(_) => {
+                let is_closed = |k: u8| {
+                    let gap = self.gap_along(axis, self.lever(axis, k, at), at);
+                    gap <= R::zero() && self.is_joined(k)
+                };
+                self.step_behind(o) < R::MICRO && o.corners().any(is_closed)
+            }
+        }
+    }
+    /// At a corner another obstacle goes on.
+    fn is_joined(&self, corner: u8) -> bool {
+        self.corner(corner).covered || self.corners_at(corner).count() > 1
+    }
+    /// What closes along a side of the body is a corner in the hollow between two walls: there the walls are touched.
+    fn is_hollow(&self, o: &Obstacle<R>, axis: &Axis<R>, at: At<R>) -> bool {
+        let Normal::Body(body_side) = axis.normal else {
+            return false;
+        };
+        o.corners().any(|corner| {
+            let gap = self.gap_along(axis, self.lever(axis, corner, at), at);
+            let contact = Contact::at(Feature::Corner { corner, body_side });
+            gap <= R::zero() && self.is_joined(corner) && !self.supports(contact, at)
+        })
     }
     /// Of what is closed along an axis what closes fastest: its rate, and the contact that it makes, on its side if there is one.
     fn closing(

@@ -1,5 +1,6 @@
 //! The ends of sides: where a foot may be, which contact supports, and to which one is handed on that leaves its side (R37, R39).
 
+use super::Corner;
 use super::axes::At;
 use crate::contact::{Contact, Feature, Sense};
 use crate::errand::Next;
@@ -46,7 +47,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         is_within && !is_covered && self.supports(contact, at)
     }
     /// Neither of the neighbours of what touches reaches through the line of the contact.
-    fn supports(&self, contact: Contact, at: At<R>) -> bool {
+    pub(crate) fn supports(&self, contact: Contact, at: At<R>) -> bool {
         let n = self.frame_here(contact, at).n;
         let is_beside = |way: Vec2<R>| n.dot(way) >= -R::beside();
         match contact.feature {
@@ -55,14 +56,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 let to = |k: u8| at.rotation.apply(self.vertex(k) - v);
                 is_beside(to(self.next_vertex(vertex))) && is_beside(to(self.vertex_before(vertex)))
             }
-            Feature::Corner { corner, .. } => {
-                let own = self.corner(corner);
+            Feature::Corner { corner, .. } => self.corners_at(corner).all(|(corner, own)| {
                 let o = self.obstacle(own.obstacle);
                 let k = corner.saturating_sub(o.from);
                 let from = |k: u8| own.place - self.corner(o.corner(k)).place;
                 let before = k.saturating_add(o.count).saturating_sub(1);
                 is_beside(from(k.saturating_add(1))) && is_beside(from(before))
-            }
+            }),
         }
     }
 
@@ -88,24 +88,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 (vertex, self.corner_near(place)?)
             }
         };
-        let o = self.obstacle(self.corner(corner).obstacle);
-        let k = corner.saturating_sub(o.from);
-        // Clockwise around the obstacle along t: the side of the obstacle that follows there, the side of the body that trails.
-        let (side, body_side) = if sense == Sense::Plus {
-            let before = k.saturating_add(o.count).saturating_sub(1);
-            (o.corner(before), self.vertex_before(vertex))
+        // Clockwise around the obstacles there along t: the side of an obstacle that follows, the side of the body that trails.
+        let of_obstacles = self.sides_after(corner, sense);
+        let of_obstacles = of_obstacles.map(|side| Feature::Vertex { vertex, side });
+        let body_side = if sense == Sense::Plus {
+            self.vertex_before(vertex)
         } else {
-            (corner, vertex)
+            vertex
         };
-        let of_obstacle = o.has_sides().then(|| Feature::Vertex {
-            vertex,
-            side: self.side_at(side),
-        });
         let of_body =
             (!self.body_sides().is_empty()).then_some(Feature::Corner { corner, body_side });
         let n = self.frame_here(contact, at).n;
         let mut best: Option<(R, Contact)> = None;
-        for feature in [of_obstacle, of_body].into_iter().flatten() {
+        for feature in of_obstacles.chain(of_body) {
             let next = Contact::at(feature);
             if feature == contact.feature {
                 continue;
@@ -123,6 +118,26 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         }
         best.map(|(_, next)| next)
+    }
+    /// All corners at the place of one, with their indices.
+    pub(crate) fn corners_at(&self, corner: u8) -> impl Iterator<Item = (u8, &Corner<R>)> {
+        let first = self.corner(corner).first;
+        let all = (0_u8..).zip(&self.world.corners);
+        all.filter(move |(_, other)| other.first == first)
+    }
+    /// The sides that begin at the place of a corner, of all obstacles that have one there, along t in a sense.
+    fn sides_after(&self, corner: u8, sense: Sense) -> impl Iterator<Item = u8> {
+        self.corners_at(corner).filter_map(move |(k, other)| {
+            let o = self.obstacle(other.obstacle);
+            let before = k.saturating_sub(o.from).saturating_add(o.count);
+            let side = if sense == Sense::Plus {
+                o.corner(before.saturating_sub(1))
+            } else {
+                k
+            };
+            let is_side = o.has_sides() && !self.corner(side).hidden;
+            is_side.then(|| self.side_at(side))
+        })
     }
     /// In the line of a side another one goes on where a foot leaves it.
     fn goes_on(&self, contact: Contact, side: u8, sense: Sense, at: At<R>) -> Option<u8> {
@@ -179,11 +194,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             if let Some(end) = ends.find(|end| !self.body.contacts.contains(end.feature)) {
                 self.replace(k, end.with(left.sense));
                 return false;
-            }
-            let force = statics.present_load(self.body).force;
-            if self.body.contacts.len() > 1 && m.dot(force) >= R::ZERO {
-                self.let_go(k);
-                return true;
             }
         }
         self.replace(k, next.with(left.sense));

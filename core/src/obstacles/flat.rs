@@ -17,6 +17,13 @@ impl<R: Real> Body<R> {
             g: self.holding,
         }
     }
+    /// Where its last motion began that was longer than a few touches.
+    pub(crate) fn was(&self) -> At<R> {
+        At {
+            rotation: Rotation::by(self.was.angle),
+            g: self.was.at,
+        }
+    }
 }
 
 /// The outermost of some contacts along a line.
@@ -55,6 +62,21 @@ impl<R: Real> Span<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// A point or rod goes to a pose: where it came from is kept.
+    pub(crate) fn leave_behind(&self, body: &mut Body<R>, to: At<R>) {
+        if C > 0 && self.world.vertices.len() < 3 && self.moves(body, to) {
+            (body.was.at, body.was.angle) = (body.holding, body.angle);
+        }
+    }
+    /// One of the first two vertices moves to a pose by more than a few touches.
+    pub(crate) fn moves(&self, body: &Body<R>, to: At<R>) -> bool {
+        let from = body.at();
+        let mut both = self.vertices().take(2);
+        both.any(|(_, a)| {
+            let way = to.g + to.rotation.apply(a) - (from.g + from.rotation.apply(a));
+            way.length_bound() > R::TOUCH * R::from_int(4)
+        })
+    }
     pub(crate) fn frame_here(&self, contact: Contact, at: At<R>) -> Frame<R> {
         self.frame(contact, at.rotation, at.g)
     }
@@ -84,7 +106,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let of_obstacles = near.flat_map(move |(_, o)| {
             let vertices = vertices.clone();
             let sides = if o.has_sides() { o.corners() } else { 0..0 };
-            let sides = sides.filter(move |&k| alike(self.corner(k).side.normal));
+            let sides = sides.filter(move |&k| {
+                let side = self.corner(k);
+                !side.hidden && alike(side.side.normal)
+            });
             let of_sides = sides.flat_map(move |k| vertices.clone().map(on(self.side_at(k))));
             let body_sides = self.body_sides();
             let body_sides = body_sides.filter(move |&j| alike(at.rotation.apply(self.inward(j))));

@@ -1,10 +1,11 @@
 //! A touch among obstacles: all that closes together, and what of it bears (R37, R38).
 
-use super::axes::At;
+use super::axes::{At, Axis};
 use super::flat::Span;
 use crate::contact::{Contact, Contacts, Feature};
 use crate::real::Real;
 use crate::state::Body;
+use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
 /// A contact that touches a body with others, and what of these lies in one line with it.
@@ -45,10 +46,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Of an obstacle that touches: what is closed and on its side along an axis, the one with the largest gap first.
     fn nearest_on_side(&self, body: &Body<R>, index: u8, within: R) -> Option<Feature> {
         let (o, at) = (self.obstacle(index), body.at());
+        let was = body.was();
+        // Both sides of a wall are as near to a thin body: the one in front of which it was.
+        let is_thin = self.step_behind(&o) < R::MICRO;
+        let was_behind = |axis: &Axis<R>| {
+            let then = self.axis(&o, axis.normal, was);
+            is_thin && self.along(&o, then, was).gap < -R::zero()
+        };
         let mut best: Option<(R, Feature)> = None;
         for axis in self.axes(&o, at) {
             let gap = self.along(&o, axis, at).gap;
-            if gap < -within || best.is_some_and(|(widest, _)| gap <= widest) {
+            let is_less = best.is_some_and(|(widest, _)| gap <= widest);
+            if gap < -within || is_less || was_behind(&axis) {
                 continue;
             }
             let mut features = self.compared(&o, &axis).filter_map(|k| {

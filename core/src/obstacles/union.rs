@@ -12,48 +12,50 @@ use crate::world::{Friction, Side};
 use heapless::Vec;
 
 /// 2^-19: what lies closer to a line is on it, what is closer to a place is there.
-const NEAR: f64 = f64::MICRO;
+pub(super) const NEAR: f64 = f64::MICRO;
 /// Lines at a smaller angle (its sine) have no place in common that is known well enough.
 const PARALLEL: f64 = 1.0 / 16.0;
 
-type Point = Vec2<f64>;
+pub(super) type Point = Vec2<f64>;
 
 /// A line with its free side, as that of a half-plane.
 #[derive(Clone, Copy)]
-struct Straight {
-    normal: Point,
+pub(super) struct Straight {
+    pub(super) normal: Point,
     offset: f64,
     /// The first side in it.
     index: u8,
 }
 impl Straight {
-    fn tangent(&self) -> Point {
+    pub(super) fn tangent(&self) -> Point {
         Vec2::new(self.normal.y, -self.normal.x)
     }
-    fn height(&self, at: Point) -> f64 {
+    pub(super) fn height(&self, at: Point) -> f64 {
         self.normal.dot(at) - self.offset
     }
 }
 
 /// A corner, and the side from it to the next one.
 #[derive(Clone, Copy)]
-struct Raw {
-    obstacle: u8,
-    at: Point,
-    to: Point,
+pub(super) struct Raw {
+    pub(super) obstacle: u8,
+    pub(super) at: Point,
+    pub(super) to: Point,
     /// None for a pin.
-    line: Option<Straight>,
-    ends: [f64; 2],
+    pub(super) line: Option<Straight>,
+    pub(super) ends: [f64; 2],
     friction: [f64; 3],
     one: u8,
     first: u8,
-    covered: bool,
+    pub(super) covered: bool,
+    /// The side lies in or on another obstacle.
+    pub(super) hidden: bool,
 }
 
 /// All corners, and the half-planes before them.
-struct Outlines<const S: usize, const C: usize> {
-    planes: Vec<Straight, S>,
-    all: Vec<Raw, C>,
+pub(super) struct Outlines<const S: usize, const C: usize> {
+    pub(super) planes: Vec<Straight, S>,
+    pub(super) all: Vec<Raw, C>,
 }
 
 fn wide<F: SiFloat>(x: F) -> f64 {
@@ -83,6 +85,7 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
                 one: index,
                 first: u8::try_from(self.all.len()).unwrap_or(u8::MAX),
                 covered: false,
+                hidden: false,
             });
         }
     }
@@ -135,7 +138,7 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
         }
     }
     /// The corners of an obstacle, with the side that ends at each.
-    fn around(&self, obstacle: u8) -> impl Iterator<Item = (usize, Raw, Raw)> + Clone {
+    pub(super) fn around(&self, obstacle: u8) -> impl Iterator<Item = (usize, Raw, Raw)> + Clone {
         let own = |raw: &&Raw| raw.obstacle == obstacle;
         let members = self.all.iter().filter(own);
         let last = members.clone().next_back().copied();
@@ -187,70 +190,13 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
         }
         at + b.normal.turned() * (of_a / sine) - a.normal.turned() * (of_b / sine)
     }
-    fn obstacles(&self) -> core::ops::Range<u8> {
+    pub(super) fn obstacles(&self) -> core::ops::Range<u8> {
         let last = self.all.last().map(|raw| raw.obstacle);
         0..last.map_or(0, |last| last.saturating_add(1))
     }
-    /// Corners that are in or on another obstacle, behind a half-plane, within a side, or in a hollow.
-    fn cover(&mut self) {
-        for k in 0..self.all.len() {
-            let Some(raw) = self.all.get(k).copied() else {
-                continue;
-            };
-            let is_behind = self.planes.iter().any(|plane| plane.height(raw.at) <= NEAR);
-            let mut others = self.obstacles().filter(|&o| o != raw.obstacle);
-            let is_inside = others.any(|o| self.is_inside(o, raw.at));
-            let is_within = self.all.iter().any(|side| {
-                let [low, high] = side.ends;
-                side.line.is_some_and(|line| {
-                    let x = line.tangent().dot(raw.at);
-                    line.height(raw.at).abs() <= NEAR && x > low + NEAR && x < high - NEAR
-                })
-            });
-            let covered = is_behind || is_inside || is_within || !self.is_tip(raw.at);
-            if let Some(raw) = self.all.get_mut(k) {
-                raw.covered |= covered;
-            }
-        }
-    }
-    /// In or on an obstacle, but at no corner of it.
-    fn is_inside(&self, obstacle: u8, at: Point) -> bool {
-        let mut all = self.around(obstacle);
-        let is_at_corner = all.clone().any(|(_, raw, _)| is_near(raw.at, at));
-        let is_area = all.clone().count() > 2;
-        let behind = |line: Straight| line.height(at) <= NEAR;
-        is_area && !is_at_corner && all.all(|(_, raw, _)| raw.line.is_some_and(behind))
-    }
-    /// All sides that start from a point are on one side of one of them: they leave at least a half-plane free.
-    fn is_tip(&self, at: Point) -> bool {
-        let leaves = || {
-            self.all
-                .iter()
-                .filter(|raw| raw.line.is_some())
-                .flat_map(move |raw| {
-                    let way = raw.to - raw.at;
-                    let length = way.length();
-                    let along = way * (1.0 / length);
-                    let begins = is_near(raw.at, at).then_some((along, length));
-                    let ends = is_near(raw.to, at).then_some((-along, length));
-                    [begins, ends].into_iter().flatten()
-                })
-        };
-        if leaves().next().is_none() {
-            return true;
-        }
-        leaves().any(|(one, length)| {
-            let turned = move |(other, of): (Point, f64)| {
-                // A direction is as uncertain as the place of its end.
-                (one.cross(other), NEAR / length + NEAR / of)
-            };
-            leaves().map(turned).all(|(sine, off)| sine >= -off)
-                || leaves().map(turned).all(|(sine, off)| sine <= off)
-        })
-    }
 }
 
-fn is_near(a: Point, b: Point) -> bool {
+pub(super) fn is_near(a: Point, b: Point) -> bool {
     (a - b).length() <= NEAR
 }
 
@@ -329,6 +275,7 @@ fn corner<R: Real>(raw: &Raw, frictions: &[Friction<R>]) -> Corner<R> {
         first: raw.first,
         obstacle: raw.obstacle,
         covered: raw.covered,
+        hidden: raw.hidden,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Obstacle;
 use super::apart::Left;
-use super::axes::{Axis, Normal, speed};
+use super::axes::{At, Axis, Normal, speed};
 use crate::events::{Ending, Judging};
 use crate::judge::{Found, Track};
 use crate::real::Real;
@@ -14,6 +14,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>, normal: Normal) -> bool {
         let (statics, tol) = (self.watched.statics, R::zero());
         let step = statics.step_behind(o);
+        let gap = |at: At<R>| statics.along(o, statics.axis(o, normal, at), at).gap;
+        // Where a thin wall is closed it is so on both sides.
+        if step < R::MICRO && gap(self.lo.instant.at()) <= tol && gap(self.came_from()) < -tol {
+            return false;
+        }
         let axis = statics.axis(o, normal, self.hi.instant.at());
         let mut all = statics.compared(o, &axis);
         all.all(|k| {
@@ -78,6 +83,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let axis = statics.axis(o, normal, at);
         Some(statics.along(o, axis, at).gap.max(R::ZERO))
     }
+    /// From where the body has come to the beginning of the window by more than a few touches: both sides of a thin wall are near there.
+    fn came_from(&self) -> At<R> {
+        let body = self.watched.body;
+        if self.watched.statics.moves(body, self.lo.instant.at()) {
+            body.at()
+        } else {
+            body.was()
+        }
+    }
     /// An obstacle that is closed where the window begins: the axis that closes most slowly decides.
     fn judge_closed(
         &mut self,
@@ -89,7 +103,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let (statics, tol) = (self.watched.statics, R::zero());
         let at = self.lo.instant.at();
         let step = R::MICRO.max(tol - gap);
-        let Some(slowest) = statics.slowest(o, [at, at], &self.lo.rates, step) else {
+        let is_thick = statics.step_behind(o) >= R::MICRO;
+        let before = if is_thick { at } else { self.came_from() };
+        let Some(slowest) = statics.slowest(o, [before, at], &self.lo.rates, step) else {
             return Ok(R::ZERO);
         };
         let still = tol * speed(&self.lo.rates);
@@ -109,7 +125,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             return Ok(now.max(R::ZERO));
         }
         let mut others = statics.axes(o, at);
-        let is_thick = statics.step_behind(o) >= R::MICRO;
         if is_thick && others.any(|axis| self.keeps_apart(on, o, axis.normal)) {
             return Ok(R::ZERO);
         }
