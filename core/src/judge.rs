@@ -22,6 +22,18 @@ pub(crate) struct Found<R> {
     pub(crate) part: R,
 }
 
+impl<R: Real> Found<R> {
+    /// Whether an event comes before the one that was found: the other leads beyond it, or they are one and it is a touch, since a contact
+    /// more changes nothing of what else is zero there. `at`: its function a step beyond the end of the window, known to `tol`.
+    pub(crate) fn is_preceded(&self, by: Ending, tol: R, at: impl Fn(R) -> R) -> bool {
+        let is_touch = |ending| matches!(ending, Ending::Touch(_));
+        self.hit.is_none_or(|(ending, dx)| {
+            let value = at(dx);
+            value < -tol || is_touch(by) && !is_touch(ending) && value <= tol
+        })
+    }
+}
+
 /// An event function at both ends of a window.
 pub(crate) struct Track<R> {
     ending: Ending,
@@ -197,8 +209,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn is_hit(&self, found: &mut Found<R>, track: &Track<R>, newton: R) -> bool {
         let tol = track.accuracy();
         let (a, b) = (track.begin, track.end);
-        // Of two the one that the other leads beyond, otherwise the first in the order of the functions.
-        let is_earlier = (found.hit).is_none_or(|(_, dx)| b.v + self.slope(track) * dx < -tol);
+        let is_earlier = found.is_preceded(track.ending, tol, |dx| b.v + self.slope(track) * dx);
         let Order::Second(k) = track.order else {
             return false;
         };

@@ -159,7 +159,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                     return R::ZERO;
                 }
                 if let Some((feature, _)) = slowest.contact {
-                    found.hit = found.hit.or(Some((Ending::Touch(feature), R::ZERO)));
+                    let touch = Ending::Touch(feature);
+                    if found.is_preceded(touch, tol, |dx| level + slowest.rate * dx) {
+                        found.hit = Some((touch, R::ZERO));
+                    }
                 }
             }
             return R::ZERO;
