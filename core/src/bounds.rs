@@ -1,7 +1,7 @@
 //! The certificate of a window: one stable branch of balance, and bounds of every second derivative on it (STATICS 4).
 
 use crate::geometry::Vec2;
-use crate::motion::{Instant, Kind, Motion};
+use crate::motion::{Factor, Instant, Kind, Motion};
 use crate::real::Real;
 use crate::world::Statics;
 use core::ops::{Add, Mul};
@@ -125,6 +125,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 } else {
                     let p_p = (m.hand_p.at - i.g_p).length_bound();
                     (r * (pull + p_p * at.way) + b, r * p_p, R::ZERO)
+                }
+            }
+            Kind::Slide if m.factor != Factor::Both => {
+                // A product of two vectors of length 1 or less with r, or with P of a C.
+                if self.turns(m.first()) {
+                    ((i.force - i.r).length_bound() + h_p * at.way, h_p, R::ZERO)
+                } else {
+                    (r, R::ZERO, R::ZERO)
                 }
             }
             Kind::Slide => {

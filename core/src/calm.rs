@@ -4,7 +4,7 @@
 use crate::bounds::Bound;
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
-use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::motion::{Factor, Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::thresholds::Thresholds;
@@ -71,8 +71,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(never)]
     pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
-        let m = Motion::new(Kind::Slide, body, way.per_p).to(*to, way.whole);
-        if self.turns(m.first()) {
+        let m = self.sliding(body, way.per_p).to(*to, way.whole);
+        if self.turns(m.first()) || matches!(m.factor, Factor::Normal(_)) {
             return Calm::Unsure;
         }
         let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {

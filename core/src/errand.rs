@@ -71,8 +71,6 @@ pub(crate) struct Errand<R> {
     pub(crate) stage: Stage,
     /// Contacts slid when the body was last still.
     pub(crate) slid: bool,
-    /// The spring that holds an angle which nothing else holds is off: the body comes to its own balance at the end of a frame.
-    pub(crate) loose: bool,
     /// The displacement under way.
     pub(crate) before: HandPose<R>,
     pub(crate) target: HandPose<R>,
@@ -102,7 +100,6 @@ impl<R: Real> Errand<R> {
         Self {
             stage: Stage::Still,
             slid: false,
-            loose: false,
             before: HandPose::REST,
             target: HandPose::REST,
             whole: R::ZERO,

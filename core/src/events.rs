@@ -8,7 +8,6 @@ use crate::motion::{Instant, Motion, Rates};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::Body;
-use crate::thresholds::Thresholds;
 use crate::values::{Moving, Value, Values};
 use crate::world::{Friction, Statics};
 
@@ -29,6 +28,8 @@ pub(crate) enum Watch {
     Topple,
     /// A slide of one contact.
     Slide,
+    /// A slide of one contact that bears nothing.
+    Trail,
     /// A slide of two.
     Joint,
     /// A slip of two.
@@ -53,6 +54,10 @@ pub(crate) enum Function {
     Drive,
     /// s xi'
     Halt,
+    /// e·r, with its sign: a contact that bears nothing bears from where the lever is on the edge of the cone.
+    Lever,
+    /// -n·h_p: the hand presses a contact that bears nothing.
+    Presses,
     /// A multiple of N_k of a pair.
     Share(Which),
     /// E_p of a pair: the hand drives it on.
@@ -83,6 +88,7 @@ impl Watch {
             Self::Turn => &[F::Drive],
             Self::Topple => &[F::Drive, F::Normal],
             Self::Slide => &[F::Normal, F::Halt, F::Stiction],
+            Self::Trail => &[F::Lever, F::Halt, F::Presses],
             Self::Joint => &[
                 F::Share(Which::First),
                 F::Share(Which::Second),
@@ -163,7 +169,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         match function {
             Function::Margin(sense) => Ending::Yields(sense),
             Function::Low | Function::High => Ending::GivesWay,
-            Function::Normal => Ending::Clear,
+            Function::Normal | Function::Presses => Ending::Clear,
+            // As another slide.
+            Function::Lever => Ending::GoesOn,
             Function::Stiction | Function::Memory => Ending::Pressed,
             Function::Excess | Function::Drive => Ending::Stopped,
             Function::Halt | Function::Advance | Function::Foot(_) => Ending::Halt,
@@ -186,7 +194,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             Watch::Way => out.fill(&[]),
             Watch::Turn => out.fill(&[self.drive(i, rates)]),
             Watch::Corner => out.fill(&self.corner_values(i, rates)),
-            Watch::Stick | Watch::Slip(_) | Watch::Slide | Watch::Topple => {
+            Watch::Stick | Watch::Slip(_) | Watch::Slide | Watch::Trail | Watch::Topple => {
                 self.single_values(i, rates, out);
             }
             Watch::Joint | Watch::JointSlip => self.pair_values(i, rates, out),
@@ -260,15 +268,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 out.fill(&[t + -normal.times(friction.sliding.sin), normal]);
             }
             Watch::Slide => {
-                // Per unit of the displacement: a slow hand is no halt.
-                let size = m.hand_p.size();
-                let slack = R::of_displacement(size) * rates.p;
-                let halt = Value {
-                    v: (m.first().sense.along(rates.xi) + slack) / size,
-                    d: R::ZERO,
-                };
-                out.fill(&[normal, halt, self.stiction(friction, normal)]);
+                out.fill(&[normal, self.halt(rates), self.stiction(friction, normal)]);
             }
+            Watch::Trail => out.fill(&self.trail_values(i, rates, &frame)),
             Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
             Watch::Way | Watch::Corner | Watch::Turn | Watch::Joint | Watch::JointSlip => {}
         }
@@ -318,7 +320,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 let [_, xi2] = on.bound.foot;
                 Order::First(xi2 / on.width / size)
             }
-            Function::Advance => Order::First(on.pace.mixed * on.pace.rate / size),
+            Function::Lever => {
+                let [_, xi2] = on.bound.foot;
+                Order::Second(xi2)
+            }
+            Function::Advance | Function::Presses => {
+                Order::First(on.pace.mixed * on.pace.rate / size)
+            }
             Function::Share(_) | Function::Foot(_) | Function::Memory => {
                 self.pair_order(function, on)
             }

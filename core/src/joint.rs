@@ -208,6 +208,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             | Function::Halt
             | Function::Advance
             | Function::Path
+            | Function::Lever
+            | Function::Presses
             | Function::Stable => Order::First(R::ZERO),
         }
     }

@@ -6,6 +6,7 @@ use crate::geometry::Vec2;
 use crate::motion::Kind;
 use crate::real::Real;
 use crate::search::{Ended, Run, WindowEnd};
+use crate::state::HandPose;
 use crate::thresholds::Thresholds;
 use crate::values::{Value, Values};
 use crate::world::Statics;
@@ -192,8 +193,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(_) if self.bracket.round >= 2 => false,
             Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
         };
+        // At a hand that stands still it has to fall by more than rounding up to the end; a path goes on.
+        let stands = self.watched.motion.hand_p == HandPose::REST;
+        let least = match track.order {
+            Order::Second(_) if stands => -R::of_products(),
+            Order::Second(_) | Order::First(_) => a.v.max(R::ZERO),
+        };
         let is_zero = a.v <= track.level(R::of_products());
-        self.bracket.certain == R::ZERO && is_zero && b.v < a.v.max(R::ZERO) && falls
+        self.bracket.certain == R::ZERO && is_zero && b.v < least && falls
     }
     /// A zero beyond the end of the search is none (R10); gaps that are closed within their accuracy are closed.
     fn is_reached(&self, track: &Track<R>, newton: R) -> bool {

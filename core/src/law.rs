@@ -245,7 +245,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         // So far that the drive is more than its rounding.
         let sense = self.body.contacts.first().sense;
         let (mut drive, mut runs_back) = (R::ONE, false);
-        if kind != Kind::Pair {
+        if kind != Kind::Pair && !self.statics.swings {
             let m = Motion::new(kind, self.body, way.per_p);
             let i = self.statics.placed_at_start(&m);
             drive = i.e_p;
@@ -304,7 +304,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Kind::Pin
         };
         let m = Motion::frozen(kind, self.body);
-        let e = self.statics.placed_at_start(&m).e;
+        let i = self.statics.placed_at_start(&m);
+        let mut e = i.e;
+        if kind == Kind::Slide && e.abs() <= self.statics.rounding(self.body) {
+            // Next to a balance that is not stable the foot moves in its sense.
+            e = m.first().sense.along(i.xi_u);
+        }
         let is_lost = self.errand.runs > 8;
         if is_lost {
             self.log.limit(Status::IterationLimit);

@@ -131,7 +131,6 @@ mod pair;
 mod pair_bounds;
 mod place;
 mod real;
-mod rebalance;
 mod sample;
 mod scene;
 mod search;
@@ -142,6 +141,7 @@ mod slip;
 mod solver;
 mod state;
 mod step;
+mod swing;
 mod tangent;
 #[cfg(test)]
 mod tests;

@@ -334,7 +334,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return None;
         }
         let s = sense.number::<R>();
-        if frame.turns {
+        if frame.turns || self.swings {
             let mut leading = *body;
             self.lead(&mut leading, contact);
             let i = self.placed_at_start(&Motion::slip(&leading, s));

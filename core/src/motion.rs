@@ -1,7 +1,7 @@
 //! The motions: each a curve of the pose with one internal unknown u and one parameter p. On a path x = p, and u follows from balance, E(u,
 //! p) = 0; at a frozen hand x = u, and E drives it.
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Sense};
 use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
@@ -21,6 +21,16 @@ pub(crate) enum Kind {
     Pair,
 }
 
+/// What a slide of one contact keeps at zero: E, or, of a body whose angle nothing holds, one of the two factors of E = N (e·r) (R34).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Factor {
+    Both,
+    /// e·r: the lever bears, along the edge of the cone.
+    Lever,
+    /// N: the contact bears nothing; with the sign of e·r.
+    Normal(Sense),
+}
+
 /// A motion: hand(p) = hand + (p - whole) hand_p, foot(p) = foot + p foot_p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<R> {
@@ -37,6 +47,7 @@ pub(crate) struct Motion<R> {
     pub(crate) angle: R,
     /// e0: the moment that lasts on a slip that begins out of balance.
     pub(crate) lasting: R,
+    pub(crate) factor: Factor,
     pub(crate) line: Line<R>,
     pub(crate) pair: Pair<R>,
 }
@@ -84,6 +95,7 @@ impl<R: Real> Motion<R> {
             foot_p: R::ZERO,
             angle: body.angle,
             lasting: R::ZERO,
+            factor: Factor::Both,
             line: Line {
                 to: body.holding,
                 angle: body.angle,

@@ -2,7 +2,7 @@
 
 use crate::frame::Foot;
 use crate::geometry::{Rotation, Vec2};
-use crate::motion::{Instant, Kind, Motion, Rates, Spot};
+use crate::motion::{Factor, Instant, Kind, Motion, Rates, Spot};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
@@ -120,6 +120,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let force_p = m.hand_p.at - i.g_p;
         match m.kind {
             Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
+            Kind::Free if self.swings => self.keep_angle(m, i),
+            Kind::Pin | Kind::Slide if self.is_held_there(m, i) => self.keep_angle(m, i),
+            Kind::Slide if m.factor != Factor::Both => self.weigh_factor(m, i),
             // The spring alone, however soft: in units of k_theta.
             Kind::Free if self.weight == R::ZERO => {
                 (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
@@ -171,6 +174,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn e_up(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         match m.kind {
             Kind::Line | Kind::Free => R::ZERO,
+            Kind::Slide if m.factor != Factor::Both => self.e_up_factor(m, i),
             Kind::Pin | Kind::Slide if self.turns(m.first()) => {
                 i.r.dot(m.hand_p.at) - i.g_p.dot(i.force - i.r)
             }

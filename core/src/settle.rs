@@ -93,6 +93,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
+    /// In balance, or so near that a Newton step leads there: a pair always, others if they move by less than can be distinguished.
+    pub(crate) fn is_near_balance(&mut self, m: &Motion<R>) -> bool {
+        let mut i = self.statics.placed_at_start(m);
+        if i.e.abs() <= self.statics.rounding(self.body) {
+            return true;
+        }
+        let step = -i.e / i.e_u;
+        let is_near = i.e_u < R::ZERO && step.abs() <= R::MICRO || m.kind == Kind::Pair;
+        if is_near {
+            let spot = Spot { u: i.u, p: R::ZERO };
+            self.statics.balance(m, spot, step, &mut i);
+            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
+            self.body.go_to(&i, room);
+        }
+        is_near
+    }
     /// Two contacts are driven on along a sense of the first (R29).
     fn is_driven_on(&self, sense: Sense, little: R) -> bool {
         let (body, statics) = (&*self.body, self.statics);
@@ -256,7 +272,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn fly(&mut self) {
         let free = Motion::frozen(Kind::Free, self.body);
         let statics = self.statics;
-        let mut theta = if statics.weight == R::ZERO {
+        let mut theta = if statics.weight == R::ZERO && !statics.swings {
             self.body.hand.angle
         } else {
             self.body.angle

@@ -14,8 +14,7 @@ use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
-use crate::thresholds::Thresholds;
-use crate::world::{Statics, Stiffness};
+use crate::world::Statics;
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run: one solver serves any number of
 /// runs.
@@ -89,20 +88,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     /// The statics as the scene has it, with the body held where it is.
     pub(crate) fn statics(&self, state: &State<R>) -> Statics<'_, R, V, S, C> {
         self.scene.world.held_at(state.holding_point)
-    }
-    /// The statics with a spring that holds the angle where nothing else does, unless it is off (R34).
-    pub(crate) fn held(&self, state: &State<R>, loose: bool) -> Statics<'_, R, V, S, C> {
-        let mut statics = self.statics(state);
-        if !loose && self.swings(state) {
-            statics.stiffness = Stiffness::new(R::swing(), R::swing() * R::from_int(64));
-        }
-        statics
-    }
-    /// Nothing holds the angle: no spring, and no weight that turns.
-    fn swings(&self, state: &State<R>) -> bool {
-        let world = &self.scene.world;
-        let is_loose = world.weight == R::ZERO || world.centroid == state.holding_point;
-        world.stiffness.value == R::ZERO && is_loose
     }
 
     /// Starts a run: the equilibrium that is reached from the scene's start pose with the hand at its first pose. A hand that is not finite
@@ -192,7 +177,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             state.unwind();
             target = state.relative(sample);
         }
-        if self.swings(state) {
+        if self.statics(state).swings {
             target.angle = if is_still {
                 state.body.angle
             } else {
@@ -221,7 +206,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         true
     }
 
-    /// Follows the hand; where nothing holds the angle the body comes to its own balance at the end.
+    /// Follows the hand.
     fn follow(
         &self,
         state: &mut State<R>,
@@ -229,31 +214,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         log: &mut Log<R>,
         more: &mut impl FnMut() -> bool,
     ) {
-        let [held, loose] = [false, true].map(|loose| self.held(state, loose));
-        let swings = self.swings(state);
+        let statics = self.statics(state);
         let mut step = Step {
-            statics: &held,
+            statics: &statics,
             body: &mut state.body,
             errand: &mut state.errand,
             log,
             evolution: self.evolution,
             budget: self.budget,
         };
-        let mut is_done = true;
-        if step.errand.loose {
-            let before = step.errand.target;
-            step.statics = &loose;
-            is_done = step.follow_to(before, more);
-            step.errand.loose = !is_done;
-            step.statics = &held;
-        }
-        is_done = is_done && step.follow_to(target, more);
-        if is_done && swings {
-            step.statics = &loose;
-            step.rebalance();
-            is_done = step.follow_to(target, more);
-            step.errand.loose = !is_done;
-        }
+        let is_done = step.follow_to(target, more);
         state.limited = log.status;
         if is_done {
             state.errand.has_caught_up();

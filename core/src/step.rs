@@ -9,7 +9,7 @@ use crate::events::{Ending, Watch};
 use crate::evolution::Evolution;
 use crate::log::Log;
 use crate::modes::Picked;
-use crate::motion::{Kind, Motion};
+use crate::motion::{Factor, Kind, Motion};
 use crate::real::Real;
 use crate::search::{Ended, Windows};
 use crate::state::{Body, Displacement, Freedom, HandPose};
@@ -219,7 +219,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 (self.along(Kind::Pin, &way), Watch::Corner)
             }
             Freedom::Turns => (self.along(Kind::Pin, &way), Watch::Stick),
-            Freedom::Slides => (self.along(Kind::Slide, &way), Watch::Slide),
+            Freedom::Slides => {
+                let m = self.statics.sliding(self.body, way.per_p);
+                let watch = match m.factor {
+                    Factor::Normal(_) => Watch::Trail,
+                    Factor::Both | Factor::Lever => Watch::Slide,
+                };
+                (m.to(to, way.whole), watch)
+            }
             Freedom::Together | Freedom::Fixed => {
                 let m = self.statics.sliding_pair(self.body, way.per_p);
                 (m.to(to, way.whole), Watch::Joint)

@@ -32,7 +32,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 Freedom::Fixed => continue,
                 Freedom::Free => Motion::new(Kind::Free, body, hand_p),
                 Freedom::Turns => Motion::new(Kind::Pin, body, hand_p),
-                Freedom::Slides => Motion::new(Kind::Slide, body, hand_p),
+                Freedom::Slides => self.sliding(body, hand_p),
                 Freedom::Together => self.sliding_pair(body, hand_p),
             };
             let i = self.placed_at_start(&m);
@@ -53,7 +53,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         if !state.held {
             return None;
         }
-        let columns = self.held(state, false).compliance(&state.body)?;
+        let columns = self.statics(state).compliance(&state.body)?;
         let [of_pose, of_wrench] = self.scene.units.of_tangent();
         let springs = [R::ONE, R::ONE, self.scene.world.stiffness.value];
         let at = |row: usize, column: usize| {

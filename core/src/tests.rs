@@ -5,7 +5,7 @@ extern crate std;
 use crate::bounds::Extent;
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
-use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::motion::{Factor, Instant, Kind, Motion, Spot};
 use crate::scene::{Description, SurfaceDescription};
 use crate::state::{Body, HandPose};
 use crate::window::Begin;
@@ -188,6 +188,27 @@ fn partial_derivatives_are_those_of_differences() {
         let rates = statics.rates_of(&m, &i, 1.0, 0.0);
         check("F_u", rates.force.x, &|i| i.force.x, u);
         check("M_u", rates.moment, &|i| i.moment, u);
+    }
+}
+
+#[test]
+fn factors_of_a_slide_have_the_derivatives_of_differences() {
+    let mut random = Random(4);
+    for round in 0..60 {
+        let world = world(&mut random);
+        let statics = world.held_at(random.vector(0.2));
+        let (_, mut m) = motion(&mut random, &world, Case::Slide);
+        m.factor = [
+            Factor::Lever,
+            Factor::Normal(Sense::Plus),
+            Factor::Normal(Sense::Minus),
+        ][round % 3];
+        let e = |u: f64, p: f64| statics.placed(&m, Spot { u: m.angle + u, p }).e;
+        let (i, step) = (statics.placed_at_start(&m), 1e-5);
+        let slopes = [e(step, 0.0) - e(-step, 0.0), e(0.0, step) - e(0.0, -step)];
+        let [e_u, e_p] = slopes.map(|d| d / (2.0 * step));
+        close("E_u", i.e_u, e_u, 1e-8);
+        close("E_p", i.e_p, e_p, 1e-8);
     }
 }
 

@@ -1,7 +1,6 @@
 //! Every bound at which a number counts as zero, a position as the same, a quotient as known: its unit, and its derivation. ε is
 //! [`Real::EPSILON`]; the touch and the shortest slip are [`Real::TOUCH`] and [`Real::MICRO`].
 
-use crate::geometry::one_in;
 use crate::real::Real;
 
 /// What the number type can tell apart.
@@ -105,12 +104,6 @@ pub(crate) trait Thresholds: Real {
     /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)
-    }
-    /// 1e-5 (k_h L²): the spring that holds the angle on the way, towards the body's angle at the beginning of a frame, where nothing else
-    /// does. Over a turn of 1/10 rad its moment is a touch in single precision; with less a frame turns the body by so much that paths
-    /// reach their limit.
-    fn swing() -> Self {
-        Self::from_si(one_in(100_000), Self::Si::ONE)
     }
 }
 

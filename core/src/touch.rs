@@ -17,14 +17,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         sense: Sense,
         hand_p: HandPose<R>,
     ) -> Option<Rates<R>> {
-        let kind = if sense.slides() {
-            Kind::Slide
+        let mut body = *body;
+        body.contacts.slide(sense);
+        let m = if sense.slides() {
+            self.sliding(&body, hand_p)
         } else {
-            Kind::Pin
+            Motion::new(Kind::Pin, &body, hand_p)
         };
-        let mut m = Motion::new(kind, body, hand_p);
-        let [first, _] = &mut m.contacts;
-        first.sense = sense;
         let i = self.placed_at_start(&m);
         (i.e_u < R::ZERO).then(|| self.rates(&m, &i))
     }

@@ -162,17 +162,22 @@ pub(crate) struct Statics<'a, R, const V: usize, const S: usize, const C: usize>
     /// k, w
     pub(crate) stiffness: Stiffness<R>,
     pub(crate) weight: R,
+    /// Nothing holds the angle: no spring, and no weight that turns the body (R34).
+    pub(crate) swings: bool,
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> {
     /// The body held at g, body frame.
     pub(crate) fn held_at(&self, grip: Vec2<R>) -> Statics<'_, R, V, S, C> {
+        let centroid = self.centroid - grip;
+        let hangs = self.weight > R::ZERO && centroid != Vec2::ZERO;
         Statics {
             world: self,
             grip,
-            centroid: self.centroid - grip,
+            centroid,
             stiffness: self.stiffness,
             weight: self.weight,
+            swings: self.stiffness.value == R::ZERO && !hangs,
         }
     }
 }

@@ -14,7 +14,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let motion = self.watched.motion;
         let watch = self.watched.watch;
         let sliding: &[Which] = match watch {
-            Watch::Slip(_) | Watch::Slide | Watch::Topple => &[Which::First],
+            Watch::Slip(_) | Watch::Slide | Watch::Trail | Watch::Topple => &[Which::First],
             Watch::Joint | Watch::JointSlip => &[Which::First, Which::Second],
             Watch::Way | Watch::Stick | Watch::Corner | Watch::Turn => &[],
         };
@@ -29,6 +29,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 | Watch::Corner
                 | Watch::Turn
                 | Watch::Slide
+                | Watch::Trail
                 | Watch::Joint
                 | Watch::JointSlip => contact.sense,
             };

@@ -1,0 +1,121 @@
+//! A body whose angle nothing holds, and the slides of its single contact: E = N (e·r), of which one factor is followed (STATICS 11, R34).
+
+use crate::contact::Sense;
+use crate::events::Watched;
+use crate::frame::Frame;
+use crate::geometry::Vec2;
+use crate::motion::{Factor, Instant, Kind, Motion, Rates};
+use crate::real::Real;
+use crate::state::{Body, HandPose};
+use crate::thresholds::Thresholds;
+use crate::values::{Moving, Value};
+use crate::world::Statics;
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// Nothing acts on the angle: it stays (R34).
+    pub(crate) fn keep_angle(&self, m: &Motion<R>, i: &mut Instant<R>) {
+        (i.e, i.e_u, i.e_p) = (m.angle - i.angle, -R::ONE, R::ZERO);
+    }
+    /// Nothing holds the angle, and the contact is a vertex at the holding point: it does not turn the body either.
+    pub(crate) fn is_held_there(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
+        self.swings && !self.turns(m.first()) && i.r.length_bound() <= R::TOUCH
+    }
+    /// One of the factors of E = N (e·r), with the sign that E has with it.
+    pub(crate) fn weigh_factor(&self, m: &Motion<R>, i: &mut Instant<R>) {
+        let frame = self.frame(m.first(), i.rotation, i.g);
+        let edge = self.edge(m.first(), &frame);
+        let (pull, h_p) = (i.force - i.r, m.hand_p.at);
+        let lever = edge.e.dot(i.r);
+        (i.e, i.e_u, i.e_p) = match m.factor {
+            Factor::Both => (i.e, i.e_u, i.e_p),
+            // e·r = -e·P of a C
+            Factor::Lever if frame.turns => (lever, -edge.e.turned().dot(pull), -edge.e.dot(h_p)),
+            Factor::Lever => (lever, edge.e.dot(i.r.turned()), R::ZERO),
+            Factor::Normal(s) => {
+                let n = -frame.n * s.number::<R>();
+                let n_u = if frame.turns {
+                    n.turned().dot(pull)
+                } else {
+                    n.dot(i.r.turned())
+                };
+                (n.dot(i.force), n_u, n.dot(h_p))
+            }
+        };
+    }
+    /// A slide of the first contact along the hand's displacement. Of a body whose angle nothing holds it follows the factor that is zero; the
+    /// lever if both are.
+    pub(crate) fn sliding(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
+        let mut m = Motion::new(Kind::Slide, body, hand_p);
+        if self.swings {
+            let i = self.placed_at_start(&m);
+            let frame = self.frame(m.first(), i.rotation, i.g);
+            let lever = self.edge(m.first(), &frame).e.dot(i.r);
+            let is_slack = lever.abs() > R::zero().max(frame.n.dot(i.force).abs());
+            m.factor = if is_slack {
+                Factor::Normal(Sense::of(lever))
+            } else {
+                Factor::Lever
+            };
+        }
+        m
+    }
+    /// E_up of a factor.
+    pub(crate) fn e_up_factor(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        if !self.turns(m.first()) {
+            return R::ZERO;
+        }
+        let frame = self.frame(m.first(), i.rotation, i.g);
+        let along = match m.factor {
+            Factor::Both => Vec2::ZERO,
+            Factor::Lever => self.edge(m.first(), &frame).e,
+            Factor::Normal(s) => frame.n * s.number::<R>(),
+        };
+        -along.turned().dot(m.hand_p.at)
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {
+    /// s xi' per unit of the displacement: a slow hand is no halt.
+    pub(crate) fn halt(&self, rates: &Rates<R>) -> Value<R> {
+        let size = self.motion.hand_p.size();
+        let slack = R::of_displacement(size) * rates.p;
+        Value {
+            v: (self.motion.first().sense.along(rates.xi) + slack) / size,
+            d: R::ZERO,
+        }
+    }
+    /// Of a contact that bears nothing: s e·r, halt, and how the hand presses it.
+    pub(crate) fn trail_values(
+        &self,
+        i: &Instant<R>,
+        rates: &Rates<R>,
+        frame: &Frame<R>,
+    ) -> [Value<R>; 3] {
+        let m = self.motion;
+        let e = self.statics.edge(m.first(), frame).e;
+        let turned = |a: Vec2<R>| a.turned() * rates.theta;
+        let (e_rate, r_rate) = if frame.turns {
+            (turned(e), -rates.g)
+        } else {
+            (Vec2::ZERO, turned(i.r))
+        };
+        let edge = Moving {
+            at: e,
+            rate: e_rate,
+        };
+        let lever = edge.dot(Moving {
+            at: i.r,
+            rate: r_rate,
+        });
+        let lever = match m.factor {
+            Factor::Normal(s) => lever.times(s.number()),
+            Factor::Both | Factor::Lever => lever,
+        };
+        let size = m.hand_p.size();
+        let presses = Value {
+            v: (R::of_displacement(size) - frame.n.dot(m.hand_p.at)) / size,
+            d: R::ZERO,
+        };
+        [lever, self.halt(rates), presses]
+    }
+}
