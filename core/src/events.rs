@@ -8,6 +8,7 @@ use crate::motion::{Instant, Motion, Rates};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::Body;
+use crate::thresholds::Thresholds;
 use crate::values::{Moving, Value, Values};
 use crate::world::{Friction, Statics};
 
