@@ -260,14 +260,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 out.fill(&[t + -normal.times(friction.sliding.sin), normal]);
             }
             Watch::Slide => {
-                // Per unit of the displacement: a slow hand is no halt.
-                let size = m.hand_p.size();
-                let slack = R::of_displacement(size) * rates.p;
-                let halt = Value {
-                    v: (m.first().sense.along(rates.xi) + slack) / size,
-                    d: R::ZERO,
-                };
-                out.fill(&[normal, halt, self.stiction(friction, normal)]);
+                let stiction = self.stiction(friction, normal);
+                out.fill(&[normal, self.halt(i, rates), stiction]);
             }
             Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
             Watch::Way | Watch::Corner | Watch::Turn | Watch::Joint | Watch::JointSlip => {}
@@ -314,11 +308,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             | Function::Stiction
             | Function::Excess => Order::Second(force),
             Function::Drive => Order::Second(on.drive),
-            Function::Halt => {
-                let [_, xi2] = on.bound.foot;
-                Order::First(xi2 / on.width / size)
-            }
-            Function::Advance => Order::First(on.pace.mixed * on.pace.rate / size),
+            Function::Halt => self.halt_order(i, on),
+            Function::Advance => Order::First(on.pace.curvature.j * on.pace.rate / size),
             Function::Share(_) | Function::Foot(_) | Function::Memory => {
                 self.pair_order(function, on)
             }
