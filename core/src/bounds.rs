@@ -26,8 +26,7 @@ pub(crate) struct Extent<R> {
 pub(crate) struct Pace<R> {
     pub(crate) rate: R,
     pub(crate) bent: R,
-    /// J
-    pub(crate) mixed: R,
+    pub(crate) curvature: Curvature<R>,
     pub(crate) extent: Extent<R>,
 }
 

@@ -269,7 +269,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 out.fill(&[t + -normal.times(friction.sliding.sin), normal]);
             }
             Watch::Slide => {
-                out.fill(&[normal, self.halt(rates), self.stiction(friction, normal)]);
+                let stiction = self.stiction(friction, normal);
+                out.fill(&[normal, self.halt(i, rates), stiction]);
             }
             Watch::Trail => out.fill(&self.trail_values(i, rates, &frame)),
             Watch::Topple => out.fill(&[self.drive(i, rates), normal]),
@@ -317,16 +318,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             | Function::Stiction
             | Function::Excess => Order::Second(force),
             Function::Drive => Order::Second(on.drive),
-            Function::Halt => {
-                let [_, xi2] = on.bound.foot;
-                Order::First(xi2 / on.width / size)
-            }
+            Function::Halt => self.halt_order(i, on),
             Function::Lever => {
                 let [_, xi2] = on.bound.foot;
                 Order::Second(xi2)
             }
             Function::Advance | Function::Presses => {
-                Order::First(on.pace.mixed * on.pace.rate / size)
+                Order::First(on.pace.curvature.j * on.pace.rate / size)
             }
             Function::Share(_) | Function::Foot(_) | Function::Memory => {
                 self.pair_order(function, on)

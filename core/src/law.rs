@@ -72,6 +72,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn halts(&mut self) {
         let sense = self.body.contacts.first().sense;
         if self.body.freedom() == Freedom::Slides && self.is_smooth() {
+            // Nothing has happened: in frame evolution, too, the hand goes on (R40).
+            self.errand.jumps = false;
             self.body.contacts.slide(sense.reversed());
         } else {
             self.body.loosen();

@@ -115,6 +115,7 @@ mod forces;
 mod frame;
 mod geometry;
 mod grasp;
+mod halt;
 mod hand;
 mod hold;
 mod jam;

@@ -90,7 +90,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let pace = Pace {
                 rate: width,
                 bent: R::ZERO,
-                mixed: curvature.j,
+                curvature,
                 extent,
             };
             (pace, curvature.k * width * width)
@@ -140,7 +140,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let pace = Pace {
             rate: width,
             bent: R::ZERO,
-            mixed: along.mixed,
+            curvature: along.curvature,
             extent,
         };
         let go = statics.foot_per_p(motion) * p_bend;

@@ -178,14 +178,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             target = state.relative(sample);
         }
         if self.statics(state).swings {
-            target.angle = if is_still {
-                state.body.angle
-            } else {
-                state.errand.target.angle
-            };
-            if is_still {
-                state.body.hand.angle = target.angle;
+            if is_new && is_still {
+                state.body.hand.angle = state.body.angle;
             }
+            // The hand turns nothing.
+            target.angle = state.body.hand.angle;
         }
         if !is_representable(&self.statics(state), &state.body, &target) {
             return false;

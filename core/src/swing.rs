@@ -59,6 +59,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         m
     }
+    /// E_uu of a factor: the second derivative of a direction times r, or P of a C, one of which turns.
+    pub(crate) fn e_uu_factor(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        let frame = self.frame(m.first(), i.rotation, i.g);
+        let arm = if frame.turns { i.force - i.r } else { i.r };
+        match m.factor {
+            Factor::Both => R::ZERO,
+            Factor::Lever if frame.turns => self.edge(m.first(), &frame).e.dot(arm),
+            Factor::Lever => -self.edge(m.first(), &frame).e.dot(arm),
+            Factor::Normal(s) => s.along(frame.n.dot(arm)),
+        }
+    }
     /// E_up of a factor.
     pub(crate) fn e_up_factor(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         if !self.turns(m.first()) {
@@ -75,15 +86,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {
-    /// s xi' per unit of the displacement: a slow hand is no halt.
-    pub(crate) fn halt(&self, rates: &Rates<R>) -> Value<R> {
-        let size = self.motion.hand_p.size();
-        let slack = R::of_displacement(size) * rates.p;
-        Value {
-            v: (self.motion.first().sense.along(rates.xi) + slack) / size,
-            d: R::ZERO,
-        }
-    }
     /// Of a contact that bears nothing: s e·r, halt, and how the hand presses it.
     pub(crate) fn trail_values(
         &self,
@@ -116,6 +118,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             v: (R::of_displacement(size) - frame.n.dot(m.hand_p.at)) / size,
             d: R::ZERO,
         };
-        [lever, self.halt(rates), presses]
+        [lever, self.halt(i, rates), presses]
     }
 }

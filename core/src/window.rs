@@ -16,11 +16,11 @@ pub(crate) struct Residual<R> {
     pub(crate) s1: R,
 }
 
-/// What bounds a curve along u (E13), per u: |p'| <= rate, |p''| <= bend; J; and |d²E_u/du²| <= stable.
+/// What bounds a curve along u (E13), per u: |p'| <= rate, |p''| <= bend; K, J, Q; and |d²E_u/du²| <= stable.
 pub(crate) struct Along<R> {
     pub(crate) rate: R,
     pub(crate) bend: R,
-    pub(crate) mixed: R,
+    pub(crate) curvature: Curvature<R>,
     pub(crate) stable: R,
 }
 
@@ -124,7 +124,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Ok(Pace {
             rate,
             bent,
-            mixed: curvature.j,
+            curvature,
             extent: Extent { way, strip },
         })
     }
@@ -134,7 +134,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let within = |way| self.curvature(m, i, Extent { way, strip: l });
         // |p - p_1| stays below d, which is twice what it is with E_p as at the end.
         let d = ((e_u + within(R::ZERO).k * l) / e_p * l).doubled();
-        let Curvature { k, j, q } = within(d);
+        let curvature = within(d);
+        let Curvature { k, j, q } = curvature;
         let lost = j * l + q * d;
         let low = e_p - lost;
         if low < e_p.halved() {
@@ -159,7 +160,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Ok(Along {
             rate,
             bend,
-            mixed: j,
+            curvature,
             stable,
         })
     }

@@ -89,8 +89,9 @@ const RANDOM: [u64; 2] = [49_200, 25_100];
 /// scene cost. A lower number is better; a higher one has to be justified.
 ///
 /// A search that has to bound two contacts that slide together evaluates a window in 3000 to 4700 operations, and finds each of their events
-/// by itself: where a ladder or an edge slides, or folds, a frame is dearer than with closed forms for each state, by up to 3 times. The rod
-/// between smooth walls folds with a balance that is lost within rounding: its worst frame uses up all its paths.
+/// by itself: where a ladder or an edge slides, or folds, a frame is dearer than with closed forms for each state, by up to 3 times. Where a
+/// slide may run back, the second derivatives of its foot are evaluated: worst frames are dearer by up to a tenth, without friction by up to
+/// three fifths, but the turn of a foot is found in few windows and does not use up the paths of a frame.
 const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("box on a vertex", [[617, 2260], [665, 2750]]),
     ("box flat", [[744, 5870], [786, 5790]]),
@@ -100,14 +101,14 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
         "block dropped into a corner",
         [[668, 42_200], [685, 42_200]],
     ),
-    ("block in a wide corner", [[2370, 223_000], [1300, 65_400]]),
+    ("block in a wide corner", [[2150, 78_700], [1300, 65_400]]),
     ("block lifted straight", [[193, 6140], [193, 6230]]),
     ("block lifted obliquely", [[554, 16_400], [541, 9990]]),
     ("block tips", [[315, 7800], [319, 8270]]),
-    ("block set down tilted", [[420, 5320], [428, 5470]]),
+    ("block set down tilted", [[420, 5590], [428, 5470]]),
     (
         "block slid flush against a slanted wall",
-        [[546, 7260], [1140, 7180]],
+        [[546, 7820], [1140, 7740]],
     ),
     ("strut buckles", [[557, 16_200], [559, 16_700]]),
     ("strut buckles in a groove", [[579, 32_300], [606, 32_100]]),
@@ -123,7 +124,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ),
     (
         "rod buckles between smooth walls",
-        [[43_300, 11_400_000], [43_300, 11_400_000]],
+        [[13_000, 679_000], [13_000, 681_000]],
     ),
     ("rod taken off floor and wall", [[163, 5020], [165, 5030]]),
     (
@@ -131,21 +132,21 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
         [[374, 28_100], [396, 28_100]],
     ),
     ("point in a corner", [[576, 11_800], [561, 7390]]),
-    ("tip slides along", [[453, 6900], [456, 4690]]),
+    ("tip slides along", [[453, 7460], [456, 4690]]),
     ("frictionless tip", [[571, 1810], [573, 2820]]),
 ];
 
 /// Mean and worst cost where contacts glide: the same windows as with friction, where a closed form of the angle was cheaper.
 const GLIDING: [(&str, [[u64; 2]; 2]); 11] = [
-    ("box on a vertex", [[604, 2210], [608, 3220]]),
+    ("box on a vertex", [[604, 3670], [608, 3670]]),
     ("box flat", [[1350, 3940], [1350, 5220]]),
     ("block lifted straight", [[488, 3930], [488, 4010]]),
     ("block lifted obliquely", [[892, 3940], [895, 5220]]),
-    ("block tips", [[1410, 6540], [1410, 6260]]),
-    ("block set down tilted", [[948, 8750], [697, 6460]]),
+    ("block tips", [[1410, 6890], [1410, 6260]]),
+    ("block set down tilted", [[948, 10_200], [697, 7910]]),
     ("strut buckles", [[2620, 2620], [2620, 2620]]),
-    ("pendulum folds", [[550, 9450], [509, 9600]]),
+    ("pendulum folds", [[550, 10_700], [509, 9600]]),
     ("strut falls on its edge", [[1810, 26_000], [1810, 25_600]]),
-    ("tip slides along", [[436, 2310], [437, 3010]]),
+    ("tip slides along", [[436, 2860], [437, 3010]]),
     ("frictionless tip", [[571, 1810], [573, 2820]]),
 ];
