@@ -85,13 +85,14 @@ impl<R: Real> WrenchCone<R> {
         let [a, b] = edges;
         let x = a.wrench.cross(b.wrench);
         let (mut inside, mut outside) = (false, false);
+        let least = R::of_volume();
         for c in &self.edges {
             if c.is(a) || c.is(b) {
                 continue;
             }
             let side = x.dot(c.wrench);
-            inside |= side > R::in_plane();
-            outside |= side < -R::in_plane();
+            inside |= side > least;
+            outside |= side < -least;
             if inside && outside {
                 return;
             }

@@ -131,7 +131,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let gap_opens = rates.map(|rates| frame.opening(rates.g, rates.theta) >= R::ZERO);
         match gap_opens {
             Some(opens) if opens || is_edge => {}
-            // The slide of the one is not stable: it sticks, and snaps if friction gives way.
+            // The slide of the one is not stable: nothing holds it without friction; otherwise it sticks, and snaps if friction gives way.
+            None if self.is_smooth() => return self.snap(Kind::Slide),
             None if is_edge => return self.body.loosen(),
             Some(_) | None => {
                 self.body.contacts.add(lost.feature);
@@ -251,7 +252,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let m = Motion::new(kind, self.body, way.per_p);
             let i = self.statics.placed_at_start(&m);
             drive = i.e_p;
-            runs_back = sense.along(i.xi_u * drive) < R::ZERO;
+            runs_back = !self.is_smooth() && sense.along(i.xi_u * drive) < R::ZERO;
         }
         let known = R::in_plane() / drive.abs().max(R::EPSILON);
         let p = (R::TOUCH * R::from_int(16) * way.whole).max(known.min(way.whole));

@@ -270,7 +270,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Mode::Turn { about, with } => {
                 let r = frame(about).r;
                 let moment = load.moment - r.cross(load.force);
-                let is_pulled = pulls(about) >= R::ZERO && with.is_none_or(|k| pulls(k) >= R::ZERO);
+                let is_pulled = pulls(about) > R::ZERO && with.is_none_or(|k| pulls(k) > R::ZERO);
                 if is_pulled || moment.abs() <= R::of_drive(load.size()) {
                     return None;
                 }

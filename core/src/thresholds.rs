@@ -61,6 +61,10 @@ pub(crate) trait Thresholds: Real {
     fn in_plane() -> Self {
         Self::EPSILON * Self::from_int(64)
     }
+    /// 8 ε (1): a smaller volume of three edges is none. Each edge is known to 2 ε, its product with the plane of the others to that.
+    fn of_volume() -> Self {
+        Self::EPSILON * Self::from_int(8)
+    }
     /// 16 ε (L or rad per unit of the motion): smaller velocities count as zero; they are quotients of sums of two products of normals and
     /// levers, each known to 2 ε.
     fn standstill() -> Self {
