@@ -142,6 +142,27 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let frame = self.frame(contact, rotation, g);
         self.gap_of(contact, &frame, rotation, g)
     }
+    /// The gap of a second contact where a first one is closed at a point: of two vertices by the way from one to the other, so that the
+    /// rounding of a far holding point does not count.
+    pub(crate) fn gap_beside(
+        &self,
+        [first, second]: [Contact; 2],
+        c: Vec2<R>,
+        rotation: Rotation<R>,
+        g: Vec2<R>,
+    ) -> R {
+        match (first.feature, second.feature) {
+            (Feature::Vertex { vertex: from, .. }, Feature::Vertex { vertex, side }) => {
+                let side = self.side(side);
+                let to = c + rotation.apply(self.from_to([from, vertex]));
+                side.normal.dot(to) - side.offset
+            }
+            (Feature::Vertex { .. }, Feature::Corner { .. })
+            | (Feature::Corner { .. }, Feature::Vertex { .. } | Feature::Corner { .. }) => {
+                self.gap(second, rotation, g)
+            }
+        }
+    }
     /// The gap of a contact whose frame is known. Its normal is its own: that of a frame may be levelled with another contact's, and its
     /// rounding would count times the distance from the origin of the line.
     pub(crate) fn gap_of(

@@ -29,8 +29,9 @@ impl<R: Real> WrenchCone<R> {
         });
         of_contact.fold(R::ZERO, |sum, most| sum + most) * R::limit()
     }
-    /// The change of a load up to which it is borne with every N within the limit, as in (E18); negative if it is not.
-    fn within_limit(&self, load: Wrench<R>) -> R {
+    /// The change of a load up to which it is borne with every N within the limit, as in (E18); negative if it is not. What `little` leaves
+    /// of a load that is borne is none.
+    fn within_limit(&self, load: Wrench<R>, little: R) -> R {
         let mut least = R::HUGE;
         for (i, a) in self.sides().enumerate() {
             for b in self.sides().skip(i.saturating_add(1)) {
@@ -40,6 +41,8 @@ impl<R: Real> WrenchCone<R> {
                 }
                 for x in [x, x * -R::ONE] {
                     let margin = self.most_along(x) + x.dot(load);
+                    let is_rounding = margin.abs() <= little * (R::ONE + x.size());
+                    let margin = if is_rounding { R::ZERO } else { margin };
                     least = least.min(margin / x.size());
                 }
             }
@@ -57,7 +60,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Some(R::HUGE);
         }
         let load = self.present_load(body);
-        let change = self.cone(body).within_limit(load);
+        let change = self.cone(body).within_limit(load, self.rounding(body));
         (change >= -R::of_release(load.size())).then(|| change.max(R::ZERO))
     }
 }

@@ -171,12 +171,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.foot = m.foot + tau.x * i.u;
         let mut tangent = tau;
         for _ in 0..4 {
-            let frames = self.seat_first(m, i);
-            let [_, second] = &frames;
+            let (c, frames) = self.seat_first(m, i);
             let g = gap_slope(&frames);
             // d gap/dy = g·(i tau); z_u = (g_y, -g_x)/D
             let across = R::ONE / g.dot(tau.turned());
-            let y = -(self.gap_of(c2, second, i.rotation, i.g) * across);
+            let y = -(self.gap_beside([c1, c2], c, i.rotation, i.g) * across);
             tangent = Vec2::new(g.y, -g.x) * across;
             let turn = tau.x * y;
             i.foot = i.foot - tau.y * y;
@@ -187,16 +186,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
             i.rotation = Rotation::by(i.angle);
         }
-        let [first, second] = self.seat_first(m, i);
+        let (_, [first, second]) = self.seat_first(m, i);
         i.r2 = second.r;
         (i.xi_u, i.theta_u) = (tangent.x, tangent.y);
         i.g_u = self.frame(c1, i.rotation, i.g).t * tangent.x - first.r.turned() * tangent.y;
     }
-    /// The holding point from foot and rotation of the first contact; the frames there.
-    fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> [Frame<R>; 2] {
+    /// The holding point from foot and rotation of the first contact; its point, the frames there.
+    fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> (Vec2<R>, [Frame<R>; 2]) {
         let foot = self.foot(m.first(), i.rotation, i.foot);
         (i.g, i.r) = (foot.c - foot.r, foot.r);
-        self.frames(m.contacts, i.rotation, i.g)
+        (foot.c, self.frames(m.contacts, i.rotation, i.g))
     }
 
     /// The two contacts at an instant.

@@ -252,7 +252,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return self.edge_shares(body);
         }
         let m = self.sliding_pair(body, HandPose::REST);
-        let normal = self.shares(&m, &self.placed_at_start(&m)).normal;
+        let mut i = self.placed_at_start(&m);
+        // In the pose of the answer: one on both gaps anew differs by its rounding, times a long lever over a short one.
+        let [of_first, of_second] = self.frames(m.contacts, body.rotation, body.holding);
+        let load = self.present_load(body);
+        (i.rotation, i.g, i.r, i.r2) = (body.rotation, body.holding, of_first.r, of_second.r);
+        (i.force, i.moment) = (load.force, load.moment);
+        let normal = self.shares(&m, &i).normal;
         let mut out = [[R::ZERO; 2]; 2];
         for ((slot, n), c) in out.iter_mut().zip(normal).zip([first, second]) {
             let cone = self.friction(c).sliding;

@@ -188,6 +188,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let vertex = self.world.vertices.get(usize::from(index));
         vertex.map_or(Vec2::ZERO, |&v| v - self.grip)
     }
+    /// From one vertex to another, whatever the holding point.
+    pub(crate) fn from_to(&self, pair: [u8; 2]) -> Vec2<R> {
+        let [from, to] = pair.map(|index| {
+            let vertex = self.world.vertices.get(usize::from(index));
+            vertex.map_or(Vec2::ZERO, |&v| v)
+        });
+        to - from
+    }
     /// The levers of all vertices, with their indices.
     pub(crate) fn vertices(&self) -> impl Iterator<Item = (u8, Vec2<R>)> {
         (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
