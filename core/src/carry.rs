@@ -153,6 +153,7 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, const C: usize> Solve
     /// assert_eq!(carried.output.position, output.position);
     /// # Ok::<(), SceneError<f32>>(())
     /// ```
+    #[inline(never)]
     pub fn carry<F: SiFloat, E>(
         present: &Present<F>,
         description: &Description<'_, R::Si>,
@@ -169,21 +170,24 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, const C: usize> Solve
             (Hold::Given, true) => present.holding_point.map(|point| point.map(si)),
             (Hold::Given, false) | (Hold::Taken, _) => None,
         };
-        let solver = solver_of(&there).map_err(CarryError::Scene)?;
-        let (mut state, output) = if present.held && present.hold == Hold::Taken {
+        let mut carried = if present.held && present.hold == Hold::Taken {
             // A hand that pulls with no force takes hold again, and jumps to where it is.
-            there.reach = reach_again(there.vertices, there.reach);
-            let again = solver_of(&there).map_err(CarryError::Scene)?;
+            let again = Description {
+                reach: reach_again(there.vertices, there.reach),
+                ..there
+            };
+            let again = solver_of(&again).map_err(CarryError::Scene)?;
             let again = again.with_evolution(Evolution::Frame);
-            let (mut state, taken) = again.start(narrowed(&present.idle()));
-            if !taken.held {
-                return Err(CarryError::OutOfReach);
+            let (mut state, mut output) = again.start(narrowed(&present.idle()));
+            if output.held {
+                output = again.step(&mut state, narrowed(&present.hand));
             }
-            let output = again.step(&mut state, narrowed(&present.hand));
             (state, output)
         } else {
+            let solver = solver_of(&there).map_err(CarryError::Scene)?;
             solver.start(narrowed(&present.hand))
         };
+        let (state, output) = &mut carried;
         if matches!(output.status, Status::Saturated | Status::HeldLast) {
             return Err(CarryError::Unsettled(output.status));
         }
@@ -191,8 +195,9 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, const C: usize> Solve
             return Err(CarryError::OutOfReach);
         }
         state.keep_hold(present.hold);
+        let (state, output) = carried;
         Ok(Carried {
-            solver,
+            solver: solver_of(&there).map_err(CarryError::Scene)?,
             state,
             output,
         })

@@ -1,6 +1,7 @@
 //! A contact: what touches what, and whether it sticks or slides; and the contacts of a body.
 
 use crate::real::Real;
+use core::mem::swap;
 
 /// At most this many contacts at a time; further ones are not reported.
 pub const MAX_CONTACTS: usize = 8;
@@ -193,8 +194,11 @@ impl Contacts {
     }
     /// Contact i becomes the first.
     pub(crate) fn lead(&mut self, i: usize) {
-        if i < self.len() {
-            self.list.swap(0, i);
+        let count = self.len();
+        if let Some([first, others @ ..]) = self.list.get_mut(..count)
+            && let Some(other) = i.checked_sub(1).and_then(|i| others.get_mut(i))
+        {
+            swap(first, other);
         }
     }
     /// Only these remain, in this order.

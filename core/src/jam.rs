@@ -7,11 +7,19 @@ use crate::real::Real;
 use crate::state::{Body, Freedom};
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
+use core::iter::from_fn;
 
 impl<R: Real> WrenchCone<R> {
     /// The edges of one contact after the other.
     fn contacts(&self) -> impl Iterator<Item = &[ConeEdge<R>]> {
-        self.edges().chunk_by(|a, b| a.contact == b.contact)
+        let mut rest = self.edges();
+        from_fn(move || {
+            let contact = rest.first()?.contact;
+            let count = rest.iter().take_while(|edge| edge.contact == contact);
+            let (own, others) = rest.split_at_checked(count.count())?;
+            rest = others;
+            Some(own)
+        })
     }
     /// The directions of all edges of the triangles.
     fn sides(&self) -> impl Iterator<Item = Wrench<R>> + '_ {

@@ -4,6 +4,7 @@
 use crate::cone::{ConeEdge, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
+use crate::list::gather;
 use crate::motion::Motion;
 use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose, gap_slope};
@@ -109,7 +110,7 @@ impl<R: Real> WrenchCone<R> {
         }
     }
     fn none(&self) -> Vec<R, MOST> {
-        self.edges().iter().map(|_| R::ZERO).collect()
+        gather(self.edges().iter().map(|_| R::ZERO))
     }
     /// What components along the edges leave of a load.
     #[inline(never)]
@@ -293,7 +294,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let cone = self.cone(body);
         let load = self.present_load(body);
         let shared = cone.shared(load, little(load));
-        let mut out: Reactions<R> = body.contacts.iter().map(|_| [R::ZERO; 2]).collect();
+        let mut out: Reactions<R> = gather(body.contacts.iter().map(|_| [R::ZERO; 2]));
         for (edge, &part) in cone.edges().iter().zip(&shared) {
             let [n, t] = edge.reaction(part);
             if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {

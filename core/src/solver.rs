@@ -99,6 +99,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         (state, output)
     }
     /// The body at its start pose, seated on what it touches (R45).
+    #[inline(never)]
     fn placed_at_start(&self) -> State<R> {
         let HandPose { at, angle } = self.scene.start;
         let holding_point = self

@@ -9,8 +9,9 @@
 //! {"samples":1}
 //! ```
 //!
-//! A number that is not finite is null in a sample. A missing answer is null. A `budget` follows the evolution if a frame had one (pieces of work). The first sample starts the scene. The last
-//! line counts the samples; a recording without it was cut.
+//! A number that is not finite is null in a sample. A missing answer is null. A `budget` follows the evolution if a frame had one (pieces of
+//! work). The first sample starts the scene. The last line counts the samples; a recording without it was cut. In version 2 `friction` and
+//! `weight` followed, and a budget counted smaller units.
 //!
 //! Between two samples there may be a change: from there on, the body continues where it is, under another setting.
 //!
@@ -25,6 +26,7 @@ mod writer;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use stiction_core::Evolution;
 use stiction_scene::{SceneFile, Source};
@@ -37,6 +39,8 @@ pub(crate) use reader::{Recording, RecordingLine};
 pub(crate) use writer::{LiveWriter, RecordingWriter, is_being_written};
 
 const VERSION: u32 = 3;
+/// The earliest version that is read.
+const EARLIEST: u32 = 2;
 /// Size of the buffer for a line that is being written (bytes); a longer one is written in pieces.
 const PIECE: usize = 64 << 10;
 
@@ -53,6 +57,11 @@ pub(crate) struct Head {
     /// The pieces of work that a frame may use; absent: unlimited.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) budget: Option<u32>,
+    /// Of version 2: the solver had friction, and weight.
+    #[serde(default, skip_serializing)]
+    pub(crate) friction: IgnoredAny,
+    #[serde(default, skip_serializing)]
+    pub(crate) weight: IgnoredAny,
     /// The name of the scene file.
     pub(crate) name: String,
     /// Its text.
@@ -106,6 +115,8 @@ impl Head {
             number: number.name().to_owned(),
             evolution: evolution.name().to_owned(),
             budget: maker.budget,
+            friction: IgnoredAny,
+            weight: IgnoredAny,
             name: file
                 .file_name()
                 .unwrap_or_default()

@@ -161,10 +161,9 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
     /// Each corner onto the lines of the sides that end there, a pin onto one that it is near, and corners at one place together.
     fn place(&mut self) {
         for obstacle in self.obstacles() {
-            let moved: Vec<(usize, Point), C> = self
-                .around(obstacle)
-                .map(|(k, raw, before)| (k, self.placed(&raw, &before)))
-                .collect();
+            let around = self.around(obstacle);
+            let moved: Vec<(usize, Point), C> =
+                gather(around.map(|(k, raw, before)| (k, self.placed(&raw, &before))));
             for (k, at) in moved {
                 let same = self.all.iter().take(k).find(|other| is_near(other.at, at));
                 let (at, first) = same.map_or((at, None), |other| (other.at, Some(other.first)));

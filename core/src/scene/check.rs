@@ -56,9 +56,9 @@ macro_rules! representable {
             place: concat!(
                 "the larger coordinate and half the other at most ",
                 $range,
-                " body sizes"
+                " body sizes from where the body starts"
             ),
-            offset: concat!("at most ", $range, " body sizes"),
+            offset: concat!("at most ", $range, " body sizes from where the body starts"),
             stiffness: concat!(
                 "L, k_h L and k_h L^2 finite and more than ",
                 $least,

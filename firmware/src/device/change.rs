@@ -5,7 +5,8 @@
 use super::controller::{Controller, Run, solver};
 use super::refusal::Refusal;
 use super::settings::Settings;
-use stiction_core::{Carried, Description, Output, Present, Real, Solver, State};
+use super::store::Store;
+use stiction_core::{Description, Output, Present, Real, Solver, Status};
 use stiction_wire::Parameters;
 
 /// Where the body of a new scene is placed.
@@ -41,30 +42,53 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
     ///
     /// # Errors
     /// [`Refusal`]; then nothing has changed.
+    #[inline(never)]
     pub fn set_scene(
         &mut self,
         description: &Description<'_, f32>,
         placement: Placement,
     ) -> Result<Option<Output<f32>>, Refusal> {
-        let mut next = Run::new(description, &self.settings)?;
-        if placement == Placement::Start {
-            self.run = next;
-            self.reset();
-            return Ok(None);
+        if placement == Placement::Present && self.run.state.is_some() {
+            // With its own start it must be sound, too.
+            self.place(description, false)?;
+            return self.carry_on(description).map(Some);
         }
-        let Some(state) = &self.run.state else {
+        self.place(description, true)?;
+        if placement == Placement::Start {
+            self.let_go();
+        }
+        Ok(None)
+    }
+    /// A new run at the start of a scene, if it is to be taken.
+    // Not compiled into its caller, as are the others here: the stack is that of the one that runs.
+    #[inline(never)]
+    fn place(&mut self, description: &Description<'_, f32>, taken: bool) -> Result<(), Refusal> {
+        let next = Run::new(description, &self.settings)?;
+        if taken {
             self.run = next;
-            return Ok(None);
-        };
-        let carried = self.run.carried(state, description, &self.settings)?;
-        next.state = Some(carried.state);
-        // The solver counts turns from the present ones of the body.
-        next.turns = self.run.pose.angle.turns;
-        next.solver = carried.solver;
-        let output = next.accept(carried.output);
-        self.run = next;
-        self.want();
-        Ok(Some(output))
+        }
+        Ok(())
+    }
+    /// The body goes on where it is, in another scene.
+    #[inline(never)]
+    fn carry_on(&mut self, description: &Description<'_, f32>) -> Result<Output<f32>, Refusal> {
+        let store = Store::new(description).ok_or(Refusal::Unsettled(Status::Saturated))?;
+        let present = self.run.present()?;
+        let settings = &self.settings;
+        match Solver::carry(&present, description, |there| solver(there, settings)) {
+            Ok(carried) => {
+                let run = &mut self.run;
+                // The solver counts turns from the present ones of the body.
+                run.turns = run.pose.angle.turns;
+                run.store = store;
+                run.state = Some(carried.state);
+                run.solver = carried.solver;
+                let output = run.accept(carried.output);
+                self.want();
+                Ok(output)
+            }
+            Err(error) => Err(error.into()),
+        }
     }
 
     /// How the device runs from now on: evolution, budget, limits, the period of ticks. The body stays as it is; the force continues from
@@ -83,16 +107,15 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Run<R, V, S, C> {
-    /// The body at its present pose, without whole turns, in another scene.
-    fn carried(
-        &self,
-        state: &State<R>,
-        description: &Description<'_, f32>,
-        settings: &Settings,
-    ) -> Result<Carried<R, V, S, C>, Refusal> {
+    /// The body at its present pose, without whole turns.
+    #[inline(never)]
+    fn present(&self) -> Result<Present<f32>, Refusal> {
         let (pose, store) = (self.pose, &self.store);
+        let Some(state) = &self.state else {
+            return Err(Refusal::Unsettled(Status::HeldLast));
+        };
         let own_turns = pose.angle.turns.saturating_sub(self.turns);
-        let present = Present {
+        Ok(Present {
             position: pose.position,
             angle: pose.angle,
             held: pose.held,
@@ -101,9 +124,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Run<R, V
             hand: state.hand().turned(own_turns.saturating_neg()),
             wrench: self.solver.wrench(state),
             stiffness: [store.stiffness_translation, store.stiffness_rotation],
-        };
-        Ok(Solver::carry(&present, description, |description| {
-            solver(description, settings)
-        })?)
+        })
     }
 }

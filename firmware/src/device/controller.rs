@@ -276,6 +276,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         if let Ok(run) = store.with_given(|given| Run::new(given, &self.settings)) {
             self.run = run;
         }
+        self.let_go();
+    }
+    /// The force is zero immediately.
+    pub(super) fn let_go(&mut self) {
         self.demand.wrench = Wrench::default();
         self.demand.held_last = false;
         self.demand.cut = true;

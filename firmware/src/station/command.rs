@@ -102,11 +102,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
         Ok(None)
     }
 
+    // None is compiled into another: the stack is that of the one that is carried out.
+    #[inline(never)]
     fn parameters(&mut self, new: &Parameters) -> Result<Option<Output<f32>>, Trouble> {
         let settled = self.controller.set_parameters(new);
         settled.map_err(|refusal| Trouble::of::<V, S, C>(&refusal))
     }
 
+    #[inline(never)]
     fn scene(&mut self, scene: &SceneCommand<'_>) -> Result<(), Trouble> {
         let (mut vertices, mut surfaces) = ([[0.0; 2]; V], [NOWHERE; S]);
         let refused = |refusal| Trouble::of::<V, S, C>(&refusal);
@@ -120,6 +123,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
         Ok(())
     }
 
+    #[inline(never)]
     fn set_mode(&mut self, mode: &Mode) -> Result<(), Trouble> {
         self.setup.check(mode)?;
         self.controller
@@ -133,11 +137,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
     }
 
     /// As after power-up, except the numbers of frames: they continue.
+    #[inline(never)]
     fn power_up(&mut self) -> Result<(), Trouble> {
         let mode = self.setup.mode;
         let settings = self.setup.settings(&mode);
-        self.controller = Controller::new(&self.setup.scene, &settings)
-            .map_err(|refusal| Trouble::of::<V, S, C>(&refusal))?;
+        match Controller::new(&self.setup.scene, &settings) {
+            Ok(controller) => self.controller = controller,
+            Err(refusal) => return Err(Trouble::of::<V, S, C>(&refusal)),
+        }
         self.mode = mode;
         self.bytes_per_turn = self.setup.bytes_per_turn(&mode);
         self.intake = Intake::new(&mode);

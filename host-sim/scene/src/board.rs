@@ -18,7 +18,8 @@ pub struct BoardBuild {
     pub target: &'static str,
     /// The number type of its solver.
     pub number: NumberType,
-    /// The capacity of the solver for the board's own scene, since any scene may arrive over the wire. For a scene file named by STICTION_SCENE, the solver has the capacity that this scene needs.
+    /// The capacity of the solver for the board's own scene, since any scene may arrive over the wire. For a scene file named by
+    /// STICTION_SCENE, the solver has the capacity that this scene needs.
     pub room: SceneModel,
     /// The file of the scene that is compiled in by default, in the folder of the package or as a path from there.
     pub scene: &'static str,
@@ -40,16 +41,6 @@ impl BoardBuild {
         }
     }
 
-    fn room_of_features(&self) -> SceneModel {
-        match env::var_os("CARGO_FEATURE_OBSTACLES") {
-            Some(_) => self.room,
-            None => SceneModel {
-                corners: 0,
-                ..self.room
-            },
-        }
-    }
-
     fn built(&self) -> Result<(), InputError> {
         if variable("TARGET")? != self.target {
             return Ok(());
@@ -57,7 +48,7 @@ impl BoardBuild {
         let package = PathBuf::from(variable("CARGO_MANIFEST_DIR")?);
         let folder = PathBuf::from(variable("OUT_DIR")?);
         let own = package.join(self.scene);
-        compile(&own, self.room_of_features(), self.number, &folder)?;
+        compile(&own, self.room, self.number, &folder)?;
         if let Some(memory) = self.memory {
             link(&package.join(memory), &folder)?;
         }

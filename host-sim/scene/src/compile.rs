@@ -14,8 +14,8 @@ use crate::written::WrittenScene;
 /// The environment variable with the scene file that replaces a board's own.
 const SCENE: &str = "STICTION_SCENE";
 
-/// Writes `scene.rs` into a folder: the board's own scene, in a model with room for what arrives over the wire, or, in its smallest model, the scene of the file named by the
-/// environment variable `STICTION_SCENE`. Reports the dependencies to cargo.
+/// Writes `scene.rs` into a folder: the board's own scene, in a model with room for what arrives over the wire, or, in its smallest model,
+/// the scene of the file named by the environment variable `STICTION_SCENE`. Reports the dependencies to cargo.
 pub(crate) fn compile(
     own: &Path,
     room: SceneModel,

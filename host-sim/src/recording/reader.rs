@@ -10,7 +10,7 @@ use stiction_scene::Sample;
 use stiction_scene::text::{LONGEST_WHOLE, Lines};
 
 use super::line::{ChangeLine, End, LineIn};
-use super::{Change, Head, PIECE, VERSION};
+use super::{Change, EARLIEST, Head, PIECE, VERSION};
 
 /// The maximum length of a line (bytes): a head and a change contain the text of a scene file, for each byte of which JSON needs
 /// at most six; the rest of them is shorter than a piece. A sample with its answer has some hundred bytes.
@@ -43,7 +43,7 @@ impl Made {
     /// Checks that it is of the version that this program reads; otherwise returns what it is.
     fn check(&self) -> Result<(), String> {
         let (found, program) = (self.recording, &self.build);
-        if found == VERSION {
+        if (EARLIEST..=VERSION).contains(&found) {
             return Ok(());
         }
         let gone = match self.tolerance {
@@ -51,7 +51,7 @@ impl Made {
             None => "",
         };
         Err(format!(
-            "`recording` is {found} (made by {program}{gone}), allowed: {VERSION}, the version of the format that this program reads"
+            "`recording` is {found} (made by {program}{gone}), allowed: {EARLIEST} to {VERSION}, the versions of the format that this program reads"
         ))
     }
 }

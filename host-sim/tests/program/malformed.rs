@@ -197,7 +197,7 @@ fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_boa
 fn scenes_beyond_the_range_of_fixed_point_are_refused_in_fixed_point_alone() {
     #[rustfmt::skip]
     let cases: &[(&str, &str, &[&str])] = &[
-        ("[0.2, 0.12, 0.5]\nweight", "[0.2, 12.0, 0.5]\nweight", &["line 4", "body.start", "at most 16 body sizes"]),
+        ("[0.2, 0.12, 0.5]\nweight", "[0.2, 12.0, 0.5]\nweight", &["surface[0].offset", "at most 16 body sizes from where the body starts"]),
         ("normal = [1.0, 0.0]\noffset = 0.0", "normal = [1.0, 0.0]\noffset = -12.0", &["line 27", "surface[1].offset", "at most 16 body sizes"]),
         ("rotation = 0.5", "rotation = 5000.0", &["line 13", "spring.rotation", "at most 16 k_h L^2"]),
     ];

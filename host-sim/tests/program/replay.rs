@@ -206,12 +206,12 @@ fn what_is_no_recording_is_refused_with_its_line() {
         (folder.read("trace.csv"), TRACE),
         (head.clone() + "\n", "line 1: no sample follows the head"),
         (
-            other(r#""recording":2"#, r#""recording":3"#),
-            "allowed: 2, the version",
+            other(r#""recording":3"#, r#""recording":4"#),
+            "allowed: 2 to 3, the versions",
         ),
         (
-            other(r#""recording":2"#, version),
-            "with a `tolerance`, which the solver does not have any more), allowed: 2",
+            other(r#""recording":3"#, version),
+            "with a `tolerance`, which the solver does not have any more), allowed: 2 to 3",
         ),
         (
             other(r#""evolution""#, tolerance),

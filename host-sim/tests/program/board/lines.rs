@@ -48,7 +48,7 @@ fn info_is_a_table_over_a_socket() {
     let parts = [
         "a thread",
         "0.1.0",
-        "fixed, friction and weight",
+        "solver            fixed\n",
         "16 vertices, 8 surfaces",
         "1000 Hz, at most 5000 Hz",
         "none",

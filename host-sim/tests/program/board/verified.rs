@@ -45,13 +45,13 @@ fn equal_answers_are_equal_and_leave_the_trace_of_the_host() {
 /// Its body is behind the hand where much happens in a step.
 #[test]
 fn the_budget_of_a_tick_is_that_of_both() {
-    let working = tricks(|t| t.work_rate = Some(500_000));
+    let working = tricks(|t| t.work_rate = Some(8_000));
     let options = "--verify --record recording.jsonl --out board.jsonl --tick 2000 --rate 50";
     let (folder, output, _) = streamed(working, options);
     assert!(output.status.success(), "{}", said(&output));
     let recording = folder.read("recording.jsonl");
-    assert!(recording.contains(r#","budget":250,"#) && recording.contains(r#""status":"behind""#));
-    folder.done("run scene.toml --out run.jsonl --budget 250 --rate 50");
+    assert!(recording.contains(r#","budget":4,"#) && recording.contains(r#""status":"behind""#));
+    folder.done("run scene.toml --out run.jsonl --budget 4 --rate 50");
     assert_eq!(folder.read("board.jsonl"), folder.read("run.jsonl"));
     folder.done("replay recording.jsonl");
 }
