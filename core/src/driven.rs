@@ -36,8 +36,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let [first, second] = &frames;
         let g = gap_slope(&frames);
         let slope = g.length();
-        if slope <= R::in_plane() {
-            // Straight across: no motion changes the second gap, none is theirs alone.
+        if slope <= R::ahead() {
+            // Straight across: no motion changes the second gap by more than a touch, none is theirs alone.
             return None;
         }
         let twist = Vec2::new(g.y, -g.x) * (R::ONE / slope);

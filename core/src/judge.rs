@@ -305,7 +305,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 if is_open && k > tol.doubled() && !is_certain {
                     let part = certainty(begin, b.v, k);
                     found.unsure |= part < R::ONE;
-                    let part = if a.v > tol {
+                    let part = if a.v > tol && self.bracket.round % 4 != 3 {
                         part
                     } else {
                         part.min(by_begin(a, k, w))
@@ -341,8 +341,8 @@ fn is_clear<R: Real>(end: R, order: &Order<R>) -> bool {
     end > R::zero() && end >= enough
 }
 
-/// The part x of a window of this width up to which v0 + v0' x - K x²/2 is not negative by more than its accuracy. What opens from zero with
-/// a velocity of zero is no more certain on a shorter window by (R2), until its second order is rounding.
+/// The part x of a window of this width up to which v0 + v0' x - K x²/2 is not negative by more than its accuracy. What opens from zero, or
+/// from next to it, with a velocity of zero is no more certain on a shorter window by (R2), until its second order is as small.
 fn by_begin<R: Real>(begin: Value<R>, k: R, width: R) -> R {
     let slope = begin.d * width;
     let above = begin.v.max(R::ZERO) + R::zero();

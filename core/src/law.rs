@@ -210,7 +210,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             let i = self.statics.placed_at_start(&m);
             let shares = self.statics.shares(&m, &i);
-            if i.e_u < R::ZERO && i.e_p > R::ZERO && shares.press(R::TOUCH) {
+            let presses = shares.press(R::TOUCH) && self.statics.press_on(self.body, &m, &i);
+            if i.e_u < R::ZERO && i.e_p > R::ZERO && presses {
                 if self.statics.has_stiction(&m, &i) {
                     self.body.stiction = true;
                 } else {
@@ -234,11 +235,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let contact = self.body.contacts.first();
         let cone = self.statics.friction(contact).cone(self.body.stiction);
         let is_inside = t.abs() * cone.cos - n * cone.sin <= R::in_plane();
-        if residual.abs() <= R::in_plane() && is_inside {
-            return true;
+        let is_balanced = residual.abs() <= R::in_plane() && is_inside;
+        // At zero reaction rates decide (R21).
+        let presses = || self.statics.presses_by_rates(self.body, self.path());
+        let begins = is_balanced && (n > R::in_plane() || presses());
+        if !begins {
+            *self.body = before;
         }
-        *self.body = before;
-        false
+        begins
     }
 
     /// Over a fold: the hand a little further, then along u to the next balance.

@@ -5,7 +5,7 @@ use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
 use crate::events::{Ending, Watch, Which};
 use crate::modes::{Mode, Pressing};
-use crate::motion::Motion;
+use crate::motion::{Kind, Motion, Spot};
 use crate::real::Real;
 use crate::search::Ended;
 use crate::state::HandPose;
@@ -66,25 +66,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A slip of one contact has ended.
     pub(crate) fn slipped(&mut self, sense: Sense, ending: Ending) {
         let next = match ending {
-            Ending::Stopped => {
-                let [normal, _] = self.statics.reaction(self.body);
-                let friction = self.statics.friction(self.body.contacts.first());
-                let is_pressed = friction.is_pressed(normal);
-                let [foot, _] = self.errand.feet;
-                let length = self.body.foot - foot;
-                if self.body.stiction || is_pressed && length.abs() > R::MICRO {
-                    self.log.slip(length);
-                }
-                self.body.stiction = is_pressed;
-                if !is_pressed {
-                    self.body.contacts.slide(sense);
-                }
-                if self.errand.search.motion.lasting == R::ZERO {
-                    Next::Rest
-                } else {
-                    Next::Relax(sense)
-                }
-            }
+            Ending::Stopped => self.stopped(sense),
             Ending::Touch(feature) => {
                 self.touch(feature);
                 Next::Relax(sense)
@@ -120,6 +102,42 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             | Ending::GivesWay => return self.slide_on(sense),
         };
         self.settled(next);
+    }
+    /// At mu_d N: stiction where N >= N*, otherwise the contact slides on (R30).
+    fn stopped(&mut self, sense: Sense) -> Next {
+        let [normal, along] = self.statics.reaction(self.body);
+        let friction = self.statics.friction(self.body.contacts.first());
+        let is_pressed = friction.is_pressed(normal);
+        let [foot, _] = self.errand.feet;
+        let length = self.body.foot - foot;
+        if self.body.stiction || is_pressed && length.abs() > R::MICRO {
+            self.log.slip(length);
+        }
+        self.body.stiction = is_pressed;
+        if self.errand.search.motion.lasting != R::ZERO {
+            return Next::Relax(sense);
+        }
+        if !is_pressed {
+            self.body.contacts.slide(sense);
+            let sliding = friction.sliding;
+            let off = sense.along(along) * sliding.cos + sliding.sin * normal;
+            if off.abs() > R::of_balance(normal.abs()) {
+                self.seat_slide();
+            }
+        }
+        Next::Rest
+    }
+    /// A slide is where its friction is in balance; the end of a slip is known to the accuracy of a search.
+    fn seat_slide(&mut self) {
+        let m = Motion::frozen(Kind::Slide, self.body);
+        let mut i = self.statics.placed_at_start(&m);
+        let step = -i.e / i.e_u;
+        if i.e_u < R::ZERO && step.abs() <= R::MICRO {
+            let spot = Spot { u: i.u, p: R::ZERO };
+            self.statics.balance(&m, spot, step, &mut i);
+            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
+            self.body.go_to(&i, room);
+        }
     }
 
     /// Two contacts.

@@ -3,10 +3,11 @@
 use crate::contact::{Contact, Feature, Sense};
 use crate::events::{Watch, Watched};
 use crate::geometry::Rotation;
-use crate::motion::{Kind, Motion, Rates};
+use crate::motion::{Instant, Kind, Motion, Rates};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
+use crate::values::Value;
 use crate::world::Statics;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
@@ -48,6 +49,29 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let rates = self.rates_as(body, sense, hand_p);
         let goes = rates.is_some_and(|rates| sense.along(rates.xi) > R::ZERO);
         if is_edge || goes { sense } else { Sense::Rests }
+    }
+    /// At zero reaction: that of the first contact rises along the hand's displacement.
+    pub(crate) fn presses_by_rates(&self, body: &Body<R>, hand_p: HandPose<R>) -> bool {
+        let frame = self.frame(body.contacts.first(), body.rotation, body.holding);
+        let rates = self.rates_as(body, self.sense_by_rates(body, hand_p), hand_p);
+        rates.is_some_and(|rates| frame.n.dot(rates.force) < R::ZERO)
+    }
+    /// Reactions of a pair that are zero at its beginning do not fall.
+    pub(crate) fn press_on(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> bool {
+        let ahead = self.shares_ahead(body, m, i);
+        let mut shares = self.shares(m, i).normal.into_iter().zip(ahead);
+        shares.all(|(n, ahead)| n > R::TOUCH || ahead.d >= R::ZERO)
+    }
+    /// Multiples of N_1, N_2 of a pair on the hand's path, with their rates.
+    fn shares_ahead(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> [Value<R>; 2] {
+        let watched = Watched {
+            statics: self,
+            body,
+            motion: m,
+            watch: Watch::Joint,
+            direction: R::ONE,
+        };
+        watched.shares(i, &self.rates(m, i))
     }
     /// Vertices on half-planes whose gaps are closed, but for those of the body's contacts. A convex body meets a half-plane along the one of
     /// its sides that faces it: what is beyond the ends of that side is near because the body is thin, and does not touch.
@@ -162,14 +186,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             if i.e_u >= R::ZERO || rates.u <= R::ZERO {
                 continue;
             }
-            let watched = Watched {
-                statics: self.statics,
-                body: self.body,
-                motion: &m,
-                watch: Watch::Joint,
-                direction: R::ONE,
-            };
-            let [_, pressing] = watched.shares(&i, &rates);
+            let [_, pressing] = self.statics.shares_ahead(self.body, &m, &i);
             if pressing.d > R::ZERO {
                 senses = [first.sense, second.sense];
             }

@@ -95,7 +95,7 @@ const RANDOM: [u64; 2] = [49_200, 25_100];
 const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("box on a vertex", [[617, 2260], [665, 2750]]),
     ("box flat", [[744, 5870], [786, 5790]]),
-    ("box as a ladder", [[733, 111_000], [737, 112_000]]),
+    ("box as a ladder", [[733, 121_000], [737, 122_000]]),
     ("block against a wall", [[635, 35_700], [671, 35_700]]),
     (
         "block dropped into a corner",
@@ -124,7 +124,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ),
     (
         "rod buckles between smooth walls",
-        [[13_000, 679_000], [13_000, 681_000]],
+        [[13_000, 718_000], [13_000, 720_000]],
     ),
     ("rod taken off floor and wall", [[163, 5020], [165, 5030]]),
     (
@@ -139,13 +139,13 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
 /// Mean and worst cost where contacts glide: the same windows as with friction, where a closed form of the angle was cheaper.
 const GLIDING: [(&str, [[u64; 2]; 2]); 11] = [
     ("box on a vertex", [[604, 3670], [608, 3670]]),
-    ("box flat", [[1350, 3940], [1350, 5220]]),
+    ("box flat", [[1350, 4170], [1350, 5460]]),
     ("block lifted straight", [[488, 3930], [488, 4010]]),
-    ("block lifted obliquely", [[892, 3940], [895, 5220]]),
+    ("block lifted obliquely", [[892, 4170], [895, 5460]]),
     ("block tips", [[1410, 6890], [1410, 6260]]),
     ("block set down tilted", [[948, 10_200], [697, 7910]]),
     ("strut buckles", [[2620, 2620], [2620, 2620]]),
-    ("pendulum folds", [[550, 10_700], [509, 9600]]),
+    ("pendulum folds", [[550, 11_600], [509, 9600]]),
     ("strut falls on its edge", [[1810, 26_000], [1810, 25_600]]),
     ("tip slides along", [[436, 2860], [437, 3010]]),
     ("frictionless tip", [[571, 1810], [573, 2820]]),
