@@ -63,7 +63,7 @@ fn jump() -> [Hand<f32>; 2] {
 }
 
 fn comes_to_the_hand<R: Real<Si = f32>>() {
-    let mut rig = working::<R>(12_000);
+    let mut rig = working::<R>(64_000);
     let mut beside = Beside::<R>::new(&Mode::DEFAULT);
     let [near, far] = jump();
     for hand in [near, far] {
