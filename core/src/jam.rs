@@ -44,14 +44,19 @@ impl<R: Real> WrenchCone<R> {
         for (i, a) in self.sides().enumerate() {
             for b in self.sides().skip(i.saturating_add(1)) {
                 let x = a.cross(b);
-                if x.size() <= R::in_plane() {
+                let size = x.size();
+                if size <= R::in_plane() {
                     continue;
                 }
+                let rounding = little * (R::ONE + size);
                 for x in [x, x * -R::ONE] {
                     let margin = self.most_along(x) + x.dot(load);
-                    let is_rounding = margin.abs() <= little * (R::ONE + x.size());
-                    let margin = if is_rounding { R::ZERO } else { margin };
-                    least = least.min(margin / x.size());
+                    let margin = if margin.abs() <= rounding {
+                        R::ZERO
+                    } else {
+                        margin
+                    };
+                    least = least.min(margin / size);
                 }
             }
         }
