@@ -252,7 +252,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         // So far that the drive is more than its rounding.
         let sense = self.body.contacts.first().sense;
         let (mut drive, mut runs_back) = (R::ONE, false);
-        if kind != Kind::Pair && !self.statics.swings {
+        if kind == Kind::Pair {
+            let m = self.statics.sliding_pair(self.body, way.per_p);
+            drive = self.statics.placed_at_start(&m).e_p;
+        } else if !self.statics.swings {
             let m = Motion::new(kind, self.body, way.per_p);
             let i = self.statics.placed_at_start(&m);
             drive = i.e_p;

@@ -75,7 +75,7 @@ fn comes_to_the_hand<R: Real<Si = f32>>() {
     assert_eq!(pose.status, Status::Behind);
     let mut ticks = 0;
     while pose.status == Status::Behind {
-        assert!(ticks < 19 && pose.position[0] < there.position[0]);
+        assert!(ticks < 19 && pose.position[0] <= there.position[0]);
         assert!(!pose.force_off && rig.force.force[0].is_finite());
         rig.tick();
         pose = rig.pose();
