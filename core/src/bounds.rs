@@ -188,11 +188,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         match m.kind {
             Kind::Line => {
-                let theta = m.line.theta_u.abs() * rate;
+                let line = m.line();
+                let theta = line.angle.abs() * rate;
                 Bound {
                     theta,
                     turn: theta * theta,
-                    way: m.line.g_u.length_bound() * rate + self.size() * theta,
+                    way: line.at.length_bound() * rate + self.size() * theta,
                     ..none
                 }
             }

@@ -177,7 +177,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn least_bend(&self, on: &Judging<R>, normal: Vec2<R>, arm: Vec2<R>) -> R {
         let motion = self.watched.motion;
         let turn = match motion.kind {
-            Kind::Line => motion.line.theta_u.abs() * on.width,
+            Kind::Line => motion.line().angle.abs() * on.width,
             Kind::Pin if motion.frozen && !self.watched.statics.turns(motion.first()) => on.width,
             Kind::Free | Kind::Pin | Kind::Slide | Kind::Pair => return R::LEAST,
         };

@@ -31,14 +31,18 @@ pub(crate) enum Factor {
     Normal(Sense),
 }
 
-/// A motion: hand(p) = hand + (p - whole) hand_p, foot(p) = foot + p foot_p.
+/// A motion: hand(p) = start + p hand_p = hand + (p - whole) hand_p, foot(p) = foot + p foot_p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<R> {
     pub(crate) kind: Kind,
     /// The hand is frozen, x = u; otherwise x = p.
     pub(crate) frozen: bool,
     pub(crate) contacts: [Contact; 2],
-    /// The hand where p is `whole`: the end of its path, so that the end of a long one is exact.
+    /// The hand where p is 0; of a line G and theta where u is 0. A way counts from its nearer end: both are exact, however long it is.
+    pub(crate) start: HandPose<R>,
+    /// G and theta where u of a line is 1.
+    pub(crate) end: HandPose<R>,
+    /// The hand where p is `whole`.
     pub(crate) hand: HandPose<R>,
     pub(crate) whole: R,
     pub(crate) hand_p: HandPose<R>,
@@ -48,19 +52,7 @@ pub(crate) struct Motion<R> {
     /// e0: the moment that lasts on a slip that begins out of balance.
     pub(crate) lasting: R,
     pub(crate) factor: Factor,
-    pub(crate) line: Line<R>,
     pub(crate) pair: Pair<R>,
-}
-
-/// A straight way of the body, u from 0 to 1. It counts from its end, which is a balance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line<R> {
-    /// G and theta at the end.
-    pub(crate) to: Vec2<R>,
-    pub(crate) angle: R,
-    /// G_u, theta_u
-    pub(crate) g_u: Vec2<R>,
-    pub(crate) theta_u: R,
 }
 
 /// What two contacts that slide need in addition.
@@ -88,6 +80,7 @@ impl<R: Real> Motion<R> {
             kind,
             frozen: false,
             contacts: body.contacts.pair(),
+            start: body.hand,
             hand: body.hand,
             whole: R::ZERO,
             hand_p,
@@ -96,12 +89,7 @@ impl<R: Real> Motion<R> {
             angle: body.angle,
             lasting: R::ZERO,
             factor: Factor::Both,
-            line: Line {
-                to: body.holding,
-                angle: body.angle,
-                g_u: Vec2::ZERO,
-                theta_u: R::ZERO,
-            },
+            end: body.hand,
             pair: Pair {
                 twist: Vec2::ZERO,
                 flip: R::ONE,
@@ -134,9 +122,29 @@ impl<R: Real> Motion<R> {
             ..self
         }
     }
-    /// The hand at p.
+    /// The hand at p, from the nearer end of its path.
     pub(crate) fn hand_at(&self, p: R) -> HandPose<R> {
-        self.hand.moved(&self.hand_p, p - self.whole)
+        if p < self.whole.halved() {
+            self.start.moved(&self.hand_p, p)
+        } else {
+            self.hand.moved(&self.hand_p, p - self.whole)
+        }
+    }
+    /// G and theta on a line.
+    pub(crate) fn on_line(&self, u: R) -> HandPose<R> {
+        let way = self.line();
+        if u < R::HALF {
+            self.start.moved(&way, u)
+        } else {
+            self.end.moved(&way, u - R::ONE)
+        }
+    }
+    /// G_u, theta_u of a line.
+    pub(crate) fn line(&self) -> HandPose<R> {
+        HandPose {
+            at: self.end.at - self.start.at,
+            angle: self.end.angle - self.start.angle,
+        }
     }
     pub(crate) fn first(&self) -> Contact {
         let [first, _] = self.contacts;

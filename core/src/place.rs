@@ -48,7 +48,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         (i.xi_u, i.xi_p, i.theta_u) = (R::ZERO, R::ZERO, R::ONE);
         i.foot = m.foot;
         i.angle = match m.kind {
-            Kind::Line => m.line.angle - m.line.theta_u * (R::ONE - at.u),
+            Kind::Line => {
+                let pose = m.on_line(at.u);
+                i.g = pose.at;
+                pose.angle
+            }
             Kind::Free | Kind::Pin | Kind::Slide => at.u,
             Kind::Pair => m.angle + m.pair.twist.y * at.u,
         };
@@ -57,8 +61,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let pull = hand.at + self.weight_force();
         match m.kind {
             Kind::Line => {
-                i.g = m.line.to - m.line.g_u * (R::ONE - at.u);
-                (i.g_u, i.theta_u) = (m.line.g_u, m.line.theta_u);
+                let way = m.line();
+                (i.g_u, i.theta_u) = (way.at, way.angle);
             }
             Kind::Free => {
                 i.g = pull;

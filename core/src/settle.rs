@@ -4,7 +4,6 @@ use crate::contact::{Contact, Sense};
 use crate::errand::{Leg, Next, Stage};
 use crate::event::{Event, Status};
 use crate::events::{Ending, Watch};
-use crate::geometry::Vec2;
 use crate::modes::{Mode, Picked, Pressing};
 use crate::motion::{Kind, Motion, Spot};
 use crate::real::Real;
@@ -294,30 +293,34 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
         let mut m = Motion::frozen(Kind::Line, self.body);
-        (m.line.to, m.line.angle) = (i.g, theta);
-        m.line.g_u = i.g - self.body.holding;
-        m.line.theta_u = theta - self.body.angle;
-        let way = m.line.g_u.length_bound() + m.line.theta_u.abs();
-        if way <= R::EPSILON.doubled() {
+        m.start = self.body.place();
+        m.end = HandPose {
+            at: i.g,
+            angle: theta,
+        };
+        if m.line().size() <= R::EPSILON.doubled() {
             return self.settled(Next::Rest);
         }
         self.run(Stage::Fly(Leg::Straight), m, Watch::Way, R::ONE, false);
     }
     pub(crate) fn flown(&mut self, leg: Leg, ended: &Ended<R>) {
         let mut m = self.errand.search.motion;
+        let here = self.body.place();
         let is_touch = matches!(ended.ending, Ending::Touch(_));
         let next = match leg {
             Leg::Straight if is_touch && ended.x <= R::TOUCH => {
                 // Blocked by the contact that it leaves.
-                m.angle = m.line.angle;
-                m.line.g_u = m.line.to - self.body.holding;
-                (m.line.angle, m.line.theta_u) = (self.body.angle, R::ZERO);
+                m.angle = m.end.angle;
+                m.start = here;
+                m.end.angle = here.angle;
                 Some((m, Leg::Holding))
             }
             Leg::Holding if ended.ending == Ending::End => {
-                (m.line.to, m.line.g_u) = (self.body.holding, Vec2::ZERO);
-                m.line.angle = m.angle;
-                m.line.theta_u = m.line.angle - self.body.angle;
+                m.start = here;
+                m.end = HandPose {
+                    angle: m.angle,
+                    ..here
+                };
                 Some((m, Leg::Turning))
             }
             Leg::Straight | Leg::Holding | Leg::Turning => None,

@@ -129,6 +129,13 @@ impl<R: Real> Body<R> {
         self.holding = i.g;
         self.room = room;
     }
+    /// G and theta.
+    pub(crate) fn place(&self) -> HandPose<R> {
+        HandPose {
+            at: self.holding,
+            angle: self.angle,
+        }
+    }
     /// A body without contact at a pose, with the hand at its first pose.
     pub(crate) fn new(holding: Vec2<R>, angle: R, hand: HandPose<R>) -> Self {
         Self {
