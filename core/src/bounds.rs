@@ -175,9 +175,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(always)]
     pub(crate) fn bound_inlined(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
         let (rate, way) = (pace.rate, pace.extent.way);
-        let h_p = m.hand_p.at.length_bound() * way;
+        let (h_p, r) = (m.hand_p.at.length_bound() * way, i.r.length_bound());
         let turn = rate * rate + pace.bent;
-        let r = i.r.length_bound();
         let none = Bound {
             pivot: R::ZERO,
             theta: rate,

@@ -154,7 +154,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         match (first.feature, second.feature) {
             (Feature::Vertex { vertex: from, .. }, Feature::Vertex { vertex, side }) => {
                 let side = self.side(side);
-                let to = c + rotation.apply(self.from_to([from, vertex]));
+                let to = c + rotation.apply(self.way_between([from, vertex]));
                 side.normal.dot(to) - side.offset
             }
             (Feature::Vertex { .. }, Feature::Corner { .. })

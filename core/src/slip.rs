@@ -14,8 +14,8 @@ use crate::thresholds::Thresholds;
 
 /// At most so many searches make a slip.
 const RUNS: u8 = 16;
-/// The same for two contacts. Each run of a pair goes as far as a fifth of |g|/H (E14), and leaves 7/8 or less of the angle that is left to
-/// parallel normals or to one line: so many lead from 1 rad to 2^-10.
+/// At most so many make a slip of two contacts. Each goes as far as a fifth of |g|/H (E14), and leaves 7/8 or less of the angle that is left
+/// to parallel normals or to one line: so many lead from 1 rad to 2^-10.
 const RUNS_OF_PAIR: u8 = 64;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {

@@ -189,7 +189,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         vertex.map_or(Vec2::ZERO, |&v| v - self.grip)
     }
     /// From one vertex to another, whatever the holding point.
-    pub(crate) fn from_to(&self, pair: [u8; 2]) -> Vec2<R> {
+    pub(crate) fn way_between(&self, pair: [u8; 2]) -> Vec2<R> {
         let [from, to] = pair.map(|index| {
             let vertex = self.world.vertices.get(usize::from(index));
             vertex.map_or(Vec2::ZERO, |&v| v)
