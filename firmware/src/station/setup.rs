@@ -166,7 +166,8 @@ impl Setup {
         let period_us = in_tick(1_000_000);
         Settings {
             evolution: mode.evolution,
-            budget: in_tick(self.work_rate).saturating_mul(EIGHTHS_OF_STEP) / 8,
+            // A step takes at least one piece, however slow the chip is.
+            budget: (in_tick(self.work_rate).saturating_mul(EIGHTHS_OF_STEP) / 8).max(1),
             goes_on: mode.stepping == Stepping::Timed,
             limits: Limits {
                 period_us,

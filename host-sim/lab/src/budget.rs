@@ -16,8 +16,6 @@ use crate::markdown::{Destination, Table};
 const PART: f64 = 0.875;
 /// Quantiles over all steps (%).
 const PARTS: [f64; 4] = [50.0, 99.0, 99.9, 99.99];
-/// A shorter step fits into a tick, whatever its units cost.
-const LONG: u32 = 10;
 
 /// Ticks per second (Hz), and hands per second, that are demanded of a chip.
 const fn rate(chip: Chip) -> u32 {
@@ -66,8 +64,8 @@ struct Taken {
     most: u32,
     /// The instructions that a fraction of the steps, from [`PARTS`], does not exceed.
     within: [u32; PARTS.len()],
-    /// Instructions per piece of work: on average, at most, and at most in steps of [`LONG`] or more units.
-    unit: [f64; 3],
+    /// Instructions per piece of work: on average, and at most in a step.
+    unit: [f64; 2],
     behind: usize,
     /// The largest number of consecutive steps in which the body is behind.
     longest: usize,
@@ -88,10 +86,7 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
         sorted.get(last.saturating_sub(1)).copied().unwrap_or(0)
     };
     let of_unit = |step: &Frame| f64::from(step.instructions) / f64::from(step.work);
-    let most_of_unit = |least: u32| {
-        let long = steps().filter(|step| step.work >= least);
-        long.map(of_unit).fold(0.0, f64::max)
-    };
+    let most_of_unit = steps().map(of_unit).fold(0.0, f64::max);
     let is_behind = |step: &Frame| step.pose.status == Status::Behind;
     let runs = drags
         .iter()
@@ -101,7 +96,7 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
         mean: sum / count.max(1) as f64,
         most: sorted.last().copied().unwrap_or(0),
         within: PARTS.map(within),
-        unit: [sum / work, most_of_unit(1), most_of_unit(LONG)],
+        unit: [sum / work, most_of_unit],
         behind: steps().filter(|step| is_behind(step)).count(),
         longest: runs.map(<[Frame]>::len).max().unwrap_or(0),
         over: steps()
@@ -118,8 +113,8 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
 fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15], Box<dyn Error>> {
     let tick = tick(chip);
     let free = taken(&counted(chip, (evolution, u32::MAX), drags)?, tick);
-    let [mean, most, in_long] = free.unit;
-    let budget = (tick * PART / in_long) as u32;
+    let [mean, most] = free.unit;
+    let budget = ((tick * PART / mean) as u32).max(1);
     let bound = taken(&counted(chip, (evolution, budget), drags)?, tick);
     eprintln!(
         "{} {}: mean {:.0}",
@@ -135,7 +130,7 @@ fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15]
         rate(chip).to_string(),
         per_instruction(chip),
         evolution.name().to_owned(),
-        format!("{mean:.0} / {most:.0} / {in_long:.0}"),
+        format!("{mean:.0} / {most:.0}"),
         steps_within(&free),
         thousands(tick as u64),
         budget.to_string(),
@@ -160,8 +155,8 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
         .filter(|case| case.group == Group::Random);
     let drags: Vec<&Case> = random.take(drags).collect();
     let mut table = Table::new(
-        "chip | MHz: | tick (Hz): | cycles per instruction: | evolution | instructions per unit: | \
-         without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest: | of a tick: | budget (units): | steps: | behind: | \
+        "chip | MHz: | tick (Hz): | cycles per instruction: | evolution | instructions per piece: | \
+         without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest: | of a tick: | budget (pieces): | steps: | behind: | \
          longest behind (ms): | longest step (ms): | steps over the tick: | deepest stack (bytes):",
     );
     for chip in Chip::ALL {
@@ -173,7 +168,7 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
         "Written by `cargo run --release -p stiction-lab -- budget --write`: {} random drags of 4 s through a solver of 8 vertices and\n\
          4 surfaces, on emulated chips. For the M0+, cycles are counted, in memory without wait states. For the others, instructions are counted, and the cycles per\n\
          instruction are an estimated upper bound of the average. The cost of a piece of work is given in instructions (M0+: cycles): on\n\
-         average / at most / at most in steps of {LONG} or more units. The budget is what fits into seven eighths of a tick at the last of these costs.\n\n{table}",
+         average / on average of the most expensive step. The budget is what fits into seven eighths of a tick at the first of these costs.\n\n{table}",
         drags.len()
     );
     Ok(output.put("host-sim/README.md", "budget", &text)?)

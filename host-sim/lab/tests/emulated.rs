@@ -128,23 +128,6 @@ fn of_model(
     Ok((counted, footprint(board, Profile::DeviceSmall, &code)?))
 }
 
-/// Both models have the same bits, except one in which contacts glide where the full one slides: to the rounding of f32, which a soft grip
-/// makes larger, and without slips.
-fn assert_same_answer(small: &Frame, full: &Frame, name: &str) {
-    if name != "point-frictionless" {
-        assert_eq!(small, full, "{name}");
-        return;
-    }
-    let (slips, (small, full)) = (small.slips, (small.pose, full.pose));
-    let apart = small.position.iter().zip(full.position);
-    let apart = apart.fold(0.0_f32, |most, (a, b)| most.max((a - b).abs()));
-    let turned = (small.rest - full.rest).abs();
-    assert!(apart < 1e-6 && turned < 1e-5, "{name}: {small:?} {full:?}");
-    let answer = |pose: Pose| (pose.state, pose.status);
-    assert_eq!(answer(small), answer(full), "{name}");
-    assert_eq!(slips, 0, "{name}");
-}
-
 #[test]
 fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
     for (board, number, evolution, name) in [
@@ -167,10 +150,7 @@ fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
         let (Some(smallest), Some(full)) = (if_installed(smallest), if_installed(full)) else {
             continue;
         };
-        assert_eq!(smallest.0.frames.len(), full.0.frames.len(), "{name}");
-        for (small, full) in smallest.0.frames.iter().zip(&full.0.frames) {
-            assert_same_answer(small, full, name);
-        }
+        assert_eq!(smallest.0.frames, full.0.frames, "{name}");
         assert!(smallest.0.totals.solver < full.0.totals.solver, "{name}");
         assert!(smallest.1 < full.1, "{name}: {} {}", smallest.1, full.1);
     }

@@ -11,7 +11,7 @@ use crate::markdown::Table;
 
 /// The meaning of the columns.
 pub(super) const LEGEND: &str = "\
-Smallest model of the scene / full model (Full, room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
+Smallest model of the scene / full model (room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
 scene, built for little flash (opt-level z) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
 went. Instructions, of the M0+ cycles: of a frame, counted along the scene's own path of the hand, the mean and the most;
 their time at the clock of the chip, M4F 168 MHz, M33 150 MHz, M0 16 MHz, M0+ 125 MHz: an estimate but for the M0+. Stack,
