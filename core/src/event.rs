@@ -45,7 +45,7 @@ impl StateKind {
     }
 }
 
-/// What happened in a frame. The arms of the transition table describe the same in more detail: [`Transition`](crate::Transition).
+/// What happened in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Event {
     /// A vertex reached a surface.

@@ -17,7 +17,7 @@ pub type HostScene<R> = Scene<R, VERTICES, SURFACES, CORNERS>;
 /// A solver for any scene file.
 pub type HostSolver<R> = Solver<R, VERTICES, SURFACES, CORNERS>;
 
-/// A scene file whose numbers, including those of its hand, are finite, in range and complete. [`SceneFile::scene`]
+/// A scene file whose numbers, including those of its hand, are finite, in range and complete. [`WrittenScene::scene`]
 /// checks whether they make a scene.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
