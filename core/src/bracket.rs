@@ -4,6 +4,7 @@ use crate::ending::Which;
 use crate::geometry::Vec2;
 use crate::motion::{Instant, Rates};
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::values::Values;
 
 /// One end of a window.
@@ -103,5 +104,9 @@ impl<R: Real> Bracket<R> {
     }
     pub(crate) fn width(&self) -> R {
         self.hi - self.certain
+    }
+    /// A shorter window is not tried.
+    pub(crate) fn is_shortest(&self) -> bool {
+        self.width() <= R::standstill() * (R::ONE + self.hi)
     }
 }

@@ -127,7 +127,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         bound: &Bound<R>,
     ) -> Calm {
         let mut room = body.room - bound.way;
-        if room <= R::ZERO {
+        if room <= self.rounding_at(i) {
             match self.least_gap(body, &{ *m }, &{ *i }, &{ *bound }) {
                 Some(gap) => room = gap,
                 None => return Calm::Unsure,
@@ -179,7 +179,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         (end, whole): (&Instant<R>, &Bound<R>),
     ) -> Calm {
         let left = body.room - whole.way;
-        if left <= R::ZERO && self.least_gap(body, m, end, whole).is_none() {
+        if left <= self.rounding_at(end) && self.least_gap(body, m, end, whole).is_none() {
             return Calm::Unsure;
         }
         let frame = self.frame(m.first(), end.rotation, end.g);
@@ -228,7 +228,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return false;
         }
         let mut room = body.room - bound.way;
-        if room <= R::ZERO {
+        if room <= self.rounding_at(&i) {
             let Some(gap) = self.least_gap(body, &m, &i, &bound) else {
                 return false;
             };

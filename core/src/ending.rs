@@ -31,6 +31,12 @@ pub(crate) enum Ending {
     GivesWay,
 }
 
+impl Ending {
+    pub(crate) fn is_touch(self) -> bool {
+        matches!(self, Self::Touch(_))
+    }
+}
+
 /// One of two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Which {

@@ -24,13 +24,20 @@ pub(crate) struct Found<R> {
 }
 
 impl<R: Real> Found<R> {
+    /// Something crosses zero, about there. Of two that do on the shortest window the touch counts.
+    pub(crate) fn crosses(&mut self, ending: Ending, at: R) {
+        self.cross = self.cross.min(at);
+        let is_known = |known: Ending| known.is_touch() || !ending.is_touch();
+        if !self.crossing.is_some_and(is_known) {
+            self.crossing = Some(ending);
+        }
+    }
     /// Whether an event comes before the one that was found: the other leads beyond it, or they are one and it is a touch, since a contact
     /// more changes nothing of what else is zero there. `at`: its function a step beyond the end of the window, known to `tol`.
     pub(crate) fn is_preceded(&self, by: Ending, tol: R, at: impl Fn(R) -> R) -> bool {
-        let is_touch = |ending| matches!(ending, Ending::Touch(_));
         self.hit.is_none_or(|(ending, dx)| {
             let value = at(dx);
-            value < -tol || is_touch(by) && !is_touch(ending) && value <= tol
+            value < -tol || by.is_touch() && !ending.is_touch() && value <= tol
         })
     }
 }
@@ -272,8 +279,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             return;
         }
         if b.v < -tol {
-            found.cross = found.cross.min(self.crossing(track));
-            found.crossing = found.crossing.or(Some(track.ending));
+            found.crosses(track.ending, self.crossing(track));
             return;
         }
         // f >= v0 + v0' x + least x²/2, which is least at an end or at both.

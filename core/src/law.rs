@@ -95,7 +95,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             .frame(contact, self.body.rotation, self.body.holding);
         if i.e_u >= R::ZERO || frame.opening(rates.g, rates.theta) >= R::ZERO {
             self.log.event(Event::Lift);
-            self.body.lift();
+            self.lift();
             // Both are in balance here.
             let is_there = (i.g - self.body.holding).length_bound() <= R::TOUCH;
             if i.e.abs() > R::TOUCH || !is_there {
@@ -298,7 +298,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if ending == Ending::Clear {
             self.log.event(Event::Lift);
-            self.body.lift();
+            self.lift();
         } else if slides {
             self.errand.stage = Stage::Still;
             return;

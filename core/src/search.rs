@@ -192,7 +192,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             return Some(ended);
         }
         let mut room = self.bracket.room - on.bound.way;
-        if room <= R::ZERO {
+        if room <= self.watched.statics.rounding_at(&self.hi.instant) {
             room = R::HUGE;
             if let Some(ended) = self.judge_gaps(&on, &mut room, &mut found) {
                 return Some(ended);
@@ -210,9 +210,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if found.crossing.is_some() {
             b.bad = b.bad.min(b.hi);
         }
-        if w <= R::standstill() * (R::ONE + b.hi) {
+        if b.is_shortest() {
             let hit = found.hit.map(|(ending, _)| ending);
-            let ending = found.crossing.or(hit).unwrap_or(Ending::GoesOn);
+            let touch = hit.filter(|ending| ending.is_touch());
+            let ending = found.crossing.filter(|ending| ending.is_touch());
+            let ending = ending.or(touch).or(found.crossing).or(hit);
+            let ending = ending.unwrap_or(Ending::GoesOn);
+            if self.watched.statics.world.has_obstacles() && ending.is_touch() {
+                // Before it: behind it the foot may be beyond the end of its side.
+                return Some(self.ended_low(ending, R::ZERO));
+            }
             let x = b.hi;
             return Some(self.ended_high(ending, x, R::ZERO));
         }

@@ -176,7 +176,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if n < -little {
             self.log.event(Event::Lift);
-            self.body.lift();
+            self.lift();
             return Next::Relax(Sense::Rests);
         }
         let cone = friction.cone(self.body.stiction);
@@ -203,7 +203,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let next = match mode {
             Mode::Lift => {
                 self.log.event(Event::Lift);
-                self.body.lift();
+                self.lift();
                 Next::Relax(Sense::Rests)
             }
             Mode::Turn { .. } => Next::Relax(Sense::Rests),

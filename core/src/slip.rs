@@ -85,7 +85,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             Ending::Clear => {
                 self.log.event(Event::Lift);
-                self.body.lift();
+                self.lift();
                 Next::Relax(Sense::Rests)
             }
             Ending::Fold => {

@@ -167,6 +167,10 @@ pub(crate) struct Statics<'a, R, const V: usize, const S: usize, const C: usize>
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> {
+    /// What is only needed among obstacles is not done without them, whatever the capacity, so that all capacities give the same bits.
+    pub(crate) fn has_obstacles(&self) -> bool {
+        C > 0 && !self.obstacles.is_empty()
+    }
     /// The body held at g, body frame.
     pub(crate) fn held_at(&self, grip: Vec2<R>) -> Statics<'_, R, V, S, C> {
         let centroid = self.centroid - grip;

@@ -29,6 +29,15 @@ impl<R: Real> Instant<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// What a place is known to, and its gaps: it follows from the hand, which is as far as the load is large. On half-planes a gap that was
+    /// missed is closed later; a thin wall has two sides.
+    pub(crate) fn rounding_at(&self, i: &Instant<R>) -> R {
+        if self.world.has_obstacles() {
+            R::of_balance(i.force.length_bound())
+        } else {
+            R::ZERO
+        }
+    }
     /// The bound of the second derivative of a gap along an axis, with the lever of what it compares at the end of a window.
     fn bend_along(&self, m: &Motion<R>, i: &Instant<R>, b: &Bound<R>, axis: &Axis<R>, k: u8) -> R {
         let lever = self.lever(axis, k, i.at());

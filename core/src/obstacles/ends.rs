@@ -211,7 +211,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let before = self.statics.kind(&self.body.contacts);
         if self.body.contacts.len() == 1 {
             self.log.event(Event::Lift);
-            return self.body.lift();
+            return self.lift();
         }
         self.body.contacts.remove(k);
         self.statics.find_foot(self.body);
@@ -224,7 +224,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let [normal, _] = self.statics.reaction(self.body);
             if normal <= R::ZERO {
                 self.log.event(Event::Lift);
-                self.body.lift();
+                self.lift();
             }
         }
         if self.body.contacts.is_empty() {

@@ -6,6 +6,7 @@ use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
 use crate::state::Body;
+use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
@@ -194,4 +195,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 /// Two normals at an angle of at most 2^-10.
 fn is_alike<R: Real>(a: Vec2<R>, b: Vec2<R>) -> bool {
     a.dot(b) >= R::HALF && a.cross(b).abs() <= R::one_line()
+}
+
+impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
+    /// The body leaves all contacts. A point or rod remembers in front of what it was: on a thin wall its gaps do not say so.
+    pub(crate) fn lift(&mut self) {
+        let (statics, body) = (self.statics, &mut *self.body);
+        if statics.world.has_obstacles() && statics.world.vertices.len() < 3 {
+            let normals = (body.contacts.iter()).map(|c| statics.frame_here(c, body.at()).n);
+            let front = normals.fold(Vec2::ZERO, |sum, n| sum + n);
+            body.was.at = body.holding + front * (R::TOUCH * R::from_int(8));
+            body.was.angle = body.angle;
+        }
+        body.lift();
+    }
 }

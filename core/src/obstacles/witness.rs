@@ -3,6 +3,7 @@
 use super::Obstacle;
 use super::apart::Left;
 use super::axes::{At, Axis, Normal, speed};
+use crate::contact::Feature;
 use crate::events::{Ending, Judging};
 use crate::judge::{Found, Track};
 use crate::real::Real;
@@ -55,7 +56,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             // A point and a pin do not meet.
             return Ok(R::HUGE);
         };
-        if end.gap > on.bound.way.doubled() {
+        if end.gap > on.bound.way.doubled() + statics.rounding_at(&self.hi.instant) {
             return Ok(end.gap);
         }
         self.know_low();
@@ -198,15 +199,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             } else if end.v >= floor - tol && end.v < -tol {
                 found.unsure |= half > tol;
             } else if end.v < -tol {
-                let touch = statics.feature(axis, k).map(Ending::Touch);
-                let at = self.crossing(&Track::gap(
-                    touch.unwrap_or(Ending::GoesOn),
-                    [begin, end],
-                    half,
-                ));
-                found.cross = found.cross.min(at);
-                found.crossing = found.crossing.or(touch).or(Some(Ending::GoesOn));
+                let feature = self.first_at_once(o, end.v);
+                let touch = feature.or(statics.feature(axis, k)).map(Ending::Touch);
+                let ending = touch.unwrap_or(Ending::GoesOn);
+                let at = self.crossing(&Track::gap(ending, [begin, end], half));
+                found.crosses(ending, at);
             }
         }
+    }
+    /// On the shortest window all axes that close have done so at once: what touches by the one that closes most slowly, also if they are deep
+    /// by more than a touch, since places follow from a hand that is far.
+    fn first_at_once(&self, o: &Obstacle<R>, gap: R) -> Option<Feature> {
+        if !self.bracket.is_shortest() {
+            return None;
+        }
+        let both = [self.lo.instant.at(), self.hi.instant.at()];
+        let step = R::MICRO.max(-gap);
+        let slowest = (self.watched.statics).slowest(o, both, &self.hi.rates, step)?;
+        slowest.contact.map(|(feature, _)| feature)
     }
 }
