@@ -211,13 +211,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             None => Borne::All(slack),
         }
     }
-    /// The contacts bear the present load, up to a residual.
-    pub(crate) fn bears(&self, body: &Body<R>, little: R) -> bool {
+    /// The contacts bear the present load, up to what it is known to. The normal of a facet is known to its rounding, however short it is.
+    pub(crate) fn bears(&self, body: &Body<R>, known: R) -> bool {
         let cone = self.cone(body);
         let load = self.present_load(body);
+        let of_normal = R::EPSILON * R::from_int(8) * load.size();
         let mut bears = true;
         cone.facets(|facet| {
-            bears &= facet.margin(load) >= -little * (R::ONE + facet.inward.size());
+            bears &= facet.margin(load) >= -(known * facet.inward.size() + of_normal);
         });
         bears
     }

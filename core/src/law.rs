@@ -42,7 +42,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
     }
     /// h_p, phi_p of the displacement under way.
-    fn path(&self) -> HandPose<R> {
+    pub(crate) fn path(&self) -> HandPose<R> {
         self.errand.before.to(&self.errand.target).per_p
     }
     /// Friction of a stick gives way on the side of a slide.
@@ -86,7 +86,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// The reaction of a single contact has vanished.
     fn clears(&mut self) {
-        let m = Motion::new(Kind::Free, self.body, self.ahead());
+        let m = Motion::new(Kind::Free, self.body, self.path());
         let i = self.statics.placed_at_start(&m);
         let rates = self.statics.rates(&m, &i);
         let contact = self.body.contacts.first();

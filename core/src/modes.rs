@@ -270,8 +270,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Mode::Turn { about, with } => {
                 let r = frame(about).r;
                 let moment = load.moment - r.cross(load.force);
-                let is_pulled = pulls(about) > R::ZERO && with.is_none_or(|k| pulls(k) > R::ZERO);
-                if is_pulled || moment.abs() <= R::of_drive(load.size()) {
+                let little = R::of_drive(load.size());
+                let is_pulled = pulls(about) > little && with.is_none_or(|k| pulls(k) > little);
+                if is_pulled || moment.abs() <= little {
                     return None;
                 }
                 let sign = moment.sign();

@@ -214,13 +214,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.body.stiction = is_pressed;
         let [sense, _] = senses;
-        if !m.pair.pressed {
+        if !m.pair.pressed && !self.press_in_balance(senses) {
             return Next::Relax(sense);
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);
         }
         Next::Rest
+    }
+    /// Two contacts whose reactions did not count on the way press in the balance where they have come. Those in one line are not pulled in
+    /// what is reported (E20): they relax.
+    fn press_in_balance(&self, senses: [Sense; 2]) -> bool {
+        if self.statics.is_edge(&self.body.contacts) {
+            return false;
+        }
+        let mut body = *self.body;
+        body.contacts.slide_pair(senses);
+        let little = self.statics.rounding(&body);
+        let reactions = self.statics.reactions(&body);
+        reactions.iter().all(|&[n, _]| n >= -little)
     }
     /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (R31).
     fn opens_in_slip(&mut self, m: &Motion<R>, which: Which) -> Option<Next> {

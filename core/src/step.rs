@@ -314,8 +314,4 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let p = (threshold - normal) / -n.dot(way.per_p.at);
         (threshold < R::HUGE && p >= R::ZERO && p <= way.whole).then_some(p)
     }
-    /// h_p, phi_p of what is left of the displacement.
-    pub(crate) fn ahead(&self) -> HandPose<R> {
-        self.body.hand.to(&self.errand.target).per_p
-    }
 }

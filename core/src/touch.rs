@@ -146,7 +146,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// On the hand's path.
     pub(crate) fn touches(&mut self, feature: Feature) {
-        let hand_p = self.ahead();
+        let hand_p = self.path();
         let before = *self.body;
         self.touch(feature);
         let sense = before.contacts.first().sense;
@@ -195,7 +195,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// At zero reaction of a stick rates decide.
     pub(crate) fn begin_by_rates(&mut self) {
-        let hand_p = self.ahead();
+        let hand_p = self.path();
         self.body.forget();
         self.body.loosen();
         let sense = self.statics.sense_by_rates(self.body, hand_p);
