@@ -2,6 +2,7 @@
 
 use crate::contact::{Contact, Feature};
 use crate::events::{Ending, Function, Judging, Order, Watched};
+use crate::found::Found;
 use crate::geometry::Vec2;
 use crate::motion::Kind;
 use crate::real::Real;
@@ -10,37 +11,6 @@ use crate::state::HandPose;
 use crate::thresholds::Thresholds;
 use crate::values::{Value, Values};
 use crate::world::Statics;
-
-/// The findings on a window.
-pub(crate) struct Found<R> {
-    /// Where the first crossing is estimated, and what crosses first in the order of the functions.
-    pub(crate) cross: R,
-    pub(crate) crossing: Option<Ending>,
-    /// What is zero at the end, or at a last Newton step from it.
-    pub(crate) hit: Option<(Ending, R)>,
-    pub(crate) unsure: bool,
-    /// What part of the window would be certain by its bounds.
-    pub(crate) part: R,
-}
-
-impl<R: Real> Found<R> {
-    /// Something crosses zero, about there. Of two that do on the shortest window the touch counts.
-    pub(crate) fn crosses(&mut self, ending: Ending, at: R) {
-        self.cross = self.cross.min(at);
-        let is_known = |known: Ending| known.is_touch() || !ending.is_touch();
-        if !self.crossing.is_some_and(is_known) {
-            self.crossing = Some(ending);
-        }
-    }
-    /// Whether an event comes before the one that was found: the other leads beyond it, or they are one and it is a touch, since a contact
-    /// more changes nothing of what else is zero there. `at`: its function a step beyond the end of the window, known to `tol`.
-    pub(crate) fn is_preceded(&self, by: Ending, tol: R, at: impl Fn(R) -> R) -> bool {
-        self.hit.is_none_or(|(ending, dx)| {
-            let value = at(dx);
-            value < -tol || by.is_touch() && !ending.is_touch() && value <= tol
-        })
-    }
-}
 
 /// An event function at both ends of a window.
 pub(crate) struct Track<R> {

@@ -112,6 +112,7 @@ mod event;
 mod events;
 mod evolution;
 mod forces;
+mod found;
 mod frame;
 mod geometry;
 mod grasp;

@@ -3,7 +3,7 @@
 
 pub(crate) use crate::bracket::{Bracket, Branch, WindowEnd, Windows};
 use crate::events::{Ending, Judging, Watch, Watched, Which};
-use crate::judge::Found;
+use crate::found::Found;
 use crate::motion::{Instant, Kind, Motion};
 use crate::real::Real;
 use crate::sample::{estimate, finish};
@@ -176,13 +176,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Err(part) => return self.refused(part),
         };
         finish(&self.watched, self.bracket, self.hi);
-        let mut found = Found {
-            cross: R::HUGE,
-            crossing: None,
-            hit: None,
-            unsure: false,
-            part: R::ONE,
-        };
+        let mut found = Found::NONE;
         if let Some(ended) = self.judge_functions(&on, &mut found) {
             return Some(ended);
         }
@@ -211,11 +205,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             b.bad = b.bad.min(b.hi);
         }
         if b.is_shortest() {
-            let hit = found.hit.map(|(ending, _)| ending);
-            let touch = hit.filter(|ending| ending.is_touch());
-            let ending = found.crossing.filter(|ending| ending.is_touch());
-            let ending = ending.or(touch).or(found.crossing).or(hit);
-            let ending = ending.unwrap_or(Ending::GoesOn);
+            let ending = found.ending();
             if self.watched.statics.world.has_obstacles() && ending.is_touch() {
                 // Before it: behind it the foot may be beyond the end of its side.
                 return Some(self.ended_low(ending, R::ZERO));

@@ -2,7 +2,8 @@
 
 use crate::contact::Sense;
 use crate::events::{Ending, Watch, Which};
-use crate::judge::{Found, Track};
+use crate::found::Found;
+use crate::judge::Track;
 use crate::real::Real;
 use crate::search::{Ended, Run, WindowEnd};
 use crate::thresholds::Thresholds;

@@ -32,10 +32,28 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
     }
 }
 
-/// Scenes that currently break a law, of the larger samples: number type, evolution, number.
-const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
-/// A body that is jammed by a hand some hundred body sizes away has two contacts at one corner.
-const KNOWN_ROOMS: &[(&str, &str, u64)] = &[("f32", "path", 80), ("f32", "path", 152)];
+/// Scenes that currently break a law, by number type and evolution.
+type Known = &'static [(&'static str, &'static str, &'static [u64])];
+/// A contact beyond the end of its side by 6·10⁻⁵, forces 2·10⁻⁴ out of balance, or slides that no one motion has.
+const KNOWN_WORLDS: Known = &[
+    ("fixed", "path", &[24, 61]),
+    ("fixed", "frame", &[24, 61, 137, 161]),
+];
+/// A hand that is drawn far through a wall: its place is known to 6·10⁻⁸ of that distance only, and the body leaves its room or is out of
+/// balance at a corner.
+const KNOWN_ROOMS: Known = &[
+    (
+        "f32",
+        "path",
+        &[
+            13, 16, 47, 54, 56, 66, 100, 112, 131, 135, 136, 139, 147, 152, 163, 166, 173,
+        ],
+    ),
+    ("f32", "frame", &[2, 25, 50, 54, 199]),
+    ("fixed", "path", &[3, 36, 66, 82, 111, 133, 139, 173, 185]),
+    ("fixed", "frame", &[25, 50, 82, 106, 179]),
+    ("f64", "frame", &[106]),
+];
 
 /// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind, evolution: Evolution) {
@@ -45,7 +63,9 @@ fn no_frame_breaks_a_law<R: Number>(scenes: Kind, evolution: Evolution) {
     };
     let mut odd = Vec::new();
     for number in 0..count {
-        let is_known = known.contains(&(R::NAME, evolution.name(), number));
+        let is_known = known.iter().any(|(name, how, numbers)| {
+            (*name, *how) == (R::NAME, evolution.name()) && numbers.contains(&number)
+        });
         let fault = fault::<R>((scenes, number), evolution);
         if fault.is_some() != is_known {
             odd.push((number, fault.unwrap_or("is lawful now".to_owned())));
