@@ -166,14 +166,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.body.loosen();
             let [first, second] = self.body.contacts.pair();
             if count == 1 && now == 2 && !first.shares_vertex(second) {
-                let senses = self.joined(sense, hand_p);
+                let senses = self.joined(sense);
                 self.body.contacts.slide_pair(senses);
             }
         }
     }
     /// A contact that slides has met a second one elsewhere: both slide on if a pair keeps its sense, is stable, moves, and presses the new
-    /// one.
-    fn joined(&self, sense: Sense, hand_p: HandPose<R>) -> [Sense; 2] {
+    /// one, along what is left of the displacement.
+    fn joined(&self, sense: Sense) -> [Sense; 2] {
+        let hand_p = self.body.hand.to(&self.errand.target).per_p;
         let mut senses = [Sense::Rests; 2];
         for direction in [R::ONE, -R::ONE] {
             let m = self.statics.pair(self.body, hand_p, direction);
