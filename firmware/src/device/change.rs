@@ -54,18 +54,20 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             return self.carry_on(description).map(Some);
         }
         self.place(description, true)?;
+        self.run.begin();
         if placement == Placement::Start {
             self.let_go();
         }
         Ok(None)
     }
-    /// A new run at the start of a scene, if it is to be taken.
+    /// A scene that is sound, and if it is to be taken, the scene of the run.
     // Not compiled into its caller, as are the others here: the stack is that of the one that runs.
     #[inline(never)]
     fn place(&mut self, description: &Description<'_, f32>, taken: bool) -> Result<(), Refusal> {
-        let next = Run::new(description, &self.settings)?;
+        let solver = solver(description, &self.settings)?;
+        let store = Store::new(description).ok_or(Refusal::Unsettled(Status::Saturated))?;
         if taken {
-            self.run = next;
+            (self.run.solver, self.run.store) = (solver, store);
         }
         Ok(())
     }

@@ -95,6 +95,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Run<R, V
         })
     }
 
+    /// The body is at the start of its scene, in no hand.
+    #[inline(never)]
+    pub(super) fn begin(&mut self) {
+        let (_, output) = self.solver.start(NO_HAND);
+        self.pose = Pose::of(&output);
+        (self.state, self.turns, self.behind) = (None, 0, false);
+    }
+
     fn step(&mut self, hand: &Hand<f32>) -> Output<f32> {
         let hand = hand.turned(self.turns.saturating_neg());
         let output = match &mut self.state {
