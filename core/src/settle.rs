@@ -143,12 +143,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             // What comes to lie in its line does not block it.
             let is_flat = self.statics.is_in_line(contact, start.contacts.first());
             if sense.slides() && gap <= R::met_before() && !is_flat {
-                // It blocks the turn: the slip goes on.
                 *self.body = start;
-            } else {
-                self.touch(feature);
-                return Next::Relax(sense);
+                let next = self.stood(sense);
+                if next != Next::Rest {
+                    // It blocks the turn: the slip goes on.
+                    return next;
+                }
             }
+            self.touch(feature);
+            return Next::Relax(sense);
         }
         self.stood(sense)
     }
