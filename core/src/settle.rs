@@ -70,7 +70,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Free => self.fly(),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
-                if !self.is_near_balance(&m) {
+                if !self.seat(&m) {
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));
                 }
@@ -92,14 +92,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// In balance, or so near that a Newton step leads there: a pair always, others if they move by less than can be distinguished.
-    pub(crate) fn is_near_balance(&mut self, m: &Motion<R>) -> bool {
+    /// To balance, if a Newton step of less than can be distinguished leads there. Whether the body is in balance.
+    pub(crate) fn seat(&mut self, m: &Motion<R>) -> bool {
         let mut i = self.statics.placed_at_start(m);
         if i.e.abs() <= self.statics.rounding(self.body) {
             return true;
         }
         let step = -i.e / i.e_u;
-        let is_near = i.e_u < R::ZERO && step.abs() <= R::MICRO || m.kind == Kind::Pair;
+        let is_near = i.e_u < R::ZERO && step.abs() <= R::MICRO;
         if is_near {
             let spot = Spot { u: i.u, p: R::ZERO };
             self.statics.balance(m, spot, step, &mut i);

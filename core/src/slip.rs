@@ -5,7 +5,7 @@ use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
 use crate::events::{Ending, Watch, Which};
 use crate::modes::{Mode, Pressing};
-use crate::motion::{Kind, Motion, Spot};
+use crate::motion::{Kind, Motion};
 use crate::real::Real;
 use crate::search::Ended;
 use crate::state::HandPose;
@@ -108,7 +108,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// At mu_d N: stiction where N >= N*, otherwise the contact slides on (R30).
     fn stopped(&mut self, sense: Sense) -> Next {
-        let [normal, along] = self.statics.reaction(self.body);
+        let [normal, _] = self.statics.reaction(self.body);
         let friction = self.statics.friction(self.body.contacts.first());
         let is_pressed = friction.is_pressed(normal);
         let [foot, _] = self.errand.feet;
@@ -122,25 +122,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if !is_pressed {
             self.body.contacts.slide(sense);
-            let sliding = friction.sliding;
-            let off = sense.along(along) * sliding.cos + sliding.sin * normal;
-            if off.abs() > R::of_balance(normal.abs()) {
-                self.seat_slide();
-            }
+            // The end of a slip is known to the accuracy of a search, a slide to that of its balance.
+            self.seat(&Motion::frozen(Kind::Slide, self.body));
         }
         Next::Rest
-    }
-    /// A slide is where its friction is in balance; the end of a slip is known to the accuracy of a search.
-    fn seat_slide(&mut self) {
-        let m = Motion::frozen(Kind::Slide, self.body);
-        let mut i = self.statics.placed_at_start(&m);
-        let step = -i.e / i.e_u;
-        if i.e_u < R::ZERO && step.abs() <= R::MICRO {
-            let spot = Spot { u: i.u, p: R::ZERO };
-            self.statics.balance(&m, spot, step, &mut i);
-            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
-            self.body.go_to(&i, room);
-        }
     }
 
     /// Two contacts.
@@ -219,6 +204,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);
+            if !statics.is_even(first, second) {
+                let m = statics.pair(self.body, HandPose::REST, R::ONE);
+                self.seat(&Motion { frozen: true, ..m });
+            }
         }
         Next::Rest
     }

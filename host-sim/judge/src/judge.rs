@@ -243,6 +243,11 @@ impl Judge {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
         let is_quiet = !frame.events.iter().any(moves);
         let scale = self.model.reach(frame);
+        // A foot that moves is placed from where the hand holds.
+        let hold = (self.hold.grip).map_or([0.0; 2], |grip| {
+            self.model.holding_point(frame.pose, &grip)
+        });
+        let carried = hold.iter().fold(scale, |most, x| most.max(x.abs()));
         let [mut strayed, mut receded]: [Option<f64>; 2] = [None; 2];
         let mut anchors = Vec::with_capacity(frame.contacts.len());
         for contact in &frame.contacts {
@@ -275,9 +280,9 @@ impl Judge {
         }
         self.anchors = anchors;
         let allowed = self.bounds.exact;
-        let finding = |law, way: f64| Finding::new(law, way / scale, allowed);
-        (strayed.map(|way| finding(law::STICKS, way)).into_iter())
-            .chain(receded.map(|way| finding(law::FORWARD, way)))
+        let finding = |law, way: f64| Finding::new(law, way, allowed);
+        (strayed.map(|way| finding(law::STICKS, way / scale)).into_iter())
+            .chain(receded.map(|way| finding(law::FORWARD, way / carried)))
             .collect()
     }
 
