@@ -259,8 +259,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(k) => {
                 // The last step is that of the chord.
                 let is_near = newton <= w / R::from_int(16);
-                if b.v <= tol && slope < R::ZERO && is_near && self.is_reached(track, newton) {
-                    found.hit = found.hit.or(Some((track.ending, newton)));
+                let is_earlier = found.is_preceded(track.ending, tol, |dx| b.v + slope * dx);
+                let is_here = b.v <= tol && slope < R::ZERO && is_near;
+                if is_earlier && is_here && self.is_reached(track, newton) {
+                    found.hit = Some((track.ending, newton));
                 }
                 let sum = begin + b.v.max(R::ZERO);
                 if sum < k {

@@ -172,6 +172,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut tangent = tau;
         for _ in 0..4 {
             let (c, frames) = self.seat_first(m, i);
+            let [first, second] = &frames;
+            // In one line a vertex and a corner slide to each other: where they meet the second gap tells nothing of the angle.
+            if m.pair.reach == R::HUGE && first.turns != second.turns {
+                break;
+            }
             let g = gap_slope(&frames);
             // d gap/dy = g·(i tau); z_u = (g_y, -g_x)/D
             let across = R::ONE / g.dot(tau.turned());

@@ -298,6 +298,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     fn leads_beyond(&self, dx: R) -> bool {
         let below = -R::zero();
         (self.hi.values.iter()).any(|f| f.d < R::ZERO && f.v >= below && f.v + f.d * dx < below)
+            || C > 0 && self.leads_off(dx)
     }
     /// The position of a pair on a path is known no farther.
     fn is_beyond_reach(&self) -> bool {

@@ -10,54 +10,67 @@ use crate::thresholds::Thresholds;
 use crate::values::Value;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C> {
-    /// The ends of the sides on which contacts slide.
-    pub(crate) fn judge_ends(&mut self, found: &mut Found<R>) -> Option<Ended<R>> {
-        let motion = self.watched.motion;
-        let watch = self.watched.watch;
-        let sliding: &[Which] = match watch {
+    /// The contacts that slide, of which an end may be reached.
+    fn sliding(&self) -> &'static [Which] {
+        match self.watched.watch {
             Watch::Slip(_) | Watch::Slide | Watch::Trail | Watch::Topple => &[Which::First],
             Watch::Joint | Watch::JointSlip => &[Which::First, Which::Second],
             Watch::Way | Watch::Stick | Watch::Corner | Watch::Turn => &[],
+        }
+    }
+    /// How far the foot of a contact that slides is from the end of its side ahead, with its velocity; half a touch more than where a contact
+    /// counts as on its side.
+    fn room_to_end(&self, which: Which, end: &WindowEnd<R>) -> Option<Value<R>> {
+        let (statics, i) = (self.watched.statics, &end.instant);
+        let contact = which.of(self.watched.motion.contacts);
+        let [a, b] = statics.ends(contact);
+        let sense = match self.watched.watch {
+            Watch::Slip(sense) => sense,
+            Watch::Topple => Sense::of(self.hi.rates.xi),
+            Watch::Way
+            | Watch::Stick
+            | Watch::Corner
+            | Watch::Turn
+            | Watch::Slide
+            | Watch::Trail
+            | Watch::Joint
+            | Watch::JointSlip => contact.sense,
         };
-        for &which in sliding {
-            let contact = which.of(motion.contacts);
-            let [a, b] = self.watched.statics.ends(contact);
-            let sense = match watch {
-                Watch::Slip(sense) => sense,
-                Watch::Topple => Sense::of(self.hi.rates.xi),
-                Watch::Way
-                | Watch::Stick
-                | Watch::Corner
-                | Watch::Turn
-                | Watch::Slide
-                | Watch::Trail
-                | Watch::Joint
-                | Watch::JointSlip => contact.sense,
-            };
-            if !sense.slides() || b >= R::HUGE {
+        if !sense.slides() || b >= R::HUGE {
+            return None;
+        }
+        let (xi, rate) = if which == Which::First {
+            (i.foot, end.rates.xi)
+        } else {
+            let frame = statics.frame(contact, i.rotation, i.g);
+            let xi = statics.foot_of(contact, i.rotation, i.g);
+            (xi, frame.advance(end.rates.g, end.rates.theta))
+        };
+        let left = if sense == Sense::Plus { b - xi } else { xi - a };
+        Some(Value {
+            v: left + R::TOUCH,
+            d: -sense.along(rate),
+        })
+    }
+    /// A step beyond the window leads beyond the end of a side.
+    pub(crate) fn leads_off(&self, dx: R) -> bool {
+        let mut rooms =
+            (self.sliding().iter()).filter_map(|&which| self.room_to_end(which, self.hi));
+        rooms.any(|room| room.v + room.d * dx < R::ZERO)
+    }
+    /// The ends of the sides on which contacts slide.
+    pub(crate) fn judge_ends(&mut self, found: &mut Found<R>) -> Option<Ended<R>> {
+        for &which in self.sliding() {
+            let Some(end) = self.room_to_end(which, self.hi) else {
                 continue;
-            }
-            let statics = self.watched.statics;
-            // Half a touch more than where a contact counts as on its side.
-            let room = |end: &WindowEnd<R>| {
-                let i = &end.instant;
-                let xi = if which == Which::First {
-                    i.foot
-                } else {
-                    statics.foot_of(contact, i.rotation, i.g)
-                };
-                let left = if sense == Sense::Plus { b - xi } else { xi - a };
-                Value {
-                    v: left + R::TOUCH,
-                    d: R::ZERO,
-                }
             };
-            let end = room(self.hi);
             if end.v > R::zero() {
                 continue;
             }
             self.know_low();
-            let begin = room(self.lo);
+            let Some(begin) = self.room_to_end(which, self.lo) else {
+                continue;
+            };
             let is_over = begin.v <= R::ZERO && self.bracket.certain == R::ZERO;
             if is_over && end.v <= begin.v {
                 return Some(self.ended_low(Ending::Ends(which), R::ZERO));
