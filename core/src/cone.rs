@@ -178,14 +178,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         WrenchCone { edges }
     }
     /// Several contacts of one vertex: the two extreme edges, counter-clockwise from the first to the second; none if they span all
-    /// directions.
+    /// directions. Opposite edges, to rounding, span a line: the first one twice.
     pub(crate) fn extreme_edges(&self, body: &Body<R>) -> Option<[Vec2<R>; 2]> {
         let cone = self.cone(body);
         let extreme = |sign: R| {
             let mut forces = cone.edges.iter().map(|edge| edge.wrench.force);
             forces.find(|a| {
                 let mut others = cone.edges.iter();
-                others.all(|b| sign * a.cross(b.wrench.force) >= R::ZERO)
+                others.all(|b| sign * a.cross(b.wrench.force) >= -R::of_products())
             })
         };
         Some([extreme(R::ONE)?, extreme(-R::ONE)?])
