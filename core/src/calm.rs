@@ -250,6 +250,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let f = q.dot(i.force);
             let (f_u, f_p) = (-q.dot(i.g_u), q.dot(m.hand_p.at - i.g_p));
             let det = R::difference_of_products(i.e_u, f_p, i.e_p, f_u);
+            if R::is_fixed() && det.abs() < R::divisor() {
+                // Known to too few places.
+                return None;
+            }
             let u = R::difference_of_products(i.e_p, f, f_p, i.e) / det;
             let p = R::difference_of_products(f_u, i.e, i.e_u, f) / det;
             if round > 0 && u * u + p * p <= R::EPSILON {

@@ -289,25 +289,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let [f1, f2] = k.f;
         let [first, second] = &k.frames;
         let [v1, v2] = k.frames.map(|frame| frame.advance(i.g_u, i.theta_u));
-        // What they have to bear.
-        let mut borne = Wrench {
-            force: -i.force,
-            moment: i.r.cross(i.force) - i.moment,
-        };
-        // Over a short lever moments and velocities in units near its size: the quotients are the same, and known to more places.
-        let lever = k.r12.length_bound();
-        let unit = if lever < R::divisor() {
-            lever.max(borne.moment.abs() / R::from_int(32)).unit()
-        } else {
-            R::ONE
-        };
-        borne.moment = borne.moment.scaled(unit);
-        let (v1, v2) = (v1.scaled(unit), v2.scaled(unit));
-        let mut w2 = Wrench::at(k.r12, f2);
-        w2.moment = w2.moment.scaled(unit);
+        let w2 = Wrench::at(k.r12, f2);
         let drag = Wrench {
             force: -(first.t * v1 + second.t * v2),
-            moment: -(k.r12.cross(second.t).scaled(unit) * v2),
+            moment: -(k.r12.cross(second.t) * v2),
+        };
+        // What they have to bear.
+        let borne = Wrench {
+            force: -i.force,
+            moment: i.r.cross(i.force) - i.moment,
         };
         let full = through_first(f1, w2, drag);
         let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
@@ -318,6 +308,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             ],
             drag: through_first(f1, w2, borne) / full,
         }
+    }
+    /// The normal reactions of a pair in balance: those that bear the force where their directions differ enough, since over a short lever the
+    /// moment tells less.
+    pub(crate) fn balanced_shares(&self, m: &Motion<R>, i: &Instant<R>) -> [R; 2] {
+        if !m.pair.spread {
+            return self.shares(m, i).normal;
+        }
+        let [f1, f2] = self.couple(m, i).f;
+        let sine = f1.cross(f2);
+        let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
+        [
+            f2.cross(i.force) / sine * cos1,
+            i.force.cross(f1) / sine * cos2,
+        ]
     }
     /// D_c less the length of the slip that would begin here (E21), the less one of the feet that can have stiction.
     pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {

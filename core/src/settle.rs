@@ -92,17 +92,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// To balance, if a Newton step of less than can be distinguished leads there. Whether the body is in balance.
+    /// To balance, if it is so near that the way cannot be distinguished. Whether the body is in balance.
     pub(crate) fn seat(&mut self, m: &Motion<R>) -> bool {
         let mut i = self.statics.placed_at_start(m);
         if i.e.abs() <= self.statics.rounding(self.body) {
             return true;
         }
-        let step = -i.e / i.e_u;
-        let is_near = i.e_u < R::ZERO && step.abs() <= R::MICRO;
+        let (from, step) = (i.u, -i.e / i.e_u);
+        if i.e_u >= R::ZERO || step.abs() > R::MICRO {
+            return false;
+        }
+        let spot = Spot {
+            u: from,
+            p: R::ZERO,
+        };
+        self.statics.balance(m, spot, step, &mut i);
+        let is_near = (i.u - from).abs() <= R::MICRO.doubled();
         if is_near {
-            let spot = Spot { u: i.u, p: R::ZERO };
-            self.statics.balance(m, spot, step, &mut i);
             let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
             self.body.go_to(&i, room);
         }

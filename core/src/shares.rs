@@ -259,7 +259,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body);
         (i.rotation, i.g, i.r, i.r2) = (body.rotation, body.holding, of_first.r, of_second.r);
         (i.force, i.moment) = (load.force, load.moment);
-        let normal = self.shares(&m, &i).normal;
+        let normal = self.balanced_shares(&m, &i);
         let mut out = [[R::ZERO; 2]; 2];
         for ((slot, n), c) in out.iter_mut().zip(normal).zip([first, second]) {
             let cone = self.friction(c).sliding;
