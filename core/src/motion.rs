@@ -224,4 +224,9 @@ impl<R: Real> Instant<R> {
         xi_u: R::ZERO,
         xi_p: R::ZERO,
     };
+    /// It is a place: nothing was divided by zero on the way.
+    pub(crate) fn is_finite(&self) -> bool {
+        let sum = self.angle + self.foot + self.g.x + self.g.y;
+        sum - sum == R::ZERO
+    }
 }

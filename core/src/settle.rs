@@ -70,7 +70,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Freedom::Free => self.fly(),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
-                if !self.seat(&m) {
+                if !self.seat(&m, little) {
                     self.errand.runs = 0;
                     return self.turn(Stage::Relax(sense));
                 }
@@ -92,10 +92,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// To balance, if it is so near that the way cannot be distinguished. Whether the body is in balance.
-    pub(crate) fn seat(&mut self, m: &Motion<R>) -> bool {
+    /// To balance, if the way there cannot be distinguished. Whether the body is in balance, but for `little`.
+    pub(crate) fn seat(&mut self, m: &Motion<R>, little: R) -> bool {
         let mut i = self.statics.placed_at_start(m);
-        if i.e.abs() <= self.statics.rounding(self.body) {
+        if i.e.abs() <= little {
             return true;
         }
         let (from, step) = (i.u, -i.e / i.e_u);
@@ -113,6 +113,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.body.go_to(&i, room);
         }
         is_near
+    }
+    /// A slide is in balance at its friction; the end of its slip only to the accuracy of a search.
+    pub(crate) fn seat_slide(&mut self, m: &Motion<R>) {
+        self.seat(m, R::ZERO);
     }
     /// Two contacts are driven on along a sense of the first (R29).
     fn is_driven_on(&self, sense: Sense, little: R) -> bool {

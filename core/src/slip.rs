@@ -122,8 +122,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if !is_pressed {
             self.body.contacts.slide(sense);
-            // The end of a slip is known to the accuracy of a search, a slide to that of its balance.
-            self.seat(&Motion::frozen(Kind::Slide, self.body));
+            self.seat_slide(&Motion::frozen(Kind::Slide, self.body));
         }
         Next::Rest
     }
@@ -199,24 +198,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.body.stiction = is_pressed;
         let [sense, _] = senses;
-        if !m.pair.pressed && !self.press_in_balance(senses) {
+        let is_edge = statics.is_edge(&self.body.contacts);
+        if is_edge && !m.pair.pressed || !is_edge && !self.press_in_balance(senses) {
             return Next::Relax(sense);
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);
             if !statics.is_even(first, second) {
                 let m = statics.pair(self.body, HandPose::REST, R::ONE);
-                self.seat(&Motion { frozen: true, ..m });
+                self.seat_slide(&Motion { frozen: true, ..m });
             }
         }
         Next::Rest
     }
-    /// Two contacts whose reactions did not count on the way press in the balance where they have come. Those in one line are not pulled in
-    /// what is reported (E20): they relax.
+    /// Two contacts press in the balance where they have come: on the way their reactions may not have counted, and over a short lever a pull
+    /// is too small to be seen. Those in one line are not pulled in what is reported (E20).
     fn press_in_balance(&self, senses: [Sense; 2]) -> bool {
-        if self.statics.is_edge(&self.body.contacts) {
-            return false;
-        }
         let mut body = *self.body;
         body.contacts.slide_pair(senses);
         let little = self.statics.rounding(&body);

@@ -121,8 +121,11 @@ impl<R: Real> Body<R> {
             [_, _, ..] => Freedom::Fixed,
         }
     }
-    /// The body at an instant of a motion of its own.
+    /// The body at an instant of a motion of its own; where that is no place it stays.
     pub(crate) fn go_to(&mut self, i: &Instant<R>, room: R) {
+        if !i.is_finite() {
+            return;
+        }
         self.foot = i.foot;
         self.angle = i.angle;
         self.rotation = i.rotation;

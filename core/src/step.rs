@@ -129,6 +129,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let search = &mut self.errand.search;
             if let Some(ended) = search.piece(statics, self.body, &mut windows) {
                 let instant = windows.instant(ended.at);
+                if !instant.is_finite() {
+                    self.log.limit(Status::IterationLimit);
+                }
                 statics.leave_behind(self.body, instant.at());
                 self.body.go_to(instant, ended.room);
                 return self.arrived(ended);
