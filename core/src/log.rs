@@ -11,6 +11,8 @@ pub(crate) struct Log<R> {
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,
+    /// The contacts that the body rests on hold it with reactions beyond the limit: a status, if the body still does at the end of the step.
+    pub(crate) jammed: bool,
     /// Pieces.
     pub(crate) work: u32,
 }

@@ -44,6 +44,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             self.piece(to, more);
         }
+        if self.log.jammed {
+            self.log.limit(Status::Jammed);
+        }
         true
     }
     fn may_go_on(&self, more: &mut impl FnMut() -> bool) -> bool {
@@ -79,6 +82,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn do_piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         match self.errand.stage {
             Stage::Still => {
+                self.log.jammed = false;
                 self.errand.paths = self.errand.paths.saturating_add(1);
                 if self.errand.paths > PATHS {
                     self.log.limit(Status::EventLimit);
@@ -295,7 +299,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
     fn stay(&mut self, slack: R) {
         let Some(change) = self.statics.free_of_jam(self.body) else {
-            return self.log.limit(Status::Jammed);
+            self.log.jammed = true;
+            return;
         };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
