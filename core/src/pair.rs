@@ -111,7 +111,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let g_u = first.t * twist.x - first.r.turned() * twist.y;
         let mut v = frames.map(|frame| frame.advance(g_u, twist.y));
         let [v1, v2] = v;
-        if v1.abs().min(v2.abs()) * slope < R::of_turn() {
+        let slower = v1.abs().min(v2.abs());
+        if slower <= R::standstill() || slower * slope < R::of_turn() {
             let ahead = Spot {
                 u: R::ahead(),
                 p: R::ZERO,
