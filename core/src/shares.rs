@@ -40,14 +40,14 @@ type Solution<R> = [Part<R>; 3];
 impl<R: Real> WrenchCone<R> {
     /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
     #[inline(never)]
-    fn shared(&self, load: Wrench<R>, little: R) -> Vec<R, MOST> {
+    fn shared(&self, load: Wrench<R>, little: R, limit: R) -> Vec<R, MOST> {
         let mut parts = self.none();
         let (mut count, mut large) = (0_i32, None);
         self.triples(|edges| {
             let Some(solution) = self.bearing(edges, load, little) else {
                 return;
             };
-            if self.is_within_limit(&solution) {
+            if self.is_within_limit(&solution, limit) {
                 count = count.saturating_add(1);
                 add(&mut parts, &solution);
             } else {
@@ -189,7 +189,7 @@ impl<R: Real> WrenchCone<R> {
         is_usable.then(|| [part(i, load.cross(b)), part(k, a.cross(load))])
     }
     /// No contact has to press harder than the limit up to which reactions are reported as they are.
-    fn is_within_limit(&self, solution: &[Part<R>]) -> bool {
+    fn is_within_limit(&self, solution: &[Part<R>], limit: R) -> bool {
         let edges = self.edges();
         let pressing = |contact: usize| {
             let own = solution.iter().filter_map(|part| {
@@ -200,7 +200,7 @@ impl<R: Real> WrenchCone<R> {
             });
             own.fold(R::ZERO, |sum, part| sum + part)
         };
-        (0..MAX_CONTACTS).all(|contact| pressing(contact) <= R::limit())
+        (0..MAX_CONTACTS).all(|contact| pressing(contact) <= limit)
     }
 }
 
@@ -292,11 +292,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
         let cone = self.cone(body);
-        let load = self.present_load(body);
-        let shared = cone.shared(load, little(load));
+        // Along an edge of large friction the component of a reaction is far more than its N: of a part of the load it is representable.
+        let cosines = cone.edges().iter().map(|edge| edge.cone.cos.doubled());
+        let part = if R::is_fixed() {
+            cosines.fold(R::ONE, R::min).unit()
+        } else {
+            R::ONE
+        };
+        let load = self.present_load(body) * part;
+        let shared = cone.shared(load, little(load), R::limit() * part);
         let mut out: Reactions<R> = gather(body.contacts.iter().map(|_| [R::ZERO; 2]));
-        for (edge, &part) in cone.edges().iter().zip(&shared) {
-            let [n, t] = edge.reaction(part);
+        for (edge, &size) in cone.edges().iter().zip(&shared) {
+            let [n, t] = edge.reaction(size).map(|x| x.scaled(part));
             if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {
                 (*sum_n, *sum_t) = (*sum_n + n, *sum_t + t);
             }
