@@ -126,6 +126,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 Sense::Rests
             };
         }
+        // No foot stands still for long: then its sense is known.
+        if m.contacts.iter().any(|contact| !contact.sense.slides()) {
+            m.pair.reach = m.pair.reach.min(R::ahead());
+        }
         m.pair.flip = self.flip(&m.contacts, &frames, v);
         let [c1, c2] = m.contacts;
         let sine = self.edge(c1, &first).f.cross(self.edge(c2, &second).f);
