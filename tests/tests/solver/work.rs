@@ -91,7 +91,8 @@ const RANDOM: [u64; 2] = [49_200, 25_100];
 /// A search that has to bound two contacts that slide together evaluates a window in 3000 to 4700 operations, and finds each of their events
 /// by itself: where a ladder or an edge slides, or folds, a frame is dearer than with closed forms for each state, by up to 3 times. Where a
 /// slide may run back, the second derivatives of its foot are evaluated: worst frames are dearer by up to a tenth, without friction by up to
-/// three fifths, but the turn of a foot is found in few windows and does not use up the paths of a frame.
+/// three fifths, but the turn of a foot is found in few windows and does not use up the paths of a frame. A slide that goes on where a slip
+/// ends is placed once more, in its balance: up to a twentieth of a frame with a slip.
 const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("box on a vertex", [[617, 2260], [665, 2750]]),
     ("box flat", [[744, 5870], [786, 5790]]),
@@ -105,7 +106,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("block lifted straight", [[193, 6140], [193, 6230]]),
     ("block lifted obliquely", [[554, 16_400], [541, 9990]]),
     ("block tips", [[315, 7800], [319, 8270]]),
-    ("block set down tilted", [[420, 5590], [428, 5470]]),
+    ("block set down tilted", [[433, 6020], [439, 5540]]),
     (
         "block slid flush against a slanted wall",
         [[546, 7820], [1140, 7740]],
@@ -131,9 +132,9 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
         "rod dropped between floor and wall",
         [[374, 28_100], [396, 28_100]],
     ),
-    ("point in a corner", [[576, 11_800], [561, 7390]]),
-    ("tip slides along", [[453, 7460], [456, 4690]]),
-    ("frictionless tip", [[571, 1810], [573, 2820]]),
+    ("point in a corner", [[611, 12_000], [594, 7370]]),
+    ("tip slides along", [[468, 7930], [469, 4770]]),
+    ("frictionless tip", [[585, 1840], [587, 3150]]),
 ];
 
 /// Mean and worst cost where contacts glide: the same windows as with friction, where a closed form of the angle was cheaper.
@@ -142,11 +143,11 @@ const GLIDING: [(&str, [[u64; 2]; 2]); 11] = [
     ("box flat", [[1350, 4170], [1350, 5460]]),
     ("block lifted straight", [[488, 3930], [488, 4010]]),
     ("block lifted obliquely", [[892, 4170], [895, 5460]]),
-    ("block tips", [[1410, 6890], [1410, 6260]]),
+    ("block tips", [[1410, 6890], [1410, 6660]]),
     ("block set down tilted", [[948, 10_200], [697, 7910]]),
     ("strut buckles", [[2620, 2620], [2620, 2620]]),
     ("pendulum folds", [[550, 11_600], [509, 9600]]),
     ("strut falls on its edge", [[1810, 26_000], [1810, 25_600]]),
-    ("tip slides along", [[436, 2860], [437, 3010]]),
-    ("frictionless tip", [[571, 1810], [573, 2820]]),
+    ("tip slides along", [[449, 2910], [450, 3340]]),
+    ("frictionless tip", [[585, 1840], [587, 3150]]),
 ];
