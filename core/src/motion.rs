@@ -226,7 +226,7 @@ impl<R: Real> Instant<R> {
     };
     /// It is a place: nothing was divided by zero on the way.
     pub(crate) fn is_finite(&self) -> bool {
-        let sum = self.angle + self.foot + self.g.x + self.g.y;
-        sum - sum == R::ZERO
+        let all = [self.angle, self.foot, self.g.x, self.g.y];
+        all.iter().all(|x| x.abs() <= R::HUGE)
     }
 }

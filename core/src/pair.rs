@@ -314,20 +314,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             drag: through_first(f1, w2, borne) / full,
         }
     }
-    /// The normal reactions of a pair in balance: those that bear the force where their directions differ enough, since over a short lever the
-    /// moment tells less.
-    pub(crate) fn balanced_shares(&self, m: &Motion<R>, i: &Instant<R>) -> [R; 2] {
-        if !m.pair.spread {
-            return self.shares(m, i).normal;
-        }
-        let [f1, f2] = self.couple(m, i).f;
-        let sine = f1.cross(f2);
-        let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
-        [
-            f2.cross(i.force) / sine * cos1,
-            i.force.cross(f1) / sine * cos2,
-        ]
-    }
     /// D_c less the length of the slip that would begin here (E21), the less one of the feet that can have stiction.
     pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let k = self.couple(m, i);

@@ -5,7 +5,7 @@ use crate::cone::{ConeEdge, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
 use crate::list::gather;
-use crate::motion::Motion;
+use crate::motion::{Instant, Motion};
 use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose, gap_slope};
 use crate::thresholds::Thresholds;
@@ -266,6 +266,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             *slot = [n, -c.sense.along(n * cone.sin / cone.cos)];
         }
         out
+    }
+    /// The normal reactions of a pair in balance: those that bear the force where their directions differ enough, since over a short lever the
+    /// moment tells less.
+    fn balanced_shares(&self, m: &Motion<R>, i: &Instant<R>) -> [R; 2] {
+        if !m.pair.spread {
+            return self.shares(m, i).normal;
+        }
+        let [f1, f2] = self.couple(m, i).f;
+        let sine = f1.cross(f2);
+        let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
+        [
+            f2.cross(i.force) / sine * cos1,
+            i.force.cross(f1) / sine * cos2,
+        ]
     }
     /// Two contacts in one line: N_2 by the moment about the first (E20), T in proportion to N.
     fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
