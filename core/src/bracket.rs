@@ -58,6 +58,13 @@ impl<R: Real> Windows<R> {
         first: WindowEnd::NONE,
         second: WindowEnd::NONE,
     };
+    /// An end, to change it.
+    pub(crate) fn instant_mut(&mut self, which: Which) -> &mut Instant<R> {
+        match which {
+            Which::First => &mut self.first.instant,
+            Which::Second => &mut self.second.instant,
+        }
+    }
     /// An end.
     pub(crate) fn instant(&self, at: Which) -> &Instant<R> {
         match at {

@@ -4,7 +4,7 @@
 pub(crate) use crate::bracket::{Bracket, Branch, WindowEnd, Windows};
 use crate::events::{Ending, Judging, Watch, Watched, Which};
 use crate::found::Found;
-use crate::motion::{Instant, Kind, Motion};
+use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::sample::{estimate, finish};
 use crate::state::Body;
@@ -117,11 +117,13 @@ impl<R: Real> Search<R> {
     ) -> Option<Ended<R>> {
         let mut ended = self.run(statics, body, windows).round()?;
         if self.bracket.branch.is_some() {
-            ended.x = if ended.ending == Ending::End {
-                self.bracket.stop
-            } else {
-                windows.instant(ended.at).p
-            };
+            let instant = windows.instant_mut(ended.at);
+            if ended.ending == Ending::End {
+                // Where E hardly depends on p, u tells p no better than rounding: the hand is where its path ends.
+                let (u, p) = (instant.u, self.bracket.stop);
+                statics.place(&self.motion, Spot { u, p }, None, instant);
+            }
+            ended.x = instant.p;
         }
         Some(ended)
     }

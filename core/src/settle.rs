@@ -317,10 +317,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     pub(crate) fn flown(&mut self, leg: Leg, ended: &Ended<R>) {
         let mut m = self.errand.search.motion;
         let here = self.body.place();
-        let is_touch = matches!(ended.ending, Ending::Touch(_));
         let next = match leg {
-            Leg::Straight if is_touch && ended.x <= R::TOUCH => {
-                // Blocked by the contact that it leaves.
+            Leg::Straight if self.is_blocked(ended) => {
                 m.angle = m.end.angle;
                 m.start = here;
                 m.end.angle = here.angle;

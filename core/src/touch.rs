@@ -1,12 +1,14 @@
 //! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
 use crate::contact::{Contact, Feature, Sense};
-use crate::events::{Watch, Watched};
+use crate::events::{Ending, Watch, Watched};
 use crate::geometry::Rotation;
 use crate::motion::{Instant, Kind, Motion, Rates};
 use crate::real::Real;
+use crate::search::Ended;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
+use crate::thresholds::Thresholds;
 use crate::values::Value;
 use crate::world::Statics;
 
@@ -143,6 +145,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         } else {
             self.log.replace(was, is);
         }
+    }
+    /// Without contact, blocked by the contact that it leaves: that was closed where the motion began, and has not opened.
+    pub(crate) fn is_blocked(&self, ended: &Ended<R>) -> bool {
+        let Ending::Touch(feature) = ended.ending else {
+            return false;
+        };
+        let is_closed = |x: R| {
+            let HandPose { at, angle } = self.errand.search.motion.on_line(x);
+            let gap = (self.statics).gap(Contact::at(feature), Rotation::by(angle), at);
+            gap <= R::met_before()
+        };
+        is_closed(R::ZERO) && is_closed(ended.x.halved())
     }
     /// On the hand's path.
     pub(crate) fn touches(&mut self, feature: Feature) {
