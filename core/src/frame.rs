@@ -40,6 +40,14 @@ impl<R: Real> Frame<R> {
     pub(crate) fn advance(&self, g: Vec2<R>, theta: R) -> R {
         self.t.dot(g + self.r.turned() * theta)
     }
+    /// The foot along t, with the holding point at `g`.
+    pub(crate) fn foot(&self, g: Vec2<R>) -> R {
+        if self.turns {
+            -self.t.dot(self.r)
+        } else {
+            self.t.dot(g + self.r)
+        }
+    }
     /// The directions of a slide of sign s with this friction.
     pub(crate) fn edge(&self, friction: &Friction<R>, s: Sense) -> Edge<R> {
         let (cos, sin) = (friction.sliding.cos, s.along(friction.sliding.sin));
@@ -130,12 +138,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The foot of a contact along t.
     pub(crate) fn foot_of(&self, contact: Contact, rotation: Rotation<R>, g: Vec2<R>) -> R {
-        let frame = self.frame(contact, rotation, g);
-        if frame.turns {
-            -frame.t.dot(frame.r)
-        } else {
-            frame.t.dot(g + frame.r)
-        }
+        self.frame(contact, rotation, g).foot(g)
     }
     /// The gap of a contact.
     pub(crate) fn gap(&self, contact: Contact, rotation: Rotation<R>, g: Vec2<R>) -> R {

@@ -183,7 +183,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             .iter()
             .zip(self.errand.feet)
             .map(|(now, then)| *now - then);
-        let is_pressed = if statics.is_even(first, second) {
+        let is_edge = statics.is_even(first, second);
+        let is_pressed = if is_edge {
             let [normal, _] = statics.reaction(self.body);
             statics.friction(first).is_pressed(normal)
         } else {
@@ -198,13 +199,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.body.stiction = is_pressed;
         let [sense, _] = senses;
-        let is_edge = statics.is_edge(&self.body.contacts);
         if is_edge && !m.pair.pressed || !is_edge && !self.press_in_balance(senses) {
             return Next::Relax(sense);
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);
-            if !statics.is_even(first, second) {
+            if !is_edge {
                 let m = statics.pair(self.body, HandPose::REST, R::ONE);
                 self.seat_slide(&Motion { frozen: true, ..m });
             }

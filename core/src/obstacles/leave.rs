@@ -43,8 +43,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             (i.foot, end.rates.xi)
         } else {
             let frame = statics.frame(contact, i.rotation, i.g);
-            let xi = statics.foot_of(contact, i.rotation, i.g);
-            (xi, frame.advance(end.rates.g, end.rates.theta))
+            let rate = frame.advance(end.rates.g, end.rates.theta);
+            (frame.foot(i.g), rate)
         };
         let left = if sense == Sense::Plus { b - xi } else { xi - a };
         Some(Value {

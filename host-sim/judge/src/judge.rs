@@ -246,7 +246,7 @@ impl Judge {
         // A foot that moves is placed from where the hand holds.
         let hold =
             (self.hold.grip).map_or([0.0; 2], |grip| self.model.holding_point(frame.pose, &grip));
-        let carried = hold.iter().fold(scale, |most, x| most.max(x.abs()));
+        let from_hold = hold.iter().fold(scale, |most, x| most.max(x.abs()));
         let [mut strayed, mut receded]: [Option<f64>; 2] = [None; 2];
         let mut anchors = Vec::with_capacity(frame.contacts.len());
         for contact in &frame.contacts {
@@ -279,12 +279,12 @@ impl Judge {
         }
         self.anchors = anchors;
         let allowed = self.bounds.exact;
-        let finding = |law, way: f64| Finding::new(law, way, allowed);
-        (strayed
-            .map(|way| finding(law::STICKS, way / scale))
-            .into_iter())
-        .chain(receded.map(|way| finding(law::FORWARD, way / carried)))
-        .collect()
+        let finding = |law, way: Option<f64>, scale: f64| {
+            way.map(|way| Finding::new(law, way / scale, allowed))
+        };
+        let strayed = finding(law::STICKS, strayed, scale);
+        let receded = finding(law::FORWARD, receded, from_hold);
+        strayed.into_iter().chain(receded).collect()
     }
 
     /// Whether a sticking contact has to stay, or a sliding one to move in one direction. It does not without friction, nor
