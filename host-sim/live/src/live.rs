@@ -321,3 +321,46 @@ impl Live {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Number;
+    use crate::scenes;
+    use std::path::Path;
+    use stiction_core::Evolution;
+    use stiction_scene::SceneFile;
+
+    #[test]
+    fn the_speed_is_the_number_of_ticks_a_period() {
+        let number = Number::F64;
+        let source = scenes::find(Path::new("box-flat")).expect("a bundled scene");
+        let scene = SceneFile::parse(source, number.limit()).expect("a scene");
+        let stage = Stage::new(scene).expect("a stage");
+        let setting = Setting {
+            scene: stage.scene.clone(),
+            number,
+            evolution: Evolution::Path,
+        };
+        let mut live = Live::new(stage, &setting).expect("the scene fits");
+        for (speed, expected) in [
+            (1.0, 1024),
+            (0.125, 128),
+            (0.1, 102),
+            (0.02, 20),
+            (0.001, 1),
+        ] {
+            (live.speed, live.phase) = (speed, 0.0);
+            let mut ticks = 0;
+            for _ in 0..1024 {
+                live.pass(&mut |_| {
+                    ticks += 1;
+                    true
+                });
+            }
+            assert_eq!(ticks, expected, "at {speed}");
+        }
+        live.paused = true;
+        live.pass(&mut |_| unreachable!("a tick while it pauses"));
+    }
+}

@@ -271,19 +271,8 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
   for (const speed of [0.1, 0.02]) {
     await page.selectOption("#speed", String(speed));
     await live.until((value) => window.stiction.state?.speed === value, speed);
-    await live.fresh();
-    const [ticks, time] = /** @type {[number, number]} */ (
-      await live.until(
-        (need) => {
-          const now = [window.stiction.frame?.tick ?? 0, performance.now()];
-          const [tick, since] = /** @type {any} */ (window[`from${need}`] ??= now);
-          return now[0] - tick >= need && [now[0] - tick, now[1] - since];
-        },
-        Math.round(500 * speed),
-      )
-    );
-    // A slow computer makes fewer; none makes more.
-    assert.ok(ticks <= 1.3 * speed * time, `${ticks} ticks in ${time} ms at ${speed}`);
+    // How many a period makes is tested without a clock, as a slow computer makes up for periods that it was late for.
+    await live.until((tick) => window.stiction.frame && window.stiction.frame.tick > tick, (await live.frame()).tick);
   }
   await page.selectOption("#speed", "1");
   await page.selectOption("#replay", "live");
