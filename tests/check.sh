@@ -159,7 +159,12 @@ if is_all; then
   apt_needs clang clang libclang-rt-dev || true
   apt_needs cmake cmake make || true
   for tool in flip-link defmt-print; do cargo_needs $tool || true; done
-  # A single cargo builds all images on all cores; the tests that run them would build them one after the other.
+  # The tests that run these programs would build them one after the other.
+  cargo build -p stiction-firmware --release --features hosted --bin bits --locked & hosted=$!
+  ! target_needs wasm32-unknown-unknown ||
+    cargo build -p stiction-firmware --profile device --features hosted --bin bits_wasm --locked --target wasm32-unknown-unknown
+  wait $hosted
+  # A single cargo builds all images on all cores.
   cargo build -p stiction-firmware --profile device --features board --bin 'count_f*' --bin 'bits_f*' --bin 'footprint*' \
     --locked "${boards[@]}"
   # The images with obstacles are built for small flash: the smallest chip has no more.

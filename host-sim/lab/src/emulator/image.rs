@@ -15,8 +15,6 @@ use super::Board;
 /// How the compiler optimises; the profiles of the workspace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Profile {
-    /// For finding errors.
-    Dev,
     /// For everyday use on a computer.
     Release,
     /// For few instructions on a board.
@@ -29,7 +27,6 @@ impl Profile {
     /// The name for cargo.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Dev => "dev",
             Self::Release => "release",
             Self::Device => "device",
             Self::DeviceSmall => "device-small",

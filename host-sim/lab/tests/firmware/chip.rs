@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use stiction_host_sim::firmware::board::Board;
 use stiction_host_sim::firmware::image::Contents;
 use stiction_host_sim::firmware::process::{if_installed, output_of};
@@ -93,8 +93,9 @@ pub(crate) const SMALL_MICROBIT: Chip = Chip {
     ..MICROBIT
 };
 
-/// The images that are built. Who builds one holds this until it has a copy: the next one takes its place.
-pub(crate) static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// The images of a board that have been built. Whoever builds one holds them until it has been copied or read: the next one of the same
+/// board takes its place.
+pub(crate) type Built = MutexGuard<'static, BTreeSet<PathBuf>>;
 
 pub(crate) struct Image {
     pub(crate) path: PathBuf,
@@ -117,7 +118,7 @@ impl Chip {
         if_installed(self.board.require_emulator())?;
         let name = [self.name(), self.features, scene.unwrap_or("own")].join("-");
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let mut built = BUILT.lock().unwrap();
+        let mut built = self.built();
         if !built.contains(&path) {
             let scene = scene.map(bundled);
             let image = match &scene {
@@ -130,6 +131,22 @@ impl Chip {
         }
         let contents = Contents::of(&path).unwrap();
         Some(Image { path, contents })
+    }
+
+    /// Waits until nobody builds an image of this board.
+    pub(crate) fn built(&self) -> Built {
+        const BOARDS: [Board; 5] = [
+            Board::OLIMEX,
+            Board::MICROBIT,
+            Board::PICO,
+            Board::PICO2,
+            Board::AN505,
+        ];
+        static BUILT: [Mutex<BTreeSet<PathBuf>>; BOARDS.len()] =
+            [const { Mutex::new(BTreeSet::new()) }; BOARDS.len()];
+        let place = BOARDS.iter().position(|board| *board == self.board);
+        let built = BUILT[place.expect("one of the boards")].lock();
+        built.unwrap_or_else(PoisonError::into_inner)
     }
 
     /// What `cargo emulate` needs for the log.

@@ -1,7 +1,7 @@
 //! A board as a user runs it, `cargo emulate` in its folder: the lines of its log, and its serial line a socket of the test.
 
 use crate::board::connected;
-use crate::chip::Chip;
+use crate::chip::{Built, Chip};
 use std::env;
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -13,7 +13,7 @@ use std::thread;
 use std::time::Duration;
 
 /// No build of an image takes longer, on a machine that builds others at the same time.
-const BUILT: Duration = Duration::from_secs(1800);
+const BUILD_PATIENCE: Duration = Duration::from_secs(1800);
 /// No line takes longer.
 const PATIENCE: Duration = Duration::from_secs(300);
 
@@ -23,6 +23,8 @@ pub(crate) struct Session {
     child: Child,
     log: Receiver<String>,
     line: UnixStream,
+    /// Held until the first line of the log: the image, which the next one that is built would replace, has been read by then.
+    image: Option<Built>,
 }
 
 impl Session {
@@ -38,6 +40,7 @@ impl Session {
         ));
         fs::create_dir_all(&folder).unwrap();
         let at = |name: &str| format!("unix:{},server=on", folder.join(name).display());
+        let image = chip.built();
         let mut child = Process::new("cargo");
         child
             .args(["emulate", "--locked", "--"])
@@ -52,7 +55,7 @@ impl Session {
             .stdout(Stdio::piped());
         let mut child = child.spawn().unwrap();
         let log = lines(child.stdout.take().unwrap());
-        let first = log.recv_timeout(BUILT).expect("the line is named");
+        let first = log.recv_timeout(BUILD_PATIENCE).expect("the line is named");
         assert_eq!(first, format!("serial line: {},wait=on", at("line")));
         let line = connected(&folder.join("line"));
         received_by_nobody(line.try_clone().unwrap());
@@ -61,12 +64,14 @@ impl Session {
             child,
             log,
             line,
+            image: Some(image),
         })
     }
 
     /// The next line of the log, without the level that all but errors have.
-    pub(crate) fn line(&self) -> String {
+    pub(crate) fn line(&mut self) -> String {
         let line = self.log.recv_timeout(PATIENCE).expect("the board logs");
+        self.image = None;
         line.trim_start_matches("INFO").trim_start().to_owned()
     }
 
