@@ -6,30 +6,39 @@ use stiction_core::{
     SurfaceDescription,
 };
 
-/// A ladder without stiction against the wall x = 0, its foot on the floor; `turns` the hand slowly and looks whether it slides on.
-fn a_ladder_slides_on<R: Real>(si: impl Fn(f64) -> R::Si) {
-    let (sin, cos) = 1.0_f64.sin_cos();
-    let surfaces = [[0.0, 1.0], [-1.0, 0.0]].map(|normal| SurfaceDescription {
+/// A rod of length 2 that leans from the floor y = 0 against a wall through the origin, both without stiction, held at its middle by springs
+/// of 1 N/m and `turning` N·m/rad.
+fn rod<R: Real>(
+    wall: [f64; 2],
+    start: [f64; 3],
+    turning: f64,
+    si: impl Fn(f64) -> R::Si,
+) -> Solver<R, 3, 2> {
+    let surfaces = [[0.0, 1.0], wall].map(|normal| SurfaceDescription {
         normal: normal.map(&si),
         offset: si(0.0),
         friction_static: si(0.2),
         friction_dynamic: si(0.2),
         memory: None,
     });
-    let vertices = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]].map(|v| v.map(&si));
-    let scene = Scene::<R, 3, 2>::new(&Description {
-        vertices: &vertices,
-        start: [-2.0 * cos, 0.0, 1.0].map(&si),
+    let scene = Scene::new(&Description {
+        vertices: &[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]].map(|v| v.map(&si)),
+        start: start.map(&si),
         weight: si(0.0),
         holding_point: Some([1.0, 0.0].map(&si)),
         reach: si(0.0),
         stiffness_translation: si(1.0),
-        stiffness_rotation: si(4.0),
+        stiffness_rotation: si(turning),
         surfaces: &surfaces,
         obstacles: &[],
-    })
-    .expect("a scene");
-    let solver = Solver::new(scene, Evolution::Path);
+    });
+    Solver::new(scene.expect("a scene"), Evolution::Path)
+}
+
+/// A ladder without stiction against the wall x = 0, its foot on the floor; `turns` the hand slowly and looks whether it slides on.
+fn a_ladder_slides_on<R: Real>(si: impl Fn(f64) -> R::Si) {
+    let (sin, cos) = 1.0_f64.sin_cos();
+    let solver = rod::<R>([-1.0, 0.0], [-2.0 * cos, 0.0, 1.0], 4.0, &si);
     let hand = |phi: f64| Hand::new(si(-cos), si(sin - 2.0), si(phi));
     let (mut state, _) = solver.start(hand(1.905));
     for k in 0..200 {
@@ -59,28 +68,9 @@ fn a_pair_slides_on_however_slowly_the_hand_moves() {
 /// on with the new friction; before and after each foot slides as its friction says.
 fn a_foot_turns_back<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) -> f64) {
     let (sin, cos) = (PI / 3.0).sin_cos();
-    let surfaces = [[0.0, 1.0], [-sin, -cos]].map(|normal| SurfaceDescription {
-        normal: normal.map(&si),
-        offset: si(0.0),
-        friction_static: si(0.2),
-        friction_dynamic: si(0.2),
-        memory: None,
-    });
-    let vertices = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]].map(|v| v.map(&si));
+    let wall = [-sin, -cos];
     let begin = [-2.0 * (PI * 2.0 / 3.0 - 0.3).sin() / sin, 0.0, 0.3];
-    let scene = Scene::<R, 3, 2>::new(&Description {
-        vertices: &vertices,
-        start: begin.map(&si),
-        weight: si(0.0),
-        holding_point: Some([1.0, 0.0].map(&si)),
-        reach: si(0.0),
-        stiffness_translation: si(1.0),
-        stiffness_rotation: si(16.0),
-        surfaces: &surfaces,
-        obstacles: &[],
-    })
-    .expect("a scene");
-    let solver = Solver::new(scene, Evolution::Path);
+    let solver = rod::<R>(wall, begin, 16.0, &si);
     let hand = |phi: f64| Hand::new(si(0.3), si(-0.5), si(phi));
     let (mut state, _) = solver.start(hand(0.3));
     let mut signs = Vec::new();
@@ -89,8 +79,7 @@ fn a_foot_turns_back<R: Real>(si: impl Fn(f64) -> R::Si, wide: impl Fn(R::Si) ->
         assert_eq!(output.status, Status::Ok, "in step {k}");
         let all = solver.contacts(&state);
         let (mut force, pull) = ([0.0; 2], solver.wrench(&state).force);
-        for (c, surface) in all.iter().zip(&surfaces) {
-            let [x, y] = surface.normal.map(&wide);
+        for (c, [x, y]) in all.iter().zip([[0.0, 1.0], wall]) {
             let (n, t) = (wide(c.normal), wide(c.friction));
             force = [force[0] + n * x + t * y, force[1] + n * y - t * x];
         }

@@ -33,6 +33,18 @@ const PANEL = `
   </dl>`;
 
 class InsertionPanel {
+  /** Loads in the diagram; null: a gap. @type {(Vec | null)[]} */
+  trail = [];
+  /** l (mm), F_z and the two formulas. @type {{l: number, values: (number | null)[]}[]} */
+  curve = [];
+  time = -Infinity;
+  deepest = 0;
+  /** @type {Insertion | null} */
+  now = null;
+  /** There are data that are not drawn yet. */
+  stale = true;
+  drawn = 0;
+
   constructor() {
     this.root = document.createElement("section");
     this.root.id = "insertion";
@@ -47,17 +59,6 @@ class InsertionPanel {
     this.forces = byId("force-depth", HTMLCanvasElement);
     /** @type {Peg | null} */
     this.peg = null;
-    /** Loads in the diagram; null: a gap. @type {(Vec | null)[]} */
-    this.trail = [];
-    /** l (mm), F_z and the two formulas. @type {{l: number, values: (number | null)[]}[]} */
-    this.curve = [];
-    this.time = -Infinity;
-    this.deepest = 0;
-    /** @type {Insertion | null} */
-    this.now = null;
-    /** There are data that are not drawn yet. */
-    this.stale = true;
-    this.drawn = 0;
     onTheme(() => { this.stale = true; });
   }
 

@@ -69,10 +69,8 @@ layout! {
 
 coded! {
     /// What a reset restores.
-    #[derive(Default)]
     pub enum Reset {
         /// The body, to the start pose of its scene.
-        #[default]
         Body = "body",
         /// Everything, as after power-up: scene, parameters, mode, counters.
         Everything = "everything",

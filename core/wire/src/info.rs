@@ -8,10 +8,8 @@ use crate::mode::Mode;
 
 coded! {
     /// The number type of a board's solver.
-    #[derive(Default)]
     pub enum NumberType {
         /// `f32`.
-        #[default]
         F32 = "f32",
         /// [`Fixed`](stiction_core::Fixed).
         Fixed = "fixed",

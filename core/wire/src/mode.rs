@@ -5,10 +5,8 @@ use stiction_core::{Axis, Evolution};
 
 coded! {
     /// When a board makes a step.
-    #[derive(Default)]
     pub enum Stepping {
         /// With every tick of its clock, with the newest sample.
-        #[default]
         Timed = "timed",
         /// With every sample, once: every sample gets a step, as in a file.
         PerSample = "per-sample",

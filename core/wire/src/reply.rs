@@ -9,10 +9,8 @@ use stiction_core::{Parameter, SceneError};
 
 coded! {
     /// Done, or the reason why not.
-    #[derive(Default)]
     pub enum Reason {
         /// The command was carried out.
-        #[default]
         Done = "done",
         /// The frame is of another version of this format.
         Version = "version",

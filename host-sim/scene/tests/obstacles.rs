@@ -3,22 +3,14 @@
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Touch};
 use stiction_scene::{HostSolver, SceneFile, SceneModel, Source};
 
-const SCENE: &str = r#"[body]
+const SCENE: &str = r#"grasp = { point = [0.0, 0.02] }
+spring = { translation = 500.0, rotation = 0.5 }
+friction = { static = 0.5, dynamic = 0.3, memory = 1e-4 }
+
+[body]
 rectangle = [0.10, 0.06]
 start = [0.0, 0.03, 0.0]
 weight = 2.0
-
-[grasp]
-point = [0.0, 0.02]
-
-[spring]
-translation = 500.0
-rotation = 0.5
-
-[friction]
-static = 0.5
-dynamic = 0.3
-memory = 1e-4
 
 [[surface]]
 name = "wall"

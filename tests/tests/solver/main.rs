@@ -6,6 +6,7 @@ mod ambiguous;
 mod analytic;
 mod buckles;
 mod budget;
+mod carry;
 mod comparison;
 mod creep;
 mod documents;
