@@ -39,13 +39,10 @@ pub(crate) enum Borne<R> {
 
 /// The cone of the reactions of all contacts.
 pub(crate) struct WrenchCone<R> {
-    edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
+    pub(crate) edges: Vec<ConeEdge<R>, { 2 * MAX_CONTACTS }>,
 }
 
 impl<R: Real> WrenchCone<R> {
-    pub(crate) fn edges(&self) -> &[ConeEdge<R>] {
-        &self.edges
-    }
     /// All facets, one after the other.
     pub(crate) fn facets<'a>(&'a self, mut each: impl FnMut(Facet<'a, R>)) {
         for (i, a) in self.edges.iter().enumerate() {

@@ -12,7 +12,7 @@ use core::iter::from_fn;
 impl<R: Real> WrenchCone<R> {
     /// The edges of one contact after the other.
     fn contacts(&self) -> impl Iterator<Item = &[ConeEdge<R>]> {
-        let mut rest = self.edges();
+        let mut rest = self.edges.as_slice();
         from_fn(move || {
             let contact = rest.first()?.contact;
             let count = rest.iter().take_while(|edge| edge.contact == contact);
@@ -29,35 +29,68 @@ impl<R: Real> WrenchCone<R> {
             edges.chain(across.map(|(a, b)| b.wrench + a.wrench * -R::ONE))
         })
     }
-    /// The most of x·w for all w that are borne within the limit.
-    fn most_along(&self, x: Wrench<R>) -> R {
-        let of_contact = self.contacts().map(|own| {
-            let all = own.iter().map(|edge| x.dot(edge.wrench) / edge.cone.cos);
-            all.fold(R::ZERO, R::max)
+    /// With the reactions of N = 1 along its edges.
+    fn of_unit_normals(&self) -> Self {
+        let edges = self.edges.iter().map(|&edge| ConeEdge {
+            wrench: edge.wrench * (R::ONE / edge.cone.cos),
+            ..edge
         });
-        of_contact.fold(R::ZERO, |sum, most| sum + most) * R::limit()
+        Self {
+            edges: edges.collect(),
+        }
     }
-    /// The change of a load up to which it is borne with every N within the limit, as in (E18); negative if it is not. What `little` leaves
-    /// of a load that is borne is none.
-    fn within_limit(&self, load: Wrench<R>, little: R) -> R {
-        let mut least = R::HUGE;
-        for (i, a) in self.sides().enumerate() {
-            for b in self.sides().skip(i.saturating_add(1)) {
-                let x = a.cross(b);
-                let size = x.size();
-                if size <= R::in_plane() {
-                    continue;
-                }
-                let rounding = little * (R::ONE + size);
-                for x in [x, x * -R::ONE] {
-                    let margin = self.most_along(x) + x.dot(load);
-                    let margin = if margin.abs() <= rounding {
-                        R::ZERO
-                    } else {
-                        margin
-                    };
-                    least = least.min(margin / size);
-                }
+    /// x·load and the most of x·w for all w that are borne within the limit, of edges with N = 1, for x and for -x; as soon as both are
+    /// `enough`, no more is added.
+    fn margins(&self, x: Wrench<R>, load: Wrench<R>, enough: R) -> [R; 2] {
+        let along = x.dot(load);
+        let [mut ahead, mut back] = [along, -along];
+        for own in self.contacts() {
+            let (mut least, mut most) = (R::ZERO, R::ZERO);
+            for edge in own {
+                let along = x.dot(edge.wrench);
+                (least, most) = (least.min(along), most.max(along));
+            }
+            (ahead, back) = (ahead + most * R::limit(), back - least * R::limit());
+            if ahead >= enough && back >= enough {
+                break;
+            }
+        }
+        [ahead, back]
+    }
+    /// The normals to two of the sides: with these the faces of what is borne are among them.
+    fn normals(&self) -> impl Iterator<Item = Wrench<R>> + '_ {
+        self.sides().enumerate().flat_map(|(i, a)| {
+            let others = self.sides().skip(i.saturating_add(1));
+            others.map(move |b| a.cross(b))
+        })
+    }
+    /// Of contacts of one vertex, which bear forces through it: the normals to one side.
+    fn normals_of_forces(&self) -> impl Iterator<Item = Wrench<R>> + '_ {
+        self.sides().map(|side| Wrench {
+            force: side.force.turned(),
+            moment: R::ZERO,
+        })
+    }
+    /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
+    /// `little` leaves of a load that is borne is none.
+    fn within_limit(
+        &self,
+        normals: impl Iterator<Item = Wrench<R>>,
+        load: Wrench<R>,
+        little: R,
+        most: R,
+    ) -> R {
+        let reactions = self.of_unit_normals();
+        let mut least = most;
+        for x in normals {
+            let size = x.size();
+            if size <= R::in_plane() {
+                continue;
+            }
+            for margin in reactions.margins(x, load, least * size) {
+                let is_none = margin.abs() <= little * (R::ONE + size);
+                let margin = if is_none { R::ZERO } else { margin };
+                least = least.min(margin / size);
             }
         }
         least
@@ -65,15 +98,27 @@ impl<R: Real> WrenchCone<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// The change of the load before which the contacts are not jammed; none if they are. Contacts in one line have no load that they hold
-    /// by their inner force.
+    /// The change of the load, at most `most`, before which the contacts are not jammed; none if they are. Contacts in one line have no load
+    /// that they hold by their inner force.
     #[inline(never)]
-    pub(crate) fn free_of_jam(&self, body: &Body<R>) -> Option<R> {
-        if body.freedom() != Freedom::Fixed || self.is_edge(&body.contacts) {
-            return Some(R::HUGE);
-        }
-        let load = self.present_load(body);
-        let change = self.cone(body).within_limit(load, self.rounding(body));
+    pub(crate) fn free_of_jam(&self, body: &Body<R>, most: R) -> Option<R> {
+        let contacts = &body.contacts;
+        let (load, little) = (self.present_load(body), self.rounding(body));
+        let change = match body.freedom() {
+            Freedom::Fixed if !self.is_edge(contacts) => {
+                let cone = self.cone(body);
+                cone.within_limit(cone.normals(), load, little, most)
+            }
+            Freedom::Turns if contacts.len() > 1 => {
+                let cone = self.cone(body);
+                cone.within_limit(cone.normals_of_forces(), load, little, most)
+            }
+            Freedom::Free
+            | Freedom::Turns
+            | Freedom::Slides
+            | Freedom::Together
+            | Freedom::Fixed => return Some(most),
+        };
         (change >= -R::of_release(load.size())).then(|| change.max(R::ZERO))
     }
 }

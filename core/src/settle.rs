@@ -30,7 +30,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         match settling.next {
             Next::Rest => {
                 self.renew();
-                self.log.jammed = self.statics.free_of_jam(self.body).is_none();
+                self.log.jammed = self.statics.free_of_jam(self.body, R::ZERO).is_none();
                 self.errand.stage = Stage::Still;
             }
             Next::Slip(sense) => self.slip(sense),

@@ -95,7 +95,7 @@ impl<R: Real> WrenchCone<R> {
                 consider(solution);
             }
         });
-        let n = self.edges().len();
+        let n = self.edges.len();
         for i in 0..n {
             for k in i.saturating_add(1)..n {
                 if let Some([a, b]) = self.on_two([i, k], load) {
@@ -103,24 +103,24 @@ impl<R: Real> WrenchCone<R> {
                 }
             }
         }
-        for (edge, along) in self.edges().iter().enumerate() {
+        for (edge, along) in self.edges.iter().enumerate() {
             let w = along.wrench;
             let size = -(w.dot(load) / w.dot(w));
             consider([Part { edge, size }, Part::NONE, Part::NONE]);
         }
     }
     fn none(&self) -> Vec<R, MOST> {
-        gather(self.edges().iter().map(|_| R::ZERO))
+        gather(self.edges.iter().map(|_| R::ZERO))
     }
     /// What components along the edges leave of a load.
     #[inline(never)]
     fn remainder(&self, load: Wrench<R>, parts: &[R]) -> Wrench<R> {
-        let edges = self.edges().iter().zip(parts);
+        let edges = self.edges.iter().zip(parts);
         edges.fold(load, |rest, (edge, &part)| rest + edge.wrench * part)
     }
     /// Any three edges.
     fn triples(&self, mut each: impl FnMut([usize; 3])) {
-        let n = self.edges().len();
+        let n = self.edges.len();
         for i in 0..n {
             for j in i.saturating_add(1)..n {
                 for k in j.saturating_add(1)..n {
@@ -130,7 +130,7 @@ impl<R: Real> WrenchCone<R> {
         }
     }
     fn wrench(&self, edge: usize) -> Option<Wrench<R>> {
-        self.edges().get(edge).map(|edge| edge.wrench)
+        self.edges.get(edge).map(|edge| edge.wrench)
     }
     /// The components along three edges that bear a load; those along edges that are almost coplanar are refined.
     #[inline(never)]
@@ -190,7 +190,7 @@ impl<R: Real> WrenchCone<R> {
     }
     /// No contact has to press harder than the limit up to which reactions are reported as they are.
     fn is_within_limit(&self, solution: &[Part<R>], limit: R) -> bool {
-        let edges = self.edges();
+        let edges = &self.edges;
         let pressing = |contact: usize| {
             let own = solution.iter().filter_map(|part| {
                 let edge = edges
@@ -307,7 +307,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
         let cone = self.cone(body);
         // Along an edge of large friction the component of a reaction is far more than its N: of a part of the load it is representable.
-        let cosines = cone.edges().iter().map(|edge| edge.cone.cos.doubled());
+        let cosines = cone.edges.iter().map(|edge| edge.cone.cos.doubled());
         let part = if R::is_fixed() {
             cosines.fold(R::ONE, R::min).unit()
         } else {
@@ -316,7 +316,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body) * part;
         let shared = cone.shared(load, little(load), R::limit() * part);
         let mut out: Reactions<R> = gather(body.contacts.iter().map(|_| [R::ZERO; 2]));
-        for (edge, &size) in cone.edges().iter().zip(&shared) {
+        for (edge, &size) in cone.edges.iter().zip(&shared) {
             let [n, t] = edge.reaction(size).map(|x| x.scaled(part));
             if let Some([sum_n, sum_t]) = out.get_mut(edge.contact) {
                 (*sum_n, *sum_t) = (*sum_n + n, *sum_t + t);

@@ -44,7 +44,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             self.piece(to, more);
         }
-        if self.log.jammed {
+        // A corner, whose load goes on changing while the body turns about it, is asked at the end.
+        let turns = self.body.freedom() == Freedom::Turns;
+        let is_wedged = turns && self.statics.free_of_jam(self.body, R::ZERO).is_none();
+        if self.log.jammed || is_wedged {
             self.log.limit(Status::Jammed);
         }
         true
@@ -298,13 +301,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
     fn stay(&mut self, slack: R) {
-        let Some(change) = self.statics.free_of_jam(self.body) else {
+        let Some(change) = self.statics.free_of_jam(self.body, slack) else {
             self.log.jammed = true;
             return;
         };
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
         if !may_press {
-            self.body.slack = slack.min(change);
+            self.body.slack = change;
         }
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.

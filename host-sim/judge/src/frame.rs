@@ -1,5 +1,6 @@
 //! A record of a trace: SI units, world frame, angles unwrapped; and how the hand moves from one record to the next.
 
+use crate::touch::share_vertex;
 use stiction_core::{Event, StateKind as State, Status, Touch};
 
 /// All events, in the order of messages.
@@ -87,6 +88,15 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// Whether several contacts are all of one vertex, about which the body can turn.
+    pub(crate) fn is_in_corner(&self) -> bool {
+        let Some((first, others)) = self.contacts.split_first() else {
+            return false;
+        };
+        let shares = |other: &Contact| share_vertex(first.touch, other.touch);
+        !others.is_empty() && others.iter().all(shares)
+    }
+
     /// Whether the body has followed the reported hand and is in balance with it: then every law applies.
     pub(crate) const fn is_followed(&self) -> bool {
         matches!(

@@ -12,7 +12,7 @@ use crate::finding::{Finding, law};
 use crate::frame::{Contact, Frame};
 use crate::model::LIMIT;
 use crate::slip::Step;
-use crate::touch::{Face, share_vertex};
+use crate::touch::Face;
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
 /// Reactions that are certainly within the limit, whether the limit refers to N or to the whole reaction, and those that are
@@ -35,8 +35,7 @@ fn is_fixed(frame: &Frame) -> bool {
         && frame.complete
         && !frame.slides()
         && matches!(frame.state, State::Edge | State::TwoVertex | State::Locked)
-        && (frame.contacts.iter())
-            .any(|contact| !share_vertex(contact.touch, frame.contacts[0].touch))
+        && !frame.is_in_corner()
 }
 
 /// Whether the body moved although its contacts bear the load along the whole path of the hand.
@@ -152,7 +151,7 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
         let frictions: [fn(&Face) -> f64; 2] =
             [|face| face.friction_dynamic, |face| face.friction_static];
         let idle = is_fixed(next) && frictions.iter().all(|mu| is_borne_or_moves(&bearing(*mu)));
-        let idle_corner = next.state == State::Corner && !is_wedged(step, WITHIN * limit);
+        let idle_corner = next.is_in_corner() && !is_wedged(step, WITHIN * limit);
         return Some(keeps && several && !idle && !idle_corner);
     }
     let load = step.model.load(next.pose, next.hand, step.grip);

@@ -1,6 +1,6 @@
 //! Frame after frame: the memory of previous frames, and the laws that depend on it.
 
-use stiction_core::{Event, Evolution, StateKind as State, Status, Touch};
+use stiction_core::{Event, Evolution, Status, Touch};
 
 use crate::events::{self, Events};
 use crate::finding::{Bounds, Finding, law};
@@ -226,7 +226,7 @@ impl Judge {
         };
         let moved = match frame.contacts.first() {
             // A jammed body is free to turn about its corner.
-            Some(corner) if frame.status == Status::Jammed && frame.state == State::Corner => {
+            Some(corner) if frame.status == Status::Jammed && frame.is_in_corner() => {
                 let [was, is] =
                     [before, frame.pose].map(|pose| self.model.foot(pose, corner.touch));
                 distance(was, is)

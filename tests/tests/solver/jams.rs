@@ -1,12 +1,17 @@
-//! A body jammed between two walls (R43): the contact forces needed to hold it are known in closed form, and so is the load
+//! A body jammed between two walls or in a wedge (R43): the contact forces needed to hold it are known in closed form, and so is the load
 //! above which they hold it only with reactions beyond 64 k_h L. There the body stays and its status reports it.
 
+use std::f64::consts::FRAC_PI_2;
 use stiction_core::{Evolution, StateKind, Status};
+use stiction_tests::expect::close;
 use stiction_tests::laws::assert_lawful;
 use stiction_tests::run::polyline;
 use stiction_tests::{Number, Run, Setup, test_each};
 
-test_each!(cases::rod_says_where_it_jams_and_never_moves);
+test_each!(
+    cases::rod_says_where_it_jams_and_never_moves,
+    cases::vertex_says_where_it_jams_in_a_wedge,
+);
 
 /// Angle of the rod's line against the walls' normal (rad), and friction of both walls.
 const TILT: f64 = 0.3;
@@ -58,5 +63,31 @@ mod cases {
         }
         assert!(found.iter().all(|count| *count > 50), "{found:?}");
         assert_eq!(run.frame.status, Status::Ok);
+    }
+    /// The lower vertex of an upright rod is pulled down into a wedge that opens by 2 alpha. Its walls bear 2 N (sin alpha + mu cos alpha).
+    pub(super) fn vertex_says_where_it_jams_in_a_wedge<R: Number>(evolution: Evolution) {
+        let (alpha, mu) = (0.01_f64, 0.005);
+        let (sin, cos) = alpha.sin_cos();
+        let setup = Setup::new(&[[0.0, 0.0], [LENGTH, 0.0]])
+            .at([0.0, 0.0, FRAC_PI_2])
+            .held_at([0.0, 0.0])
+            .springs(500.0, 500.0 * LENGTH * LENGTH)
+            .surface([cos, sin], 0.0, [mu, mu])
+            .surface([-cos, sin], 0.0, [mu, mu]);
+        let jammed_from = 128.0 * (sin + mu * cos) * LENGTH;
+        let hand = |depth: f64| [0.0, -depth, FRAC_PI_2];
+        let mut run = Run::<R>::start(&setup, evolution, hand(0.0));
+        for part in [0.5, 0.9, 0.999, 1.001, 1.5, 1.001, 0.999, 0.1] {
+            let frame = run.step(hand(part * jammed_from)).clone();
+            assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
+            let status = if part > 1.0 {
+                Status::Jammed
+            } else {
+                Status::Ok
+            };
+            assert_eq!((frame.state, frame.status), (StateKind::Corner, status));
+            let [x, y, _] = frame.pose;
+            close("the vertex", x.hypot(y), 0.0, 1e-6 * LENGTH);
+        }
     }
 }
