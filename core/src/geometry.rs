@@ -229,6 +229,13 @@ impl<R: Real> Wrench<R> {
             moment: f.cross(g),
         }
     }
+    /// In other units.
+    pub(crate) fn in_units(self, unit: R) -> Self {
+        Self {
+            force: self.force.in_units(unit),
+            moment: self.moment.in_units(unit),
+        }
+    }
     /// The larger one of the force and of the moment.
     pub(crate) fn size(self) -> R {
         self.force.length_bound().max(self.moment.abs())

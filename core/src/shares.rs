@@ -152,12 +152,15 @@ impl<R: Real> WrenchCone<R> {
             let rest = self.remainder(load, &parts);
             let sum = solution.iter().fold(R::ZERO, |sum, part| sum + part.size);
             let rounding = (R::EPSILON * sum * R::from_int(4)).min(load.size() * R::divisor());
-            if presses(&solution) && rest.size() <= little + rounding {
-                return Some(solution);
+            let size = rest.size();
+            if size <= little + rounding {
+                return presses(&solution).then_some(solution);
             }
-            let (more, _) = self.on_three(edges, rest)?;
+            // In units of its size, as it is small beside the load.
+            let unit = size.unit();
+            let (more, _) = self.on_three(edges, rest.in_units(unit))?;
             for (part, more) in solution.iter_mut().zip(more) {
-                part.size = part.size + more.size;
+                part.size = part.size + more.size * unit;
             }
         }
         None
