@@ -8,4 +8,4 @@ export STICTION_TESTS=long
 cargo test --release --locked -p stiction-core -p stiction-wire -p stiction-firmware -p stiction-scene -p stiction-tests
 cargo run --release --locked -p stiction-tests --example walk -- 1000000000
 cargo test --locked -p stiction-lab --test emulated --test firmware -- --ignored --skip table
-for target in wire scene_file hand_path solver; do tests/fuzz/run.sh "$target" 3600; done
+for target in wire scene_file hand_path solver obstacles; do tests/fuzz/run.sh "$target" 3600; done

@@ -10,6 +10,7 @@ use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
+use crate::world::Friction;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
     /// The table: event and contacts -> new signs, or settling.
@@ -68,21 +69,28 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Some(_) => self.body.contacts.slide(sense),
         }
     }
-    /// A foot turns back: the contacts stick, without stiction. Nothing holds a single one without dynamic friction: its sign turns.
+    /// A foot turns back: the contacts stick, without stiction. Nothing holds a single one without dynamic friction: its sign turns, which is
+    /// a stop and a slide if it could stick.
     fn halts(&mut self) {
         let sense = self.body.contacts.first().sense;
         if self.body.freedom() == Freedom::Slides && self.is_smooth() {
-            // Nothing has happened: in frame evolution, too, the hand goes on (R40).
+            // Its motion is the same: in frame evolution, too, the hand goes on (R40).
             self.errand.jumps = false;
             self.body.contacts.slide(sense.reversed());
+            if self.first_friction().fixed.sin > R::ZERO {
+                self.log.event(Event::Stop);
+                self.log.event(Event::Slide);
+            }
         } else {
             self.body.loosen();
         }
     }
     /// No dynamic friction at the first contact: its reaction is the same in both directions.
     fn is_smooth(&self) -> bool {
-        let contact = self.body.contacts.first();
-        self.statics.friction(contact).sliding.sin == R::ZERO
+        self.first_friction().sliding.sin == R::ZERO
+    }
+    fn first_friction(&self) -> &Friction<R> {
+        self.statics.friction(self.body.contacts.first())
     }
     /// The reaction of a single contact has vanished.
     fn clears(&mut self) {
