@@ -102,22 +102,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// that they hold by their inner force.
     #[inline(never)]
     pub(crate) fn free_of_jam(&self, body: &Body<R>, most: R) -> Option<R> {
-        let contacts = &body.contacts;
-        let (load, little) = (self.present_load(body), self.rounding(body));
-        let change = match body.freedom() {
-            Freedom::Fixed if !self.is_edge(contacts) => {
-                let cone = self.cone(body);
-                cone.within_limit(cone.normals(), load, little, most)
-            }
-            Freedom::Turns if contacts.len() > 1 => {
-                let cone = self.cone(body);
-                cone.within_limit(cone.normals_of_forces(), load, little, most)
-            }
+        let is_corner = match body.freedom() {
+            Freedom::Fixed if !self.is_edge(&body.contacts) => false,
+            Freedom::Turns if body.contacts.len() > 1 => true,
             Freedom::Free
             | Freedom::Turns
             | Freedom::Slides
             | Freedom::Together
             | Freedom::Fixed => return Some(most),
+        };
+        let (cone, load) = (self.cone(body), self.present_load(body));
+        let little = self.rounding(body);
+        let change = if is_corner {
+            cone.within_limit(cone.normals_of_forces(), load, little, most)
+        } else {
+            cone.within_limit(cone.normals(), load, little, most)
         };
         (change >= -R::of_release(load.size())).then(|| change.max(R::ZERO))
     }

@@ -112,7 +112,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
         [[546, 7820], [1140, 7740]],
     ),
     ("strut buckles", [[557, 16_200], [559, 16_700]]),
-    ("strut buckles in a groove", [[610, 32_300], [636, 32_100]]),
+    ("strut buckles in a groove", [[730, 28_100], [749, 28_000]]),
     ("pendulum folds", [[389, 9450], [388, 9600]]),
     ("strut falls on its edge", [[448, 16_300], [433, 16_200]]),
     (
@@ -132,7 +132,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
         "rod dropped between floor and wall",
         [[374, 28_100], [396, 28_100]],
     ),
-    ("point in a corner", [[611, 12_000], [594, 7370]]),
+    ("point in a corner", [[748, 12_000], [733, 7450]]),
     ("tip slides along", [[468, 7930], [469, 4770]]),
     ("frictionless tip", [[585, 1840], [587, 3150]]),
 ];
