@@ -3,6 +3,7 @@
 
 use crate::cone::{ConeEdge, WrenchCone};
 use crate::geometry::Wrench;
+use crate::list::gather;
 use crate::real::Real;
 use crate::state::{Body, Freedom};
 use crate::thresholds::Thresholds;
@@ -36,7 +37,7 @@ impl<R: Real> WrenchCone<R> {
             ..edge
         });
         Self {
-            edges: edges.collect(),
+            edges: gather(edges),
         }
     }
     /// x·load and the most of x·w for all w that are borne within the limit, of edges with N = 1, for x and for -x; as soon as both are

@@ -253,10 +253,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let left = left - dx.abs() * (R::ONE + on.bound.way / w);
             if is_step && dx > R::ZERO && (left < -R::TOUCH || self.leads_beyond(dx)) {
                 let next = x.min(hi + (self.bracket.bad - hi).halved());
-                if next > hi {
+                if next > hi && next < self.bracket.bad {
                     self.bracket.hi = next;
                     return None;
                 }
+                // No number is in between.
+                return Some(self.ended_high(ending, hi, left));
             }
             if is_step && (self.place(x).is_ok() || self.bracket.branch.is_some()) {
                 return Some(self.ended_high(ending, x, left));
