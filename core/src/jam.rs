@@ -58,42 +58,38 @@ impl<R: Real> WrenchCone<R> {
         }
         [ahead, back]
     }
-    /// The normals to two of the sides: with these the faces of what is borne are among them.
-    fn normals(&self) -> impl Iterator<Item = Wrench<R>> + '_ {
-        self.sides().enumerate().flat_map(|(i, a)| {
-            let others = self.sides().skip(i.saturating_add(1));
-            others.map(move |b| a.cross(b))
-        })
-    }
-    /// Of contacts of one vertex, which bear forces through it: the normals to one side.
-    fn normals_of_forces(&self) -> impl Iterator<Item = Wrench<R>> + '_ {
-        self.sides().map(|side| Wrench {
-            force: side.force.turned(),
-            moment: R::ZERO,
-        })
+    /// Directions among which are the normals of all faces of what is borne: those to two of the sides, in a corner, whose contacts bear
+    /// forces through one vertex, those to one.
+    fn normals(&self, is_corner: bool, each: &mut dyn FnMut(Wrench<R>)) {
+        for (i, a) in self.sides().enumerate() {
+            if is_corner {
+                each(Wrench {
+                    force: a.force.turned(),
+                    moment: R::ZERO,
+                });
+                continue;
+            }
+            for b in self.sides().skip(i.saturating_add(1)) {
+                each(a.cross(b));
+            }
+        }
     }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.
-    fn within_limit(
-        &self,
-        normals: impl Iterator<Item = Wrench<R>>,
-        load: Wrench<R>,
-        little: R,
-        most: R,
-    ) -> R {
+    fn within_limit(&self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
         let reactions = self.of_unit_normals();
         let mut least = most;
-        for x in normals {
+        self.normals(is_corner, &mut |x| {
             let size = x.size();
             if size <= R::in_plane() {
-                continue;
+                return;
             }
             for margin in reactions.margins(x, load, least * size) {
                 let is_none = margin.abs() <= little * (R::ONE + size);
                 let margin = if is_none { R::ZERO } else { margin };
                 least = least.min(margin / size);
             }
-        }
+        });
         least
     }
 }
@@ -113,12 +109,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             | Freedom::Fixed => return Some(most),
         };
         let (cone, load) = (self.cone(body), self.present_load(body));
-        let little = self.rounding(body);
-        let change = if is_corner {
-            cone.within_limit(cone.normals_of_forces(), load, little, most)
-        } else {
-            cone.within_limit(cone.normals(), load, little, most)
-        };
+        let change = cone.within_limit(is_corner, load, self.rounding(body), most);
         (change >= -R::of_release(load.size())).then(|| change.max(R::ZERO))
     }
 }
