@@ -9,7 +9,6 @@ use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Frame};
 use crate::model::{Grip, Model};
 use crate::slip::{EVENTS, Step, drive, static_excess};
-use crate::touch::share_vertex;
 use crate::vector::{Vec3, cross, cross3, dot3, length3, sub};
 
 /// If the normals of the contacts leave one motion of the body, the largest sine between two of them is at least this; if they
@@ -46,8 +45,6 @@ pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) 
 /// Whether the signs of all slides are those of a motion that keeps every contact closed. `None` if the normals do not
 /// determine that motion.
 fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> {
-    let first = frame.contacts.first()?.touch;
-    let is_corner = (frame.contacts.iter()).all(|contact| share_vertex(contact.touch, first));
     let centre = [frame.pose[0], frame.pose[1]];
     let face = |contact: &Contact| model.face(frame.pose, contact.touch);
     let wrench = |contact: &Contact, direction| -> Vec3 {
@@ -69,7 +66,7 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     let twist = unit(twist);
     let volume = (normals.iter()).fold(0.0_f64, |most, n| most.max(dot3(*n, twist).abs()));
     // A vertex in a corner, or contacts that leave the body no motion.
-    if is_corner || volume > APART {
+    if frame.is_in_corner() || volume > APART {
         return Some(false);
     }
     let unknown = (4.0 * model.carried(frame, bounds) / model.size + volume) / apart;
