@@ -189,6 +189,8 @@ struct Straight<'a> {
     /// The largest displacement of a vertex on the path, and its largest deviation from it if a weight turns the body (m).
     longest: f64,
     off: f64,
+    /// The most negative gap that counts as closed (m).
+    allowed: f64,
 }
 
 impl<'a> Straight<'a> {
@@ -210,6 +212,7 @@ impl<'a> Straight<'a> {
             to,
             longest: distance([from[0], from[1]], [to[0], to[1]]) + arm * turn,
             off: if weighs { arm * turn } else { 0.0 },
+            allowed: step.bounds.gap * step.model.length_scale(step.last, step.bounds),
         }
     }
 
@@ -228,7 +231,7 @@ impl<'a> Straight<'a> {
         let body = placed(model, way(0.0));
         let near = |&obstacle: &usize| {
             let shape = &model.scene.obstacles[obstacle].vertices;
-            separation(&body, shape) <= self.longest + self.allowed()
+            separation(&body, shape) <= self.longest + self.allowed
         };
         let obstacles = (0..model.scene.obstacles.len()).filter(near);
         let pairs = obstacles.flat_map(|obstacle| model.pairs_with(obstacle));
@@ -237,21 +240,16 @@ impl<'a> Straight<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// The most negative gap that counts as closed (m).
-    fn allowed(&self) -> f64 {
-        let Bounds { gap, .. } = *self.step.bounds;
-        gap * self
-            .step
-            .model
-            .length_scale(self.step.last, self.step.bounds)
-    }
-
-    /// Whether the side of one pair is passed through.
+    /// How far the side of one pair is passed through (m).
     fn entered(&self, way: &dyn Fn(f64) -> [f64; 3], touch: Touch) -> f64 {
         let model = self.step.model;
-        let gap = |part: f64| model.gap(way(part), touch) + self.allowed();
+        let gap = |part: f64| model.gap(way(part), touch) + self.allowed;
         let part = |i: u32| f64::from(i) / f64::from(PLACES);
         let mut before = gap(0.0);
+        // What is entered between the ends of the side was no farther from it than the path is long.
+        if before > self.longest + self.allowed {
+            return 0.0;
+        }
         // Distance from the ends where it entered.
         let mut inside: Option<f64> = None;
         let mut most = 0.0_f64;
@@ -261,7 +259,7 @@ impl<'a> Straight<'a> {
                 inside = None;
             } else if before >= 0.0 {
                 let place = zero(&gap, part(i - 1), part(i));
-                inside = Some(model.inside_ends(way(place), touch) - self.off - self.allowed());
+                inside = Some(model.inside_ends(way(place), touch) - self.off - self.allowed);
             }
             if let Some(inside) = inside {
                 most = most.max(inside.min(-after));

@@ -84,12 +84,12 @@ impl Inbound<'_> {
     async fn listen(mut self, mut stream: SplitStream<WebSocket>) {
         while let Ok(Some(Ok(message))) = timeout(PATIENCE, stream.next()).await {
             self.seat.mark_active();
-            if let Some(rest) = self.is_too_fast(&message) {
+            if self.is_too_fast(&message) {
                 let problem =
                     format!("too many messages, allowed: {MOST} a second; the connection ends");
-                let _ = self.answers.try_send(outbound::error(None, &problem));
-                // What the client has still sent is dropped: closing before it is read would also drop the warning on its way.
-                let _ = timeout(rest, async {
+                // What the client still sends is dropped: closing before it is read would also drop the warning on its way.
+                let _ = timeout(SECOND, async {
+                    let _ = self.answers.send(outbound::error(None, &problem)).await;
                     while let Some(Ok(_)) = stream.next().await {}
                 })
                 .await;
@@ -108,8 +108,8 @@ impl Inbound<'_> {
         }
     }
 
-    /// Returns the rest of the second if the client sent too many messages in it.
-    fn is_too_fast(&mut self, message: &Wire) -> Option<Duration> {
+    /// Whether the client has sent too many messages in this second.
+    fn is_too_fast(&mut self, message: &Wire) -> bool {
         let length = match message {
             Wire::Text(text) => text.len(),
             Wire::Binary(bytes) | Wire::Ping(bytes) | Wire::Pong(bytes) => bytes.len(),
@@ -118,9 +118,9 @@ impl Inbound<'_> {
         if self.second.0.elapsed() >= SECOND {
             self.second = (Instant::now(), 0);
         }
-        let (since, count) = &mut self.second;
+        let count = &mut self.second.1;
         *count += 1 + length / (LONGEST + 1);
-        (*count > MOST).then(|| SECOND.saturating_sub(since.elapsed()))
+        *count > MOST
     }
 
     /// Forwards a message; returns the answer if it is already known.

@@ -1,6 +1,6 @@
 //! The tracker of the paper as the hand.
 
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixListener;
 use std::process::{Command, Stdio};
 use std::thread::{self, JoinHandle};
@@ -47,7 +47,8 @@ fn answers(
         loop {
             match line.read(&mut byte) {
                 Ok(1) => {}
-                Err(_) => continue,
+                Err(error) if error.kind() == ErrorKind::TimedOut => continue,
+                // The other end is closed.
                 _ => return,
             }
             if (before, byte[0]) == (b'*', b'd') {
