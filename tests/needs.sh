@@ -18,9 +18,9 @@ apt_needs() {
 has_target() { rustup target list --installed 2>/dev/null | grep -qx "$1"; }
 target_needs() { has_target "$1" || rustup target add "$1" || missing "target $1" "rustup target add $1"; }
 
-# cargo_needs PROGRAM: from the crate of this name, which takes minutes to compile.
+# cargo_needs PROGRAM: from the crate of this name, not optimised, which would take minutes.
 cargo_needs() {
-  command -v "$1" >/dev/null || env -u CARGO_TARGET_DIR cargo install "$1" --locked || missing "$1" "cargo install $1 --locked"
+  command -v "$1" >/dev/null || env -u CARGO_TARGET_DIR cargo install "$1" --locked --debug || missing "$1" "cargo install $1 --locked"
 }
 
 # Version 10 is the first that has all boards. Debian 12 has it in its backports: on the mirror from which the machine takes its packages.
