@@ -11,7 +11,7 @@
 
 use stiction_core::{Event, Touch};
 
-use crate::finding::{Bounds, Finding, law};
+use crate::finding::{Finding, law};
 use crate::frame::{Contact, Frame};
 use crate::model::Model;
 use crate::obstacles::{OVERLAP, placed};
