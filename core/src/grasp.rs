@@ -46,16 +46,18 @@ impl<R: Real> State<R> {
             self.hold = hold;
         }
     }
-    /// Whole turns of the body are counted apart, so that its angle keeps its digits; they are those of the hand, too.
-    pub(crate) fn unwind(&mut self) {
+    /// Whole turns of the body are counted apart, so that its angle keeps its digits; they are those of the hand, too. Returns whether there
+    /// were any.
+    pub(crate) fn unwind(&mut self) -> bool {
         if self.body.angle.abs() <= R::TAU {
-            return;
+            return false;
         }
         let (turns, rest) = self.body.angle.turns();
         self.turns = self.turns.saturating_add(turns);
         self.body.angle = rest;
         self.body.rotation = Rotation::by(rest);
         self.body.hand.angle = self.body.hand.angle - R::from_int(turns) * R::TAU;
+        true
     }
 }
 

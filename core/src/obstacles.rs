@@ -26,7 +26,7 @@ pub(crate) struct Corner<R> {
     pub(crate) side: Side<R>,
     /// Where the side begins and ends along its tangent, with all sides that are one with it.
     pub(crate) ends: [R; 2],
-    /// The index of the first side in its line.
+    /// The index of the longest side in its line.
     pub(crate) line: u8,
     /// The index of the first side that is one with it: the one that is touched.
     pub(crate) one: u8,
@@ -110,7 +110,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn side_at(&self, corner: u8) -> u8 {
         self.corner(corner).one
     }
-    /// The first side in the line of a side.
+    /// The longest side in the line of a side.
     fn line(&self, side: u8) -> u8 {
         self.corner_of_side(side)
             .map_or(side, |corner| self.corner(corner).line)

@@ -174,8 +174,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let (sample, is_new) = sample;
         let is_still = state.errand.is_still();
         let mut target = state.relative(sample);
-        if is_new && is_still {
-            state.unwind();
+        if is_new && is_still && state.unwind() {
             target = state.relative(sample);
         }
         if self.statics(state).swings {

@@ -4,6 +4,7 @@
 
 pub mod answers;
 pub mod cases;
+pub mod floors;
 pub mod guard;
 pub mod judged;
 pub mod laws;

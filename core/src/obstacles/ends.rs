@@ -178,24 +178,28 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let (at, statics) = (self.body.at(), self.statics);
         let left = self.body.contacts.get(k);
         self.body.forget();
-        let Some(next) = statics.handed_on(left, sense, at) else {
-            self.let_go(k);
-            return true;
-        };
-        let (m, n) = (
-            statics.frame_here(next, at).n,
-            statics.frame_here(left, at).n,
-        );
-        let is_turned = m.cross(n).abs() > R::ahead() || m.dot(n) < R::ZERO;
+        let next = statics.handed_on(left, sense, at);
+        let n = statics.frame_here(left, at).n;
+        let is_turned = next.is_none_or(|next| {
+            let m = statics.frame_here(next, at).n;
+            m.cross(n).abs() > R::ahead() || m.dot(n) < R::ZERO
+        });
         if is_turned {
-            // Where others lie in the same line it ends there now.
+            // Where others lie in the same line it ends there now, with the outermost on that side.
             let flat = statics.flat(left, at, R::TOUCH.doubled());
-            let mut ends = flat.into_iter().flatten();
-            if let Some(end) = ends.find(|end| !self.body.contacts.contains(end.feature)) {
+            let way = |c: Contact| (statics.point(c, at) - statics.point(left, at)).length_bound();
+            let nearer = |a: Contact, b: Contact| if way(b) < way(a) { b } else { a };
+            let ends = flat.into_iter().flatten();
+            let others = ends.filter(|end| !self.body.contacts.contains(end.feature));
+            if let Some(end) = others.reduce(nearer) {
                 self.replace(k, end.with(left.sense));
                 return false;
             }
         }
+        let Some(next) = next else {
+            self.let_go(k);
+            return true;
+        };
         self.replace(k, next.with(left.sense));
         // On ground of another friction the slide is not in balance.
         is_turned || statics.friction(left) != statics.friction(next)

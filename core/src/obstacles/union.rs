@@ -23,7 +23,7 @@ pub(super) type Point = Vec2<f64>;
 pub(super) struct Straight {
     pub(super) normal: Point,
     offset: f64,
-    /// The first side in it.
+    /// A side in it, the longest.
     index: u8,
 }
 impl Straight {
@@ -32,6 +32,39 @@ impl Straight {
     }
     pub(super) fn height(&self, at: Point) -> f64 {
         self.normal.dot(at) - self.offset
+    }
+    /// The line of a side.
+    fn through(from: Point, to: Point, index: u8) -> Self {
+        let along = to - from;
+        let (x, y) = normalized(along.x, along.y);
+        let normal = Vec2::new(y, -x);
+        Self {
+            normal,
+            offset: normal.dot(from),
+            index,
+        }
+    }
+    fn is_near(&self, at: Point) -> bool {
+        self.height(at).abs() <= NEAR
+    }
+    /// The same line with the other free side.
+    fn turned(&self, index: u8) -> Self {
+        Self {
+            normal: -self.normal,
+            offset: -self.offset,
+            index,
+        }
+    }
+    /// The place near a point where another line crosses this one; none if they are almost parallel.
+    fn meeting(&self, other: &Self, at: Point) -> Option<Point> {
+        let (sine, own, others) = (
+            self.normal.cross(other.normal),
+            self.height(at),
+            other.height(at),
+        );
+        let place =
+            || at + other.normal.turned() * (own / sine) - self.normal.turned() * (others / sine);
+        (sine.abs() >= PARALLEL).then(place)
     }
 }
 
@@ -43,6 +76,8 @@ pub(super) struct Raw {
     pub(super) to: Point,
     /// None for a pin.
     pub(super) line: Option<Straight>,
+    /// The line is that of a longer side, if it is in one.
+    is_level: bool,
     pub(super) ends: [f64; 2],
     friction: [f64; 3],
     one: u8,
@@ -66,21 +101,20 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
     fn index(&self, corner: usize) -> u8 {
         u8::try_from(self.planes.len().saturating_add(corner)).unwrap_or(u8::MAX)
     }
-    /// Adds the corners of an obstacle; its sides take the line of an earlier one.
+    /// Adds the corners of an obstacle, every side on a line of its own.
     fn add(&mut self, obstacle: u8, corners: &[Point], friction: [f64; 3]) {
         for (k, &at) in corners.iter().enumerate() {
             let next = corners.get(k.saturating_add(1)).or(corners.first());
             let to = next.copied().unwrap_or(at);
             let index = self.index(self.all.len());
-            let line = (corners.len() > 1).then(|| self.line(at, to, index));
-            let ends = line.map_or([0.0; 2], |line| [to, at].map(|end| line.tangent().dot(end)));
             // There is room for it.
             let _ = self.all.push(Raw {
                 obstacle,
                 at,
                 to,
-                line,
-                ends,
+                line: (corners.len() > 1).then(|| Straight::through(at, to, index)),
+                is_level: false,
+                ends: [0.0; 2],
                 friction,
                 one: index,
                 first: u8::try_from(self.all.len()).unwrap_or(u8::MAX),
@@ -89,22 +123,67 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             });
         }
     }
-    /// The line of a side: that of an earlier side of this direction if both ends are on it.
-    fn line(&self, from: Point, to: Point, index: u8) -> Straight {
-        let along = to - from;
-        let (x, y) = normalized(along.x, along.y);
-        let normal = Vec2::new(y, -x);
-        let lines = self.planes.iter().copied();
-        let mut lines = lines.chain(self.all.iter().filter_map(|raw| raw.line));
-        let is_same = |line: &Straight| {
-            let is_on = |end: Point| line.height(end).abs() <= NEAR;
-            line.normal.dot(normal) > 0.0 && is_on(from) && is_on(to)
+    fn lines(&self) -> impl Iterator<Item = Straight> {
+        let planes = self.planes.iter().copied();
+        let levels = self.all.iter().filter(|raw| raw.is_level);
+        planes.chain(levels.filter_map(|raw| raw.line))
+    }
+    /// Sides take the line of a longer one of their direction if both ends are on it: over its length a line is known best.
+    fn level(&mut self) {
+        while let Some(k) = self.longest() {
+            let line = self.all.get(k).and_then(|raw| {
+                let own = raw.line?;
+                let is_same = |line: &Straight| {
+                    line.normal.dot(own.normal) > 0.0
+                        && line.is_near(raw.at)
+                        && line.is_near(raw.to)
+                };
+                self.lines().find(is_same).or(Some(own))
+            });
+            if let Some(raw) = self.all.get_mut(k) {
+                (raw.line, raw.is_level) = (line, true);
+            }
+        }
+        for obstacle in self.obstacles() {
+            self.level_wall(obstacle);
+        }
+        for raw in &mut self.all {
+            if let Some(line) = raw.line {
+                raw.ends = [raw.to, raw.at].map(|end| line.tangent().dot(end));
+            }
+        }
+    }
+    /// The longest side that is not level yet.
+    fn longest(&self) -> Option<usize> {
+        let mut best: Option<(f64, usize)> = None;
+        for (k, raw) in self.all.iter().enumerate() {
+            let length = (raw.to - raw.at).length();
+            let is_open = raw.line.is_some() && !raw.is_level;
+            if is_open && best.is_none_or(|(longest, _)| length > longest) {
+                best = Some((length, k));
+            }
+        }
+        best.map(|(_, k)| k)
+    }
+    /// A thin wall has one line, whichever of its sides shares it.
+    fn level_wall(&mut self, obstacle: u8) {
+        let both: Vec<(usize, Straight), C> = gather(
+            self.around(obstacle)
+                .filter_map(|(k, raw, _)| Some((k, raw.line?))),
+        );
+        let &[(i, front), (j, back)] = both.as_slice() else {
+            return;
         };
-        lines.find(is_same).unwrap_or(Straight {
-            normal,
-            offset: normal.dot(from),
-            index,
-        })
+        let level = match (front.index == self.index(i), back.index == self.index(j)) {
+            (false, true) => front.turned(back.index),
+            (true, false) => back.turned(front.index),
+            (true, true) | (false, false) => return,
+        };
+        for raw in &mut self.all {
+            if raw.line.is_some_and(|line| line.index == level.index) {
+                raw.line = Some(level);
+            }
+        }
     }
     /// Sides in one line of equal friction that meet are one side.
     fn join(&mut self) {
@@ -158,7 +237,8 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             Some((k, raw, before?))
         })
     }
-    /// Each corner onto the lines of the sides that end there, a pin onto one that it is near, and corners at one place together.
+    /// Each corner onto the lines of the sides that end there, a pin or an end of a wall onto two that cross near it, and corners at one
+    /// place together.
     fn place(&mut self) {
         for obstacle in self.obstacles() {
             let around = self.around(obstacle);
@@ -177,17 +257,14 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
     }
     fn placed(&self, raw: &Raw, before: &Raw) -> Point {
         let at = raw.at;
-        let (Some(a), Some(b)) = (raw.line, before.line) else {
-            let lines = self.planes.iter().copied();
-            let mut lines = lines.chain(self.all.iter().filter_map(|raw| raw.line));
-            let line = lines.find(|line| line.height(at).abs() <= NEAR);
-            return line.map_or(at, |line| at - line.normal * line.height(at));
+        let mut near = self.lines().filter(|line| line.is_near(at));
+        let Some(own) = raw.line.or_else(|| near.next()) else {
+            return at;
         };
-        let (sine, of_a, of_b) = (a.normal.cross(b.normal), a.height(at), b.height(at));
-        if sine.abs() < PARALLEL {
-            return at - a.normal * of_a;
-        }
-        at + b.normal.turned() * (of_a / sine) - a.normal.turned() * (of_b / sine)
+        let of_sides = before.line.and_then(|line| own.meeting(&line, at));
+        let across = || near.find_map(|line| own.meeting(&line, at));
+        let onto = || at - own.normal * own.height(at);
+        of_sides.or_else(across).unwrap_or_else(onto)
     }
     pub(super) fn obstacles(&self) -> core::ops::Range<u8> {
         let last = self.all.last().map(|raw| raw.obstacle);
@@ -237,6 +314,7 @@ pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
         ];
         world.add(index, &corners, friction);
     }
+    world.level();
     world.join();
     world.place();
     world.cover();

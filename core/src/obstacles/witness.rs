@@ -7,6 +7,7 @@ use crate::contact::Feature;
 use crate::events::{Ending, Judging};
 use crate::found::Found;
 use crate::judge::Track;
+use crate::motion::Kind;
 use crate::real::Real;
 use crate::search::Run;
 use crate::thresholds::Thresholds;
@@ -75,12 +76,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         }
         self.judge_closed(on, found, o, begin.gap)
     }
-    /// The gap along the line of a contact on a side of the body, if that keeps the obstacle apart.
+    /// The gap along the line of a contact on a side of the body, if that keeps the obstacle apart. A body that slides flat stays on its line.
     fn line_that_keeps_apart(&self, on: &Judging<R>, o: &Obstacle<R>) -> Option<R> {
-        let statics = self.watched.statics;
+        let (statics, motion) = (self.watched.statics, self.watched.motion);
+        let [first, second] = motion.contacts;
+        let is_flat = motion.kind == Kind::Pair && statics.is_in_line(first, second);
         let corners = self.watched.body.contacts.iter().filter(|c| c.is_corner());
         let mut normals = corners.filter_map(|contact| statics.normal_of(contact));
-        let normal = normals.find(|&normal| self.keeps_apart(on, o, normal))?;
+        let begin = self.lo.instant.at();
+        let normal = normals.find(|&normal| {
+            let is_before =
+                || statics.along(o, statics.axis(o, normal, begin), begin).gap >= -R::zero();
+            is_flat && is_before() || self.keeps_apart(on, o, normal)
+        })?;
         let at = self.hi.instant.at();
         let axis = statics.axis(o, normal, at);
         Some(statics.along(o, axis, at).gap.max(R::ZERO))

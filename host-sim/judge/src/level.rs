@@ -1,6 +1,8 @@
 //! Level tops: sides of the world that lie in one line within 2^-19 L are one floor (STATICS 12, R35). Decided once for a scene: every law is
 //! about the obstacles with their corners on the lines that their sides share, and at one place where they meet. World frame (m).
 
+use std::cmp::Ordering;
+
 use crate::body::size;
 use crate::obstacles::OVERLAP;
 use crate::scene::{Obstacle, Scene};
@@ -17,13 +19,42 @@ struct Line {
     offset: f64,
 }
 
+/// A side of an obstacle.
+struct Side {
+    obstacle: usize,
+    side: usize,
+    ends: [Vec2; 2],
+}
+
+impl Side {
+    fn length(&self) -> f64 {
+        distance(self.ends[0], self.ends[1])
+    }
+}
+
 impl Line {
+    /// The line of a side.
+    fn of(shape: &[Vec2], side: usize) -> Self {
+        let normal = outward(shape, side);
+        Self {
+            normal,
+            offset: dot(normal, ends(shape, side)[0]),
+        }
+    }
+
     fn height(&self, at: Vec2) -> f64 {
         dot(self.normal, at) - self.offset
     }
 
     fn is_near(&self, at: Vec2, near: f64) -> bool {
         self.height(at).abs() <= near
+    }
+
+    fn turned(&self) -> Self {
+        Self {
+            normal: scaled(self.normal, -1.0),
+            offset: -self.offset,
+        }
     }
 
     fn onto(&self, at: Vec2) -> Vec2 {
@@ -39,28 +70,63 @@ pub(crate) fn level(scene: &Scene) -> Vec<Obstacle> {
         offset: surface.offset,
     });
     let mut lines: Vec<Line> = planes.collect();
-    let mut own = Vec::new();
-    for obstacle in &scene.obstacles {
-        let shape = &obstacle.vertices;
-        let first = lines.len();
-        for side in 0..sides(shape) {
-            let line = line_of(shape, side, (&lines, near));
+    let mut all: Vec<Side> = Vec::new();
+    for (obstacle, shape) in scene.obstacles.iter().map(|o| &o.vertices).enumerate() {
+        all.extend((0..sides(shape)).map(|side| Side {
+            obstacle,
+            side,
+            ends: ends(shape, side),
+        }));
+    }
+    all.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    // Of every side, with where in the lines it is.
+    let mut own: Vec<Vec<usize>> = scene
+        .obstacles
+        .iter()
+        .map(|o| vec![0; sides(&o.vertices)])
+        .collect();
+    let mut shared = own.clone();
+    for side in &all {
+        let line = Line::of(&scene.obstacles[side.obstacle].vertices, side.side);
+        let is_same = |other: &Line| {
+            dot(other.normal, line.normal) > 0.0
+                && side.ends.iter().all(|&end| other.is_near(end, near))
+        };
+        let found = lines.iter().position(is_same);
+        own[side.obstacle][side.side] = found.unwrap_or(lines.len());
+        shared[side.obstacle][side.side] = usize::from(found.is_some());
+        if found.is_none() {
             lines.push(line);
         }
-        own.push(first..lines.len());
+    }
+    // A thin wall has one line, whichever of its sides shares it.
+    for (own, shared) in own.iter().zip(&shared) {
+        if let (&[front, back], &[of_front, of_back]) = (own.as_slice(), shared.as_slice()) {
+            match of_front.cmp(&of_back) {
+                Ordering::Greater => lines[back] = lines[front].turned(),
+                Ordering::Less => lines[front] = lines[back].turned(),
+                Ordering::Equal => {}
+            }
+        }
     }
     let mut places: Vec<Vec2> = Vec::new();
     let mut levelled = scene.obstacles.clone();
     for (obstacle, own) in levelled.iter_mut().zip(own) {
-        let own = &lines[own];
+        let own: Vec<Line> = own.iter().map(|&line| lines[line]).collect();
         let count = own.len();
         for (k, at) in obstacle.vertices.iter_mut().enumerate() {
-            let placed = if count == 0 {
-                let line = lines.iter().find(|line| line.is_near(*at, near));
-                line.map_or(*at, |line| line.onto(*at))
-            } else {
-                meeting(*at, [own[k], own[(k + count - 1) % count]])
-            };
+            let mut shared = lines.iter().filter(|line| line.is_near(*at, near));
+            let sides = (count > 0).then(|| [own[k], own[(k + count - 1) % count]]);
+            // A pin and an end of a thin wall are where two lines cross.
+            let first = sides
+                .map(|[side, _]| side)
+                .or_else(|| shared.next().copied());
+            let placed = first.map_or(*at, |line| {
+                sides
+                    .and_then(|both| meeting(*at, both))
+                    .or_else(|| shared.find_map(|other| meeting(*at, [line, *other])))
+                    .unwrap_or_else(|| line.onto(*at))
+            });
             let same = places
                 .iter()
                 .find(|other| distance(**other, placed) <= near);
@@ -71,28 +137,13 @@ pub(crate) fn level(scene: &Scene) -> Vec<Obstacle> {
     levelled
 }
 
-/// The line of a side: that of an earlier one of its direction if both ends are on it.
-fn line_of(shape: &[Vec2], side: usize, (earlier, near): (&[Line], f64)) -> Line {
-    let (normal, ends) = (outward(shape, side), ends(shape, side));
-    let is_same = |line: &&Line| {
-        dot(line.normal, normal) > 0.0 && ends.iter().all(|&end| line.is_near(end, near))
-    };
-    let own = Line {
-        normal,
-        offset: dot(normal, ends[0]),
-    };
-    earlier.iter().find(is_same).copied().unwrap_or(own)
-}
-
-/// The corner near a point between two lines.
-fn meeting(at: Vec2, [a, b]: [Line; 2]) -> Vec2 {
+/// The corner near a point between two lines; none if they are almost parallel.
+fn meeting(at: Vec2, [a, b]: [Line; 2]) -> Option<Vec2> {
     let sine = cross(a.normal, b.normal);
-    if sine.abs() < PARALLEL {
-        return a.onto(at);
-    }
     let turned = |[x, y]: Vec2| [-y, x];
     let along = |line: &Line, part: f64| scaled(turned(line.normal), part / sine);
-    add(at, sub(along(&b, a.height(at)), along(&a, b.height(at))))
+    let place = || add(at, sub(along(&b, a.height(at)), along(&a, b.height(at))));
+    (sine.abs() >= PARALLEL).then(place)
 }
 
 #[cfg(test)]

@@ -6,5 +6,6 @@ mod cases;
 mod exchange;
 mod judged;
 mod lawful;
+mod level;
 mod pegs;
 mod rests;
