@@ -8,6 +8,7 @@ pub mod floors;
 pub mod guard;
 pub mod judged;
 pub mod laws;
+pub mod mirrored;
 pub mod pegs;
 pub mod rooms;
 pub mod run;

@@ -1,6 +1,7 @@
 //! The solver among obstacles with corners: cases with known answers, the laws of single frames on random scenes, closed rooms, and
 //! the cases under the judge of traces.
 
+mod alike;
 mod budget;
 mod cases;
 mod exchange;
