@@ -8,6 +8,7 @@ pub(crate) mod ends;
 pub(crate) mod flat;
 pub(crate) mod join;
 mod leave;
+mod straight;
 pub(crate) mod union;
 mod witness;
 

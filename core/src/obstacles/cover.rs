@@ -1,6 +1,7 @@
 //! Corners and sides that nothing can touch, because other obstacles or half-planes are there (R35).
 
-use super::union::{NEAR, Outlines, Point, Raw, Straight, is_near};
+use super::straight::{NEAR, Point, Straight};
+use super::union::{Outlines, Raw, is_near};
 
 impl<const S: usize, const C: usize> Outlines<S, C> {
     /// Corners that are in or on another obstacle, behind a half-plane, within a side, or in a hollow.

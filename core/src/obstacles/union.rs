@@ -1,6 +1,7 @@
 //! One world of several obstacles, which need not be convex: sides that form one line, sides that are one, corners that nothing can touch
 //! (R35). Decided in double precision, for all number types alike; lengths / L.
 
+use super::straight::{NEAR, Point, Straight};
 use super::{Corner, Obstacle};
 use crate::geometry::{Vec2, normalized};
 use crate::list::gather;
@@ -10,63 +11,6 @@ use crate::si::SiFloat;
 use crate::units::Units;
 use crate::world::{Friction, Side};
 use heapless::Vec;
-
-/// 2^-19: what lies closer to a line is on it, what is closer to a place is there.
-pub(super) const NEAR: f64 = f64::MICRO;
-/// Lines at a smaller angle (its sine) have no place in common that is known well enough.
-const PARALLEL: f64 = 1.0 / 16.0;
-
-pub(super) type Point = Vec2<f64>;
-
-/// A line with its free side, as that of a half-plane.
-#[derive(Clone, Copy)]
-pub(super) struct Straight {
-    pub(super) normal: Point,
-    offset: f64,
-    /// A side in it, the longest.
-    index: u8,
-}
-impl Straight {
-    pub(super) fn tangent(&self) -> Point {
-        Vec2::new(self.normal.y, -self.normal.x)
-    }
-    pub(super) fn height(&self, at: Point) -> f64 {
-        self.normal.dot(at) - self.offset
-    }
-    /// The line of a side.
-    fn through(from: Point, to: Point, index: u8) -> Self {
-        let along = to - from;
-        let (x, y) = normalized(along.x, along.y);
-        let normal = Vec2::new(y, -x);
-        Self {
-            normal,
-            offset: normal.dot(from),
-            index,
-        }
-    }
-    fn is_near(&self, at: Point) -> bool {
-        self.height(at).abs() <= NEAR
-    }
-    /// The same line with the other free side.
-    fn turned(&self, index: u8) -> Self {
-        Self {
-            normal: -self.normal,
-            offset: -self.offset,
-            index,
-        }
-    }
-    /// The place near a point where another line crosses this one; none if they are almost parallel.
-    fn meeting(&self, other: &Self, at: Point) -> Option<Point> {
-        let (sine, own, others) = (
-            self.normal.cross(other.normal),
-            self.height(at),
-            other.height(at),
-        );
-        let place =
-            || at + other.normal.turned() * (own / sine) - self.normal.turned() * (others / sine);
-        (sine.abs() >= PARALLEL).then(place)
-    }
-}
 
 /// A corner, and the side from it to the next one.
 #[derive(Clone, Copy)]
@@ -123,10 +67,12 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             });
         }
     }
-    fn lines(&self) -> impl Iterator<Item = Straight> {
-        let planes = self.planes.iter().copied();
+    /// The first of the half-planes and level lines that is accepted.
+    #[inline(never)]
+    fn find(&self, accepts: &dyn Fn(&Straight) -> bool) -> Option<Straight> {
         let levels = self.all.iter().filter(|raw| raw.is_level);
-        planes.chain(levels.filter_map(|raw| raw.line))
+        let mut lines = (self.planes.iter()).chain(levels.filter_map(|raw| raw.line.as_ref()));
+        lines.find(|line| accepts(line)).copied()
     }
     /// Sides take the line of a longer one of their direction if both ends are on it: over its length a line is known best.
     fn level(&mut self) {
@@ -138,14 +84,14 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
                         && line.is_near(raw.at)
                         && line.is_near(raw.to)
                 };
-                self.lines().find(is_same).or(Some(own))
+                self.find(&is_same).or(Some(own))
             });
             if let Some(raw) = self.all.get_mut(k) {
                 (raw.line, raw.is_level) = (line, true);
             }
         }
-        for obstacle in self.obstacles() {
-            self.level_wall(obstacle);
+        for k in 0..self.all.len() {
+            self.level_wall(k);
         }
         for raw in &mut self.all {
             if let Some(line) = raw.line {
@@ -157,32 +103,33 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
     fn longest(&self) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         for (k, raw) in self.all.iter().enumerate() {
-            let length = (raw.to - raw.at).length();
+            let way = raw.to - raw.at;
+            let square = way.dot(way);
             let is_open = raw.line.is_some() && !raw.is_level;
-            if is_open && best.is_none_or(|(longest, _)| length > longest) {
-                best = Some((length, k));
+            if is_open && best.is_none_or(|(longest, _)| square > longest) {
+                best = Some((square, k));
             }
         }
         best.map(|(_, k)| k)
     }
     /// A thin wall has one line, whichever of its sides shares it.
-    fn level_wall(&mut self, obstacle: u8) {
-        let both: Vec<(usize, Straight), C> = gather(
-            self.around(obstacle)
-                .filter_map(|(k, raw, _)| Some((k, raw.line?))),
-        );
-        let &[(i, front), (j, back)] = both.as_slice() else {
+    fn level_wall(&mut self, k: usize) {
+        let next = k.saturating_add(1);
+        let (Some(front), Some(back)) = (self.all.get(k), self.all.get(next)) else {
             return;
         };
-        let level = match (front.index == self.index(i), back.index == self.index(j)) {
-            (false, true) => front.turned(back.index),
-            (true, false) => back.turned(front.index),
+        let is_wall = front.obstacle == back.obstacle && back.to == front.at;
+        let (true, Some(a), Some(b)) = (is_wall, front.line, back.line) else {
+            return;
+        };
+        let level = match (a.index == self.index(k), b.index == self.index(next)) {
+            (false, true) => a.turned(b.index),
+            (true, false) => b.turned(a.index),
             (true, true) | (false, false) => return,
         };
-        for raw in &mut self.all {
-            if raw.line.is_some_and(|line| line.index == level.index) {
-                raw.line = Some(level);
-            }
+        let mut lines = self.all.iter_mut().filter_map(|raw| raw.line.as_mut());
+        while let Some(line) = lines.find(|line| line.index == level.index) {
+            *line = level;
         }
     }
     /// Sides in one line of equal friction that meet are one side.
@@ -257,12 +204,12 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
     }
     fn placed(&self, raw: &Raw, before: &Raw) -> Point {
         let at = raw.at;
-        let mut near = self.lines().filter(|line| line.is_near(at));
-        let Some(own) = raw.line.or_else(|| near.next()) else {
+        let Some(own) = raw.line.or_else(|| self.find(&|line| line.is_near(at))) else {
             return at;
         };
         let of_sides = before.line.and_then(|line| own.meeting(&line, at));
-        let across = || near.find_map(|line| own.meeting(&line, at));
+        let crosses = |line: &Straight| line.is_near(at) && own.meeting(line, at).is_some();
+        let across = || own.meeting(&self.find(&crosses)?, at);
         let onto = || at - own.normal * own.height(at);
         of_sides.or_else(across).unwrap_or_else(onto)
     }

@@ -9,7 +9,7 @@ use crate::scene::{Obstacle, Scene};
 use crate::shape::{ends, outward, sides};
 use crate::vector::{Vec2, add, cross, distance, dot, scaled, sub};
 
-/// Lines at a smaller angle (its sine) have no place in common that is known well enough.
+/// Levels at a smaller angle (its sine) have no place in common that is known well enough.
 const PARALLEL: f64 = 1.0 / 16.0;
 
 /// n·x = offset
@@ -17,19 +17,6 @@ const PARALLEL: f64 = 1.0 / 16.0;
 struct Line {
     normal: Vec2,
     offset: f64,
-}
-
-/// A side of an obstacle.
-struct Side {
-    obstacle: usize,
-    side: usize,
-    ends: [Vec2; 2],
-}
-
-impl Side {
-    fn length(&self) -> f64 {
-        distance(self.ends[0], self.ends[1])
-    }
 }
 
 impl Line {
@@ -62,71 +49,81 @@ impl Line {
     }
 }
 
+/// The lines of a scene, and for every obstacle and side which it is.
+struct Levels {
+    all: Vec<Line>,
+    of_sides: Vec<Vec<usize>>,
+}
+
+impl Levels {
+    /// Every side takes the line of a half-plane or of a longer side of its direction that both of its ends are near.
+    fn of(scene: &Scene, near: f64) -> Self {
+        let planes = scene.surfaces.iter().map(|surface| Line {
+            normal: surface.normal,
+            offset: surface.offset,
+        });
+        let mut all: Vec<Line> = planes.collect();
+        let shape = |obstacle: usize| scene.obstacles[obstacle].vertices.as_slice();
+        let of = |obstacle: usize| (0..sides(shape(obstacle))).map(move |side| (obstacle, side));
+        let mut order: Vec<(usize, usize)> = (0..scene.obstacles.len()).flat_map(of).collect();
+        let length = |&(obstacle, side): &(usize, usize)| {
+            let [from, to] = ends(shape(obstacle), side);
+            distance(from, to)
+        };
+        order.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        let none = |obstacle: &Obstacle| vec![0; sides(&obstacle.vertices)];
+        let mut of_sides: Vec<Vec<usize>> = scene.obstacles.iter().map(none).collect();
+        let mut shared = of_sides.clone();
+        for (obstacle, side) in order {
+            let (line, ends) = (Line::of(shape(obstacle), side), ends(shape(obstacle), side));
+            let is_same = |other: &Line| {
+                dot(other.normal, line.normal) > 0.0
+                    && ends.iter().all(|&end| other.is_near(end, near))
+            };
+            let found = all.iter().position(is_same);
+            of_sides[obstacle][side] = found.unwrap_or(all.len());
+            shared[obstacle][side] = usize::from(found.is_some());
+            if found.is_none() {
+                all.push(line);
+            }
+        }
+        // A thin wall has one line, whichever of its sides shares it.
+        for (own, shared) in of_sides.iter().zip(&shared) {
+            if let (&[front, back], &[of_front, of_back]) = (own.as_slice(), shared.as_slice()) {
+                match of_front.cmp(&of_back) {
+                    Ordering::Greater => all[back] = all[front].turned(),
+                    Ordering::Less => all[front] = all[back].turned(),
+                    Ordering::Equal => {}
+                }
+            }
+        }
+        Self { all, of_sides }
+    }
+
+    /// A corner where the lines of its sides meet, a pin and an end of a thin wall where two lines cross.
+    fn placed(&self, at: Vec2, own: Option<[Line; 2]>, near: f64) -> Vec2 {
+        let mut shared = self.all.iter().filter(|line| line.is_near(at, near));
+        let first = own.map(|[side, _]| side);
+        let Some(line) = first.or_else(|| shared.next().copied()) else {
+            return at;
+        };
+        let of_sides = own.and_then(|both| meeting(at, both));
+        let across = || shared.find_map(|other| meeting(at, [line, *other]));
+        of_sides.or_else(across).unwrap_or_else(|| line.onto(at))
+    }
+}
+
 /// The obstacles of a scene, level.
 pub(crate) fn level(scene: &Scene) -> Vec<Obstacle> {
     let near = OVERLAP * size(&scene.vertices);
-    let planes = scene.surfaces.iter().map(|surface| Line {
-        normal: surface.normal,
-        offset: surface.offset,
-    });
-    let mut lines: Vec<Line> = planes.collect();
-    let mut all: Vec<Side> = Vec::new();
-    for (obstacle, shape) in scene.obstacles.iter().map(|o| &o.vertices).enumerate() {
-        all.extend((0..sides(shape)).map(|side| Side {
-            obstacle,
-            side,
-            ends: ends(shape, side),
-        }));
-    }
-    all.sort_by(|a, b| b.length().total_cmp(&a.length()));
-    // Of every side, with where in the lines it is.
-    let mut own: Vec<Vec<usize>> = scene
-        .obstacles
-        .iter()
-        .map(|o| vec![0; sides(&o.vertices)])
-        .collect();
-    let mut shared = own.clone();
-    for side in &all {
-        let line = Line::of(&scene.obstacles[side.obstacle].vertices, side.side);
-        let is_same = |other: &Line| {
-            dot(other.normal, line.normal) > 0.0
-                && side.ends.iter().all(|&end| other.is_near(end, near))
-        };
-        let found = lines.iter().position(is_same);
-        own[side.obstacle][side.side] = found.unwrap_or(lines.len());
-        shared[side.obstacle][side.side] = usize::from(found.is_some());
-        if found.is_none() {
-            lines.push(line);
-        }
-    }
-    // A thin wall has one line, whichever of its sides shares it.
-    for (own, shared) in own.iter().zip(&shared) {
-        if let (&[front, back], &[of_front, of_back]) = (own.as_slice(), shared.as_slice()) {
-            match of_front.cmp(&of_back) {
-                Ordering::Greater => lines[back] = lines[front].turned(),
-                Ordering::Less => lines[front] = lines[back].turned(),
-                Ordering::Equal => {}
-            }
-        }
-    }
+    let lines = Levels::of(scene, near);
     let mut places: Vec<Vec2> = Vec::new();
     let mut levelled = scene.obstacles.clone();
-    for (obstacle, own) in levelled.iter_mut().zip(own) {
-        let own: Vec<Line> = own.iter().map(|&line| lines[line]).collect();
+    for (obstacle, own) in levelled.iter_mut().zip(&lines.of_sides) {
         let count = own.len();
         for (k, at) in obstacle.vertices.iter_mut().enumerate() {
-            let mut shared = lines.iter().filter(|line| line.is_near(*at, near));
-            let sides = (count > 0).then(|| [own[k], own[(k + count - 1) % count]]);
-            // A pin and an end of a thin wall are where two lines cross.
-            let first = sides
-                .map(|[side, _]| side)
-                .or_else(|| shared.next().copied());
-            let placed = first.map_or(*at, |line| {
-                sides
-                    .and_then(|both| meeting(*at, both))
-                    .or_else(|| shared.find_map(|other| meeting(*at, [line, *other])))
-                    .unwrap_or_else(|| line.onto(*at))
-            });
+            let both = (count > 0).then(|| [own[k], own[(k + count - 1) % count]]);
+            let placed = lines.placed(*at, both.map(|both| both.map(|line| lines.all[line])), near);
             let same = places
                 .iter()
                 .find(|other| distance(**other, placed) <= near);

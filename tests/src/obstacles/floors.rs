@@ -25,7 +25,7 @@ const DEEP: f64 = 0.2;
 pub struct Floor {
     /// The floor in pieces.
     pub among: Among,
-    /// The same box on a half-plane.
+    /// That box on a half-plane.
     pub whole: Among,
     /// x, y (m), phi (rad) of the hand, frame by frame.
     pub hands: Vec<[f64; 3]>,

@@ -1,4 +1,4 @@
-//! The same run in other words: in a mirror, and with the hand's path cut into more or fewer frames.
+//! Runs that have to end alike: in a mirror, and with the hand's path cut into more or fewer frames.
 
 use stiction_core::{Evolution, Fixed};
 use stiction_judge::{Frame, Status};
