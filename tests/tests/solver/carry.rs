@@ -2,7 +2,7 @@
 
 use stiction_core::{
     Angle, CarryError, Description, Evolution, Hand, Hold, Output, Present, Real, Scene,
-    SceneError, SiFloat, Solver, Status, SurfaceDescription, Wrench,
+    SceneError, SiFloat, Solver, Status, SurfaceDescription, Wrench, reach_again,
 };
 use stiction_tests::station::{self, FLOOR};
 
@@ -55,6 +55,15 @@ fn carried<R: Real<Si: SiFloat>>(
     let carried = Solver::carry(present, description, solver_of::<R>).expect("it fits");
     let wrench = carried.solver.wrench(&carried.state);
     (wrench, carried.state.hold(), carried.output)
+}
+
+/// Where a hand may take hold again grows by far more than rounding, and by far less than the body.
+#[test]
+fn reach_grows_by_little() {
+    for reach in [0.0, 0.01] {
+        let more = reach_again(BOX.vertices, reach) - reach;
+        assert!((1e-6..1e-5).contains(&more), "{reach}: {more}");
+    }
 }
 
 #[test]
