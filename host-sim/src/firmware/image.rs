@@ -15,9 +15,20 @@ use super::process::{EmulatorError, output_of};
 /// The lowest RAM address of the chips.
 pub const RAM: u64 = 0x2000_0000;
 
+/// Cargo at low priority: an emulator that a build keeps from its core loses bytes of its line.
+pub fn cargo() -> Command {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    if !cfg!(unix) {
+        return Command::new(cargo);
+    }
+    let mut nice = Command::new("nice");
+    nice.args(["-n", "19"]).arg(cargo);
+    nice
+}
+
 /// A cargo command that builds in a folder with a profile; [`built`] finds the built file in its messages.
 pub fn cargo_build(folder: &Path, profile: &str) -> Command {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut cargo = cargo();
     cargo.current_dir(folder);
     cargo.args(["build", "--locked", "--profile", profile]);
     cargo.arg("--message-format=json-render-diagnostics");

@@ -9,7 +9,7 @@ use crate::bits::{SAMPLES, same_bits_of};
 use crate::board::Board;
 use crate::chip::{Image, PICO};
 use stiction_core::Fixed;
-use stiction_host_sim::firmware::image::{Contents, built, cargo_build};
+use stiction_host_sim::firmware::image::{Contents, built, cargo, cargo_build};
 use stiction_host_sim::firmware::process::{if_installed, output_of};
 use stiction_host_sim::firmware::workspace;
 use stiction_wire::NumberType;
@@ -21,7 +21,7 @@ const PACKAGES: [&str; 4] = ["core", "wire", "scene", "firmware"];
 /// The packages as cargo would upload them: the folder in which they lie. That each can be built from what is in it, the template shows.
 fn packages() -> Option<PathBuf> {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("packages");
-    let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut cargo = cargo();
     cargo.current_dir(workspace());
     // What is not committed yet is tested, too.
     cargo.args(["package", "--locked", "--allow-dirty", "--no-verify"]);
