@@ -53,8 +53,8 @@ fn the_f405_with_a_pantograph_steps_by_itself() {
     }
     let after = board.health();
     println!("{states:?} {after:?}");
-    // A hand that leaps through the scene costs ticks; they are counted, and the board goes on.
-    assert!(after.ticks - before.ticks >= 3_000);
+    // A hand that leaps through the scene costs ticks; they are counted, and the board goes on: from the first pose to the last, two each.
+    assert!(after.ticks - before.ticks >= 2 * (1_500 - 1));
     assert!(after.samples > before.samples, "its own samples");
     assert!(after.drive != Drive::Latched && after.lost_frames == 0);
 }
