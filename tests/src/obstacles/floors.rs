@@ -4,8 +4,8 @@
 
 use super::scene::{Among, OBSTACLES, Obstacle};
 use super::shape::{Point, placed};
+use super::worlds::frame_by_frame;
 use crate::draw::Draw;
-use crate::run::between;
 use crate::setup::Setup;
 use std::f64::consts::PI;
 
@@ -99,12 +99,6 @@ impl Floor {
             (FRAMES * 7 / 10, pose([along, grip - DEEP], 0.02)),
             (FRAMES, pose([0.3 * along, grip - DEEP], -0.02)),
         ];
-        let mut hands = vec![keys[0].1];
-        for pair in keys.windows(2) {
-            let ((first, from), (last, to)) = (pair[0], pair[1]);
-            let part = |i: usize| i as f64 / (last - first) as f64;
-            hands.extend((1..=last - first).map(|i| between(from, to, part(i))));
-        }
         let up = turned(&[[0.0, 1.0]])[0];
         Self {
             whole: Among {
@@ -112,7 +106,7 @@ impl Floor {
                 obstacles: Vec::new(),
             },
             among: Among { setup, obstacles },
-            hands,
+            hands: frame_by_frame(&keys),
         }
     }
 }

@@ -34,13 +34,7 @@ pub struct World {
 impl World {
     /// The hand, frame by frame.
     pub fn hands(&self) -> Vec<[f64; 3]> {
-        let mut hands = vec![self.keyframes[0].1];
-        for pair in self.keyframes.windows(2) {
-            let ((first, from), (last, to)) = (pair[0], pair[1]);
-            let part = |i: usize| i as f64 / (last - first) as f64;
-            hands.extend((1..=last - first).map(|i| between(from, to, part(i))));
-        }
-        hands
+        frame_by_frame(&self.keyframes)
     }
 
     /// As a scene file.
@@ -49,6 +43,17 @@ impl World {
         let keyframes: Vec<_> = self.keyframes.iter().map(keyframe).collect();
         self.among.toml(&keyframes, RATE)
     }
+}
+
+/// The hand, frame by frame, on straight lines between the keyframes.
+pub(crate) fn frame_by_frame(keyframes: &[(usize, [f64; 3])]) -> Vec<[f64; 3]> {
+    let mut hands = vec![keyframes[0].1];
+    for pair in keyframes.windows(2) {
+        let ((first, from), (last, to)) = (pair[0], pair[1]);
+        let part = |i: usize| i as f64 / (last - first) as f64;
+        hands.extend((1..=last - first).map(|i| between(from, to, part(i))));
+    }
+    hands
 }
 
 /// The scene with this number.
