@@ -296,7 +296,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
 }
 
 /// The gap of a contact with its velocity.
-fn gap_at<R: Real, const V: usize, const S: usize, const C: usize>(
+pub(crate) fn gap_at<R: Real, const V: usize, const S: usize, const C: usize>(
     statics: &Statics<'_, R, V, S, C>,
     feature: Feature,
     end: &WindowEnd<R>,

@@ -4,6 +4,7 @@
 pub(crate) use crate::bracket::{Bracket, Branch, WindowEnd, Windows};
 use crate::events::{Ending, Judging, Watch, Watched, Which};
 use crate::found::Found;
+use crate::judge::gap_at;
 use crate::motion::{Instant, Kind, Motion, Spot};
 use crate::real::Real;
 use crate::sample::{estimate, finish};
@@ -252,6 +253,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let is_step = dx != R::ZERO && x > self.bracket.certain && x <= end;
             let left = left - dx.abs() * (R::ONE + on.bound.way / w);
             if is_step && dx > R::ZERO && (left < -R::TOUCH || self.leads_beyond(dx)) {
+                if self.is_closed(ending) {
+                    // A longer window only tells how its gap rounds.
+                    return Some(self.ended_high(ending, hi, left));
+                }
                 let next = x.min(hi + (self.bracket.bad - hi).halved());
                 if next > hi && next < self.bracket.bad {
                     self.bracket.hi = next;
@@ -297,6 +302,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         (b.low, b.placed) = (b.low.other(), self.hi.instant.placed);
         b.is_known = true;
         None
+    }
+    /// What touches has no gap at the end of the window, within its accuracy.
+    fn is_closed(&self, ending: Ending) -> bool {
+        matches!(ending, Ending::Touch(feature) if gap_at(self.watched.statics, feature, self.hi).v <= R::zero())
     }
     /// A step beyond the window leads to where something else is over, by the tangents: a window up to there tells which is first.
     fn leads_beyond(&self, dx: R) -> bool {
