@@ -207,6 +207,15 @@ pub(crate) struct Wrench<R> {
 }
 
 impl<R: Real> Wrench<R> {
+    pub(crate) const ZERO: Self = Self {
+        force: Vec2::ZERO,
+        moment: R::ZERO,
+    };
+    /// A moment of 1 without a force.
+    pub(crate) const COUPLE: Self = Self {
+        force: Vec2::ZERO,
+        moment: R::ONE,
+    };
     /// Of a force at a lever.
     pub(crate) fn at(lever: Vec2<R>, force: Vec2<R>) -> Self {
         Self {

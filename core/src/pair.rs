@@ -142,7 +142,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let [v1, v2] = v;
         let r12 = second.r - first.r;
         let f1 = self.edge(c1, first).f;
-        let w2 = Wrench::at(r12, self.edge(c2, second).f);
+        let w2 = if self.is_even(c1, c2) {
+            Wrench::COUPLE
+        } else {
+            Wrench::at(r12, self.edge(c2, second).f)
+        };
         let along = Wrench {
             force: first.t * v1 + second.t * v2,
             moment: r12.cross(second.t) * v2,
@@ -249,15 +253,33 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
+    /// w_2 and its derivative by u: (f_2, r12×f_2). Two contacts in one line with one friction bear any couple, however near they are to each
+    /// other: there a couple of 1.
+    fn second(&self, m: &Motion<R>, k: &Couple<R>) -> [Wrench<R>; 2] {
+        let [c1, c2] = m.contacts;
+        if self.is_even(c1, c2) {
+            return [Wrench::COUPLE, Wrench::ZERO];
+        }
+        let ([_, f2], [_, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
+        let moment_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
+        [
+            Wrench::at(k.r12, f2),
+            Wrench {
+                force: f2_u,
+                moment: moment_u,
+            },
+        ]
+    }
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
     #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
         let k = self.couple(m, i);
-        let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
-        let (spread, arm, side) = (f1.cross(f2), k.r12.cross(f2), f1.cross(i.force));
+        let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
+        let [w2, w2_u] = self.second(m, &k);
+        let (spread, arm, side) = (f1.cross(w2.force), w2.moment, f1.cross(i.force));
         let m1 = i.moment - i.r.cross(i.force);
-        let spread_u = f1_u.cross(f2) + f1.cross(f2_u);
-        let arm_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
+        let spread_u = f1_u.cross(w2.force) + f1.cross(w2_u.force);
+        let arm_u = w2_u.moment;
         let side_u = f1_u.cross(i.force) - f1.cross(i.g_u);
         let m1_u = i.theta_u * m_theta - r1_u.cross(i.force) + i.r.cross(i.g_u);
         let h_p = m.hand_p.at;
@@ -271,15 +293,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(never)]
     pub(crate) fn e_up_pair(&self, m: &Motion<R>, i: &Instant<R>) -> R {
         let k = self.couple(m, i);
-        let ([f1, f2], [f1_u, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
+        let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
+        let [w2, w2_u] = self.second(m, &k);
         let h_p = m.hand_p.at;
         let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
-        let spread_u = f1_u.cross(f2) + f1.cross(f2_u);
-        let arm_u = (r2_u - r1_u).cross(f2) + k.r12.cross(f2_u);
+        let spread_u = f1_u.cross(w2.force) + f1.cross(w2_u.force);
         let e_up = spread_u * m1_p
-            - f1.cross(f2) * r1_u.cross(h_p)
-            - arm_u * f1.cross(h_p)
-            - k.r12.cross(f2) * f1_u.cross(h_p);
+            - f1.cross(w2.force) * r1_u.cross(h_p)
+            - w2_u.moment * f1.cross(h_p)
+            - w2.moment * f1_u.cross(h_p);
         e_up * m.pair.flip
     }
 

@@ -112,8 +112,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             )
         };
         let instant = &self.hi.instant;
+        let bound = statics.bound(motion, instant, &pace);
+        if motion.frozen && ![drive, bound.holding].iter().all(|bound| bound.is_finite()) {
+            // A bound beyond the range of the number type bounds nothing.
+            return Err(R::ONE / R::from_int(8));
+        }
         Ok(Judging {
-            bound: statics.bound(motion, instant, &pace),
+            bound,
             pair: of_pair(statics, motion, instant, pace.extent),
             pace,
             p_bend: R::ZERO,

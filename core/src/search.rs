@@ -184,7 +184,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             return Some(ended);
         }
         if C > 0
-            && let Some(ended) = self.judge_ends(&mut found)
+            && let Some(ended) = self.judge_ends(&on, &mut found)
         {
             return Some(ended);
         }

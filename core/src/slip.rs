@@ -205,7 +205,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if !is_pressed {
             self.body.contacts.slide_pair(senses);
             if !is_edge {
-                let m = statics.pair(self.body, HandPose::REST, R::ONE);
+                let m = statics.sliding_pair(self.body, HandPose::REST);
                 self.seat_slide(&Motion { frozen: true, ..m });
             }
         }

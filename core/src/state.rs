@@ -221,9 +221,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             for contact in contacts.iter().skip(1) {
                 let frames = [first, contact].map(|c| self.frame(c, body.rotation, body.holding));
                 let slope = gap_slope(&frames);
+                let square = slope.dot(slope);
+                if square <= R::TOUCH {
+                    // Straight across a slot neither foot nor angle closes what is left of a gap.
+                    continue;
+                }
                 let c = self.foot(first, body.rotation, body.foot).c;
                 let gap = self.gap_beside([first, contact], c, body.rotation, body.holding);
-                let step = gap / slope.dot(slope).max(gap.abs()).max(R::EPSILON);
+                let step = gap / square.max(gap.abs());
                 if !self.is_in_line(first, contact) {
                     body.foot = body.foot - step * slope.x;
                 }

@@ -90,12 +90,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         Some(room)
     }
-    /// The path of the body up to which a gap remains open: a corner beyond the body comes nearer than any point of it moves.
+    /// The path of the body up to which a gap remains open. What moves with the body comes nearer to a corner beyond it by the path of a
+    /// vertex and the turn at the distance from there; the turn is at most twice the path, since one end of the body is at half its size from
+    /// where it turns, or farther.
     fn room_of(&self, axis: &Axis<R>, k: u8, at: At<R>, gap: R) -> R {
-        if axis.turns() {
-            gap / (R::ONE + self.lever(axis, k, at).length_bound())
-        } else {
-            gap
+        match axis.normal {
+            Normal::Side(_) | Normal::Wall(_) => gap,
+            Normal::Body(vertex) | Normal::Rod(vertex) => {
+                let lever = self.lever(axis, k, at) - at.rotation.apply(self.vertex(vertex));
+                gap / (R::ONE + lever.length_bound().doubled())
+            }
         }
     }
     /// The axis of a contact with an obstacle.
