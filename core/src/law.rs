@@ -276,13 +276,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let sense = if sense.slides() { sense } else { Sense::Plus };
             return self.errand.settle(Next::Slip(sense));
         }
-        if runs_back {
-            // The foot would move against its friction: it slips on at the angle that holds it in balance.
+        if runs_back || kind == Kind::Slide && self.is_led_inside() {
+            // The foot would move against its friction, or with the hand into something: it slips on at the angle that holds it in balance.
             self.body.contacts.rest();
             return self.errand.settle(Next::Relax(sense));
         }
         self.errand.runs = 0;
         self.turn(Stage::Snap(kind));
+    }
+    /// The foot of a slide follows the hand to where the body is inside of what it does not touch.
+    fn is_led_inside(&self) -> bool {
+        let m = Motion::frozen(Kind::Slide, self.body);
+        let mut there = *self.body;
+        there.go_to(&self.statics.placed_at_start(&m), R::ZERO);
+        self.statics.is_inside(&there)
     }
     /// A turn over a fold has ended.
     pub(crate) fn snapped(&mut self, kind: Kind, ending: Ending) {

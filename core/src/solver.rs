@@ -184,7 +184,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             // The hand turns nothing.
             target.angle = state.body.hand.angle;
         }
-        if !is_representable(&self.statics(state), &state.body, &target) {
+        // A sample that was accepted is followed to its end.
+        if is_new && !is_representable(&self.statics(state), &state.body, &target) {
             return false;
         }
         let unrest = unrest_of(state.limited);

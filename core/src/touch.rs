@@ -1,6 +1,7 @@
 //! A gap closes: what touches, and what the contacts do then (STATICS 11).
 
-use crate::contact::{Contact, Feature, Sense};
+use crate::contact::{Contact, Contacts, Feature, Sense};
+use crate::errand::Next;
 use crate::events::{Ending, Watch, Watched};
 use crate::geometry::Rotation;
 use crate::motion::{Instant, Kind, Motion, Rates};
@@ -88,6 +89,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             gap <= tolerance && self.faces(feature, rotation) && !self.holds(&contacts, feature)
         })
     }
+    /// The body is inside of what it does not touch, by more than a touch.
+    pub(crate) fn is_inside(&self, body: &Body<R>) -> bool {
+        let of_obstacles = || {
+            let mut all = self.obstacles();
+            all.any(|(_, o)| {
+                let widest = self.widest(&o, body.at());
+                widest.is_some_and(|widest| widest.gap < -R::TOUCH)
+            })
+        };
+        self.closed(body, -R::TOUCH).next().is_some() || C > 0 && of_obstacles()
+    }
     /// A vertex is an end of the body's side that faces the half-plane, by their normals.
     fn faces(&self, feature: Feature, rotation: Rotation<R>) -> bool {
         let Feature::Vertex { vertex, side } = feature else {
@@ -166,6 +178,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let sense = before.contacts.first().sense;
         let is_edge = self.statics.is_edge(&self.body.contacts);
         let (count, now) = (before.contacts.len(), self.body.contacts.len());
+        let friction = |contacts: &Contacts| self.statics.friction(contacts.first());
+        if count == now && friction(&before.contacts) != friction(&self.body.contacts) {
+            // On ground of another friction the load is not in balance.
+            return self.errand.settle(Next::Relax(sense));
+        }
         if count == 0 {
             self.body.loosen();
             if now == 1 || is_edge {

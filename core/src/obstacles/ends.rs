@@ -200,7 +200,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.let_go(k);
             return true;
         };
+        let ends_here = |c: Contact| {
+            let way = statics.point(c, at) - statics.point(left, at);
+            c.feature != left.feature
+                && statics.is_in_line(c, left)
+                && way.length_bound() <= R::beside()
+        };
+        let other = self.body.contacts.iter().position(ends_here);
         self.replace(k, next.with(left.sense));
+        if is_turned && let Some(other) = other {
+            // Both ends of what lay in one line are here: the line is left.
+            self.let_go(other);
+        }
         // On ground of another friction the slide is not in balance.
         is_turned || statics.friction(left) != statics.friction(next)
     }
