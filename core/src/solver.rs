@@ -4,7 +4,7 @@ use crate::errand::Errand;
 use crate::event::Status;
 use crate::evolution::Evolution;
 use crate::geometry::Angle;
-use crate::geometry::{Rotation, Vec2};
+use crate::geometry::Rotation;
 use crate::grasp::{Sample, is_representable};
 use crate::hand::Hand;
 use crate::hold::Hold;
@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
-use crate::world::Statics;
+use crate::world::{Grip, Statics};
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run: one solver serves any number of
 /// runs.
@@ -30,8 +30,8 @@ pub struct Solver<R: Real, const V: usize, const S: usize, const C: usize = 0> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<R: Real> {
     pub(crate) body: Body<R>,
-    /// g: where the hand holds the body or held it last, body frame.
-    pub(crate) holding_point: Vec2<R>,
+    /// Where the hand holds the body or held it last.
+    pub(crate) grip: Grip<R>,
     /// phi - theta at which the rotational spring rests.
     pub(crate) rest_offset: Angle<R>,
     /// Whole turns by which the angles of body and hand are more than their numbers.
@@ -86,8 +86,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     }
 
     /// The statics as the scene has it, with the body held where it is.
-    pub(crate) fn statics(&self, state: &State<R>) -> Statics<'_, R, V, S, C> {
-        self.scene.world.held_at(state.holding_point)
+    pub(crate) fn statics<'a>(&'a self, state: &'a State<R>) -> Statics<'a, R, V, S, C> {
+        self.scene.world.held(&state.grip)
     }
 
     /// Starts a run: the equilibrium that is reached from the scene's start pose with the hand at its first pose. A hand that is not finite
@@ -102,15 +102,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     #[inline(never)]
     fn placed_at_start(&self) -> State<R> {
         let HandPose { at, angle } = self.scene.start;
-        let holding_point = self
-            .scene
-            .holding_point
-            .unwrap_or(self.scene.world.centroid);
+        let world = &self.scene.world;
+        let holding_point = self.scene.holding_point.unwrap_or(world.centroid);
         let holding = at + Rotation::by(angle).apply(holding_point);
         let first = HandPose { at: holding, angle };
         let mut state = State {
             body: Body::new(holding, angle, first),
-            holding_point,
+            grip: world.grip(holding_point),
             rest_offset: Angle::default(),
             turns: self.scene.turns,
             held: false,
@@ -119,7 +117,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             errand: Errand::none(),
             limited: Status::Ok,
         };
-        self.statics(&state)
+        world
+            .held(&state.grip)
             .join_closed(&mut state.body, Scene::<R, V, S, C>::start_tolerance());
         state
     }
@@ -177,7 +176,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         if is_new && is_still && state.unwind() {
             target = state.relative(sample);
         }
-        if self.statics(state).swings {
+        if state.grip.swings {
             if is_new && is_still {
                 state.body.hand.angle = state.body.angle;
             }
@@ -211,7 +210,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         log: &mut Log<R>,
         more: &mut impl FnMut() -> bool,
     ) {
-        let statics = self.statics(state);
+        let statics = self.scene.world.held(&state.grip);
         let mut step = Step {
             statics: &statics,
             body: &mut state.body,

@@ -268,6 +268,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let change = (to.at - self.body.hand.at).length_bound()
             + self
                 .statics
+                .world
                 .stiffness
                 .of((to.angle - self.body.hand.angle).abs());
         if self.body.slack > change {

@@ -18,7 +18,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// Nothing holds the angle, and the contact is a vertex at the holding point: it does not turn the body either.
     pub(crate) fn is_held_there(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
-        self.swings && !self.turns(m.first()) && i.r.length_bound() <= R::TOUCH
+        self.grip.swings && !self.turns(m.first()) && i.r.length_bound() <= R::TOUCH
     }
     /// One of the factors of E = N (e·r), with the sign that E has with it.
     pub(crate) fn weigh_factor(&self, m: &Motion<R>, i: &mut Instant<R>) {
@@ -46,7 +46,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// lever if both are.
     pub(crate) fn sliding(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
         let mut m = Motion::new(Kind::Slide, body, hand_p);
-        if self.swings {
+        if self.grip.swings {
             let i = self.placed_at_start(&m);
             let frame = self.frame(m.first(), i.rotation, i.g);
             let lever = self.edge(m.first(), &frame).e.dot(i.r);
