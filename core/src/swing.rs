@@ -42,22 +42,27 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         };
     }
-    /// A slide of the first contact along the hand's displacement. Of a body whose angle nothing holds it follows the factor that is zero; the
-    /// lever if both are.
+    /// A slide of the first contact along the hand's displacement.
+    #[inline(always)]
     pub(crate) fn sliding(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
         let mut m = Motion::new(Kind::Slide, body, hand_p);
         if self.grip.swings {
-            let i = self.placed_at_start(&m);
-            let frame = self.frame(m.first(), i.rotation, i.g);
-            let lever = self.edge(m.first(), &frame).e.dot(i.r);
-            let is_slack = lever.abs() > R::zero().max(frame.n.dot(i.force).abs());
-            m.factor = if is_slack {
-                Factor::Normal(Sense::of(lever))
-            } else {
-                Factor::Lever
-            };
+            m.factor = self.factor(&{ m });
         }
         m
+    }
+    /// Of a slide of a body whose angle nothing holds, the factor that is zero; the lever if both are.
+    #[inline(never)]
+    fn factor(&self, m: &Motion<R>) -> Factor {
+        let i = self.placed_at_start(m);
+        let frame = self.frame(m.first(), i.rotation, i.g);
+        let lever = self.edge(m.first(), &frame).e.dot(i.r);
+        let is_slack = lever.abs() > R::zero().max(frame.n.dot(i.force).abs());
+        if is_slack {
+            Factor::Normal(Sense::of(lever))
+        } else {
+            Factor::Lever
+        }
     }
     /// E_uu of a factor: the second derivative of a direction times r, or P of a C, one of which turns.
     pub(crate) fn e_uu_factor(&self, m: &Motion<R>, i: &Instant<R>) -> R {
