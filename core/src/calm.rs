@@ -60,7 +60,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         }
         if margin < R::ZERO {
-            return self.yields_calmly(body, &{ m }, Sense::of(pull), (&{ i }, &{ bound }));
+            return self.yields_calmly(body, to, Sense::of(pull), (&{ i }, &{ bound }));
         }
         if margin < half {
             return Calm::Unsure;
@@ -109,9 +109,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if R::is_last(step) {
             self.nudge(m, &mut i, step);
         } else {
-            // Copies, so that what mostly happens needs none of them in memory.
+            // A copy, and the motion made again, so that what mostly happens needs neither in memory.
             let mut on = i;
-            self.balance(&{ *m }, Spot { u, p }, step, &mut on);
+            let again = Motion {
+                factor: m.factor,
+                ..Motion::new(m.kind, body, m.hand_p).to(m.hand, m.whole)
+            };
+            self.balance(&again, Spot { u, p }, step, &mut on);
             i = on;
         }
         let bound = self.bound_inlined(m, &i, &pace);
@@ -174,10 +178,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn yields_calmly(
         &self,
         body: &mut Body<R>,
-        m: &Motion<R>,
+        to: &HandPose<R>,
         sense: Sense,
         (end, whole): (&Instant<R>, &Bound<R>),
     ) -> Calm {
+        let way = body.hand.to(to);
+        let m = &Motion::new(Kind::Pin, body, way.per_p).to(*to, way.whole);
         let left = body.room - whole.way;
         if left <= self.rounding_at(end) && self.least_gap(body, m, end, whole).is_none() {
             return Calm::Unsure;
