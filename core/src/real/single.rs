@@ -32,6 +32,14 @@ fn arctangent(x: f32) -> f32 {
     x + x * y * (-0.333_327_56 + y * (0.199_718_71 + y * (-0.138_243_75 + y * 0.079_023_43)))
 }
 
+/// The whole turns of an angle and the remainder. Compiled once per image.
+#[inline(never)]
+fn whole_turns(x: f32) -> (i32, f32) {
+    let turns = (x / TAU + 0.5f32.copysign(x)) as i32;
+    let n = turns as f32 * 4.0;
+    (turns, (x - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
+}
+
 impl Real for f32 {
     type Si = f32;
 
@@ -110,15 +118,13 @@ impl Real for f32 {
         let angle = if other < 0.0 { PI - angle } else { angle };
         angle.copysign(self)
     }
-    // Compiled once per image.
-    #[inline(never)]
+    #[inline]
     fn turns(self) -> (i32, f32) {
         if self.abs() <= PI {
-            return (0, self);
+            (0, self)
+        } else {
+            whole_turns(self)
         }
-        let turns = (self / TAU + 0.5f32.copysign(self)) as i32;
-        let n = turns as f32 * 4.0;
-        (turns, (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
     }
 }
 
