@@ -98,7 +98,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                     return self.errand.settle(Next::Relax(Sense::Rests));
                 }
                 (self.errand.before, self.errand.target) = (self.body.hand, to);
-                self.follow();
+                match self.statics.follows_calmly(self.body, &to) {
+                    Calm::End => {}
+                    Calm::Yields(sense) => self.errand.stage = Stage::At(Ending::Yields(sense)),
+                    Calm::Unsure => self.follow(),
+                }
             }
             Stage::At(ending) => {
                 self.errand.stage = Stage::Still;
@@ -204,25 +208,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
     }
 
-    /// Along the hand's displacement to the first event.
+    /// Along the hand's displacement, not calmly, to the first event.
     #[inline(never)]
     fn follow(&mut self) {
         let to = self.errand.target;
         let way = self.body.hand.to(&to);
-        let calm = match self.body.freedom() {
-            Freedom::Free | Freedom::Turns => self.statics.turns_calmly(self.body, &to),
-            Freedom::Slides => self.statics.slides_calmly(self.body, &to),
-            Freedom::Together => Calm::Unsure,
-            Freedom::Fixed => return self.stand_still(&way),
-        };
-        match calm {
-            Calm::End => return,
-            Calm::Yields(sense) => {
-                self.errand.stage = Stage::At(Ending::Yields(sense));
-                return;
-            }
-            Calm::Unsure => {}
-        }
         let (motion, watch) = match self.body.freedom() {
             Freedom::Free => (self.along(Kind::Free, &way), Watch::Way),
             Freedom::Turns if self.body.contacts.len() > 1 => {
@@ -237,7 +227,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 };
                 (m.to(to, way.whole), watch)
             }
-            Freedom::Together | Freedom::Fixed => {
+            Freedom::Fixed => return self.stand_still(&way),
+            Freedom::Together => {
                 let m = self.statics.sliding_pair(self.body, way.per_p);
                 (m.to(to, way.whole), Watch::Joint)
             }
