@@ -140,37 +140,37 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let mut log = Log::default();
         if let Some(sample) = self.usable(&hand, &mut log) {
             let is_new = hand != state.hand;
-            let is_followed = match (state.held, hand.held) {
-                (true, true) => self.go_to(state, (&sample, is_new), &mut log, &mut more),
+            let aim = match (state.held, hand.held) {
+                (true, true) => self.aim(state, &sample, is_new, &mut log),
                 (true, false) => {
                     state.let_go(&mut log);
-                    true
+                    Some(None)
                 }
-                (false, true) => {
-                    if let Some(target) = self.take_hold(state, &sample, &mut log) {
-                        self.follow(state, target, &mut log, &mut more);
-                    }
-                    true
-                }
-                (false, false) => true,
+                (false, true) => Some(self.take_hold(state, &sample, &mut log)),
+                (false, false) => Some(None),
             };
-            if is_followed {
-                state.hand = hand;
-            } else {
-                log.limit(Status::Saturated);
+            match aim {
+                Some(target) => {
+                    state.hand = hand;
+                    if let Some(target) = target {
+                        self.follow(state, (target, is_new), &mut log, &mut more);
+                    }
+                }
+                None => log.limit(Status::Saturated),
             }
         }
         self.output(state, log)
     }
-    /// The hand moves to a sample, a new one or again, and the body with it. False, with nothing moved, if the sample is out of range.
-    fn go_to(
+    /// Where a sample, a new one or again, leads the hand that holds the body; nowhere if it is there, and all is done. None if the sample is
+    /// out of range.
+    #[inline(always)]
+    fn aim(
         &self,
         state: &mut State<R>,
-        sample: (&Sample<R>, bool),
+        sample: &Sample<R>,
+        is_new: bool,
         log: &mut Log<R>,
-        more: &mut impl FnMut() -> bool,
-    ) -> bool {
-        let (sample, is_new) = sample;
+    ) -> Option<Option<HandPose<R>>> {
         let is_still = state.errand.is_still();
         let mut target = state.relative(sample);
         if is_new && is_still && state.unwind() {
@@ -184,32 +184,32 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             target.angle = state.body.hand.angle;
         }
         if !is_representable(&self.statics(state), &state.body, &target) {
-            return false;
+            return None;
         }
         let unrest = unrest_of(state.limited);
         if is_still && state.body.hand == target {
             log.limit(unrest);
-            return true;
+            return Some(None);
         }
         if is_new {
-            state.errand.whole = state.body.hand.distance(&target);
             // Out of balance there is no path.
             state.errand.jumps |= is_still && !matches!(unrest, Status::Ok | Status::Jammed);
         } else {
             log.limit(state.limited);
         }
-        self.follow(state, target, log, more);
-        true
+        Some(Some(target))
     }
 
-    /// Follows the hand.
+    /// Follows the hand to where a sample leads it, a new one or again.
+    #[inline(always)]
     fn follow(
         &self,
         state: &mut State<R>,
-        target: HandPose<R>,
+        (target, is_new): (HandPose<R>, bool),
         log: &mut Log<R>,
         more: &mut impl FnMut() -> bool,
     ) {
+        let from = state.body.hand;
         let statics = self.scene.world.held(&state.grip);
         let mut step = Step {
             statics: &statics,
@@ -224,6 +224,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         if is_done {
             state.errand.has_caught_up();
         } else {
+            if is_new {
+                state.errand.whole = from.distance(&target);
+            }
             state.errand.is_left(&state.body.hand, &target);
             log.limit(Status::Behind);
         }
