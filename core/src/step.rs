@@ -30,19 +30,22 @@ pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// Follows the hand to a pose, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
+    /// Follows the hand to a pose where it is not yet, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
     /// Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
+        let mut is_done = false;
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
         if matches!(self.errand.stage, Stage::Path) && self.errand.target != to {
             self.turn_path();
+            is_done = self.is_done(&to);
         }
-        while !self.is_done(&to) {
+        while !is_done {
             // At least one piece, so that the body makes progress.
-            if self.log.work > 0 && !self.may_go_on(more) {
+            self.piece(to, more);
+            is_done = self.is_done(&to);
+            if !is_done && !self.may_go_on(more) {
                 return false;
             }
-            self.piece(to, more);
         }
         // A corner, whose load goes on changing while the body turns about it, is asked at the end.
         let is_corner = self.body.contacts.len() > 1 && self.body.freedom() == Freedom::Turns;
@@ -98,7 +101,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                     return self.errand.settle(Next::Relax(Sense::Rests));
                 }
                 (self.errand.before, self.errand.target) = (self.body.hand, to);
-                match self.statics.follows_calmly(self.body, &to) {
+                match self.statics.follows_calmly(self.body, &self.errand.target) {
                     Calm::End => {}
                     Calm::Yields(sense) => self.errand.stage = Stage::At(Ending::Yields(sense)),
                     Calm::Unsure => self.follow(),
