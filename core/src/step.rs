@@ -77,7 +77,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// The smallest part of a step that leaves plain data behind.
     fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
-        self.do_piece(to, more);
+        if self.errand.is_still() {
+            self.set_out(to);
+        } else {
+            self.go_on(more);
+        }
         if C > 0 && self.errand.is_still() && self.errand.search.motion.kind == Kind::Pair {
             self.statics.widen(self.body);
         }
@@ -85,28 +89,32 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.log_slide(to);
         }
     }
-    fn do_piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
+    /// A path begins.
+    #[inline(always)]
+    fn set_out(&mut self, to: HandPose<R>) {
+        self.log.jammed = false;
+        self.errand.paths = self.errand.paths.saturating_add(1);
+        if self.errand.paths > PATHS {
+            self.log.limit(Status::EventLimit);
+            self.errand.jumps = true;
+        }
+        if self.errand.jumps {
+            self.body.hand = to;
+            (self.errand.paths, self.errand.jumps) = (0, false);
+            // A sliding contact sticks or slips first.
+            return self.errand.settle(Next::Relax(Sense::Rests));
+        }
+        (self.errand.before, self.errand.target) = (self.body.hand, to);
+        match self.statics.follows_calmly(self.body, &self.errand.target) {
+            Calm::End => {}
+            Calm::Yields(sense) => self.errand.stage = Stage::At(Ending::Yields(sense)),
+            Calm::Unsure => self.follow(),
+        }
+    }
+    /// What is under way goes on.
+    fn go_on(&mut self, more: &mut impl FnMut() -> bool) {
         match self.errand.stage {
-            Stage::Still => {
-                self.log.jammed = false;
-                self.errand.paths = self.errand.paths.saturating_add(1);
-                if self.errand.paths > PATHS {
-                    self.log.limit(Status::EventLimit);
-                    self.errand.jumps = true;
-                }
-                if self.errand.jumps {
-                    self.body.hand = to;
-                    (self.errand.paths, self.errand.jumps) = (0, false);
-                    // A sliding contact sticks or slips first.
-                    return self.errand.settle(Next::Relax(Sense::Rests));
-                }
-                (self.errand.before, self.errand.target) = (self.body.hand, to);
-                match self.statics.follows_calmly(self.body, &self.errand.target) {
-                    Calm::End => {}
-                    Calm::Yields(sense) => self.errand.stage = Stage::At(Ending::Yields(sense)),
-                    Calm::Unsure => self.follow(),
-                }
-            }
+            Stage::Still => {}
             Stage::At(ending) => {
                 self.errand.stage = Stage::Still;
                 // In frame evolution, too, the first event happens where the hand reaches it (R40).
