@@ -147,7 +147,8 @@ impl Contacts {
     }
     #[inline]
     pub(crate) fn as_slice(&self) -> &[Contact] {
-        self.list.get(..self.len()).unwrap_or(&[])
+        let count = self.len().min(MAX_CONTACTS);
+        self.list.get(..count).unwrap_or(&[])
     }
     #[inline]
     pub(crate) fn iter(&self) -> impl Iterator<Item = Contact> + Clone + '_ {
