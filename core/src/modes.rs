@@ -45,14 +45,14 @@ pub(crate) enum Pressing {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ranking<R> {
     place: Place<R>,
-    struck: Vec<Begun, 12>,
+    struck: Vec<Begun, 12, u8>,
 }
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place<R> {
     /// The facets that yield by more than this are done.
     Facets(R),
     /// So many of the list are done.
-    List(usize),
+    List(u8),
 }
 impl<R: Real> Default for Ranking<R> {
     fn default() -> Self {
@@ -143,7 +143,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     return Picked::More;
                 }
             },
-            Place::List(done) => match candidate(body.contacts.len(), done) {
+            Place::List(done) => match candidate(body.contacts.len(), done.into()) {
                 Some((mode, pressing)) => {
                     ranking.place = Place::List(done.saturating_add(1));
                     (self.with_vertex(body, mode), pressing)
