@@ -126,7 +126,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
             Kind::Free if self.grip.swings => self.keep_angle(m, i),
             Kind::Pin | Kind::Slide if self.is_held_there(m, i) => self.keep_angle(m, i),
-            Kind::Slide if m.factor != Factor::Both => self.weigh_factor(m, i),
+            Kind::Slide if m.factor != Factor::Both => {
+                // Another instant of what counts, so that a slide that follows no factor needs none in memory.
+                let now = Instant {
+                    rotation: i.rotation,
+                    g: i.g,
+                    r: i.r,
+                    force: i.force,
+                    ..Instant::ZERO
+                };
+                let of = (m.first(), m.factor);
+                [i.e, i.e_u, i.e_p] = self.weigh_factor(of, &now, m.hand_p.at);
+            }
             // The spring alone, however soft: in units of k_theta.
             Kind::Free if self.world.weight == R::ZERO => {
                 (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
