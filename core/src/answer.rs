@@ -12,7 +12,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     pub(crate) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
         let body = &state.body;
         let units = &self.scene.units;
-        let origin = body.holding - body.rotation.apply(state.holding_point);
+        let origin = body.holding - body.rotation.apply(state.grip.point);
         let (turns, rest) = body.angle.turns();
         Output {
             held: state.held,

@@ -109,7 +109,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// K, J, Q around an instant at either end of a window.
     #[inline(always)]
     pub(crate) fn curvature(&self, m: &Motion<R>, i: &Instant<R>, at: Extent<R>) -> Curvature<R> {
-        let b = self.weight * self.centroid.length_bound();
+        let b = self.world.weight * self.grip.centroid.length_bound();
         let h_p = m.hand_p.at.length_bound();
         let r = i.r.length_bound();
         let (k, j, q) = match m.kind {
@@ -192,12 +192,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 Bound {
                     theta,
                     turn: theta * theta,
-                    way: line.at.length_bound() * rate + self.size() * theta,
+                    way: line.at.length_bound() * rate + self.grip.size * theta,
                     ..none
                 }
             }
             Kind::Free => Bound {
-                way: h_p + self.size() * rate,
+                way: h_p + self.grip.size * rate,
                 ..none
             },
             Kind::Pin => {

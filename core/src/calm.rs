@@ -30,27 +30,37 @@ struct Zero<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// A body without contact, or about a contact that sticks.
+    /// The body along the hand's displacement, if nothing happens before its end, or friction gives way.
+    #[inline(always)]
+    pub(crate) fn follows_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+        match body.contacts.as_slice() {
+            [] => self.flies_calmly(body, to),
+            [only] if self.turns(*only) => Calm::Unsure,
+            [only] if only.sense.slides() => self.slides_calmly(body, to),
+            [_] => self.turns_calmly(body, to),
+            [_, _, ..] => Calm::Unsure,
+        }
+    }
+    /// A body without contact.
     #[inline(never)]
-    pub(crate) fn turns_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+    fn flies_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
-        let contact = match body.contacts.as_slice() {
-            [] => {
-                let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
-                return match self.calm_end(body, &m, way.whole) {
-                    Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
-                    None => Calm::Unsure,
-                };
-            }
-            [only] if !self.turns(*only) => *only,
-            [_, ..] => return Calm::Unsure,
-        };
+        let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
+        match self.calm_end(body, &m, way.whole) {
+            Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
+            None => Calm::Unsure,
+        }
+    }
+    /// A body about a contact that sticks.
+    #[inline(never)]
+    fn turns_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+        let way = body.hand.to(to);
         let m = Motion::new(Kind::Pin, body, way.per_p).to(*to, way.whole);
         let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {
             return Calm::Unsure;
         };
-        let friction = self.friction(contact);
-        let frame = self.frame_inlined(contact, i.rotation, i.g);
+        let friction = self.friction(m.first());
+        let frame = self.frame_inlined(m.first(), i.rotation, i.g);
         let (n, pull) = (-frame.n.dot(i.force), frame.t.dot(i.force));
         let cone = friction.cone(body.stiction);
         let half = bound.holding.halved();
@@ -60,7 +70,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return Calm::Unsure;
         }
         if margin < R::ZERO {
-            return self.yields_calmly(body, &{ m }, Sense::of(pull), (&{ i }, &{ bound }));
+            return self.yields_calmly(body, to, Sense::of(pull), (&{ i }, &{ bound }));
         }
         if margin < half {
             return Calm::Unsure;
@@ -69,10 +79,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// A contact that slides.
     #[inline(never)]
-    pub(crate) fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+    fn slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
         let m = self.sliding(body, way.per_p).to(*to, way.whole);
-        if self.turns(m.first()) || matches!(m.factor, Factor::Normal(_)) {
+        if matches!(m.factor, Factor::Normal(_)) {
             return Calm::Unsure;
         }
         let Some((i, bound)) = self.calm_end(body, &m, way.whole) else {
@@ -109,9 +119,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if R::is_last(step) {
             self.nudge(m, &mut i, step);
         } else {
-            // Copies, so that what mostly happens needs none of them in memory.
+            // A copy, and the motion made again, so that what mostly happens needs neither in memory.
             let mut on = i;
-            self.balance(&{ *m }, Spot { u, p }, step, &mut on);
+            let again = Motion {
+                factor: m.factor,
+                ..Motion::new(m.kind, body, m.hand_p).to(m.hand, m.whole)
+            };
+            self.balance(&again, Spot { u, p }, step, &mut on);
             i = on;
         }
         let bound = self.bound_inlined(m, &i, &pace);
@@ -174,10 +188,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn yields_calmly(
         &self,
         body: &mut Body<R>,
-        m: &Motion<R>,
+        to: &HandPose<R>,
         sense: Sense,
         (end, whole): (&Instant<R>, &Bound<R>),
     ) -> Calm {
+        let way = body.hand.to(to);
+        let m = &Motion::new(Kind::Pin, body, way.per_p).to(*to, way.whole);
         let left = body.room - whole.way;
         if left <= self.rounding_at(end) && self.least_gap(body, m, end, whole).is_none() {
             return Calm::Unsure;

@@ -225,7 +225,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body);
         let change = Wrench {
             force: per_p.at,
-            moment: self.stiffness.of(per_p.angle),
+            moment: self.world.stiffness.of(per_p.angle),
         };
         let mut way = R::ZERO;
         cone.facets(|facet| {

@@ -138,26 +138,33 @@ impl Contacts {
         list: [Contact::NONE; MAX_CONTACTS],
         count: 0,
     };
+    #[inline]
     pub(crate) fn len(&self) -> usize {
         usize::from(self.count)
     }
     pub(crate) fn is_empty(&self) -> bool {
         self.count == 0
     }
+    #[inline]
     pub(crate) fn as_slice(&self) -> &[Contact] {
-        self.list.get(..self.len()).unwrap_or(&[])
+        let count = self.len().min(MAX_CONTACTS);
+        self.list.get(..count).unwrap_or(&[])
     }
+    #[inline]
     pub(crate) fn iter(&self) -> impl Iterator<Item = Contact> + Clone + '_ {
         self.as_slice().iter().copied()
     }
     /// Contact i; none if there are fewer.
+    #[inline]
     pub(crate) fn get(&self, i: usize) -> Contact {
         self.as_slice().get(i).copied().unwrap_or(Contact::NONE)
     }
+    #[inline]
     pub(crate) fn first(&self) -> Contact {
         self.get(0)
     }
     /// The first two.
+    #[inline]
     pub(crate) fn pair(&self) -> [Contact; 2] {
         [self.get(0), self.get(1)]
     }

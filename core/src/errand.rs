@@ -74,8 +74,8 @@ pub(crate) struct Errand<R> {
     /// The displacement under way.
     pub(crate) before: HandPose<R>,
     pub(crate) target: HandPose<R>,
-    /// The size of the displacement to the present sample of the hand from where it came, and the part of it that is left, 0 to 1; more than 0
-    /// while anything is left to do.
+    /// While anything is left to do, the size of the displacement to the present sample of the hand from where it came, and the part of it
+    /// that is left, more than 0 and at most 1; otherwise 0.
     pub(crate) whole: R,
     pub(crate) left: R,
     /// Paths that have begun since the body caught up with the hand.
@@ -132,7 +132,8 @@ impl<R: Real> Errand<R> {
     }
     /// The hand has been followed, and the body is in balance.
     pub(crate) fn has_caught_up(&mut self) {
-        (self.paths, self.jumps, self.left) = (0, false, R::ZERO);
+        (self.paths, self.jumps) = (0, false);
+        (self.whole, self.left) = (R::ZERO, R::ZERO);
     }
     /// Nothing is under way.
     pub(crate) fn is_still(&self) -> bool {

@@ -96,7 +96,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     ) -> Option<HandPose<R>> {
         let scene = &self.scene;
         let body = &state.body;
-        let origin = body.holding - body.rotation.apply(state.holding_point);
+        let origin = body.holding - body.rotation.apply(state.grip.point);
         let angle = Angle {
             turns: state.turns,
             rest: body.angle,
@@ -112,13 +112,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
                 (at, sample.angle.offset_from(angle))
             }
         };
-        let before = (state.holding_point, state.rest_offset, state.body.holding);
-        (state.holding_point, state.rest_offset) = (holding_point, rest_offset);
+        let before = (state.grip, state.rest_offset, state.body.holding);
+        (state.grip, state.rest_offset) = (scene.world.grip(holding_point), rest_offset);
         state.body.holding = origin + state.body.rotation.apply(holding_point);
         let target = state.relative(sample);
-        let statics = self.statics(state);
+        let statics = scene.world.held(&state.grip);
         if !is_representable(&statics, &state.body, &target) {
-            (state.holding_point, state.rest_offset, state.body.holding) = before;
+            (state.grip, state.rest_offset, state.body.holding) = before;
             log.limit(Status::Saturated);
             return None;
         }
@@ -189,8 +189,8 @@ pub(crate) fn is_representable<R: Real, const V: usize, const S: usize, const C:
 ) -> bool {
     let turn = (target.angle - body.angle).abs();
     let pull = (target.at - body.holding).length_bound();
-    let arm = statics.size();
-    let moment = arm * pull + statics.stiffness.of(turn);
+    let arm = statics.grip.size;
+    let moment = arm * pull + statics.world.stiffness.of(turn);
     // r·P of (E3), which is not bounded by the moment.
     // Half of it: the whole saturates.
     let slope = arm.halved() * (pull + arm);

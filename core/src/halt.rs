@@ -47,7 +47,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         let edge = statics.edge(m.first(), &frame);
         let (n, e) = (frame.n, edge.e * (R::ONE / edge.cos));
         let h_p = m.hand_p.at;
-        let m_tt = statics.weight * i.rotation.apply(statics.centroid).x;
+        let m_tt = statics.world.weight * i.rotation.apply(statics.grip.centroid).x;
         let (arm, rest) = if frame.turns {
             let pull = i.force - i.r;
             (pull, -(n.dot(i.r) * e.dot(pull)))

@@ -188,7 +188,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 let r = which.of([r2, r1]);
                 let couple = self.statics.couple_sup(sup.turn);
                 let bend = (r * sup.force + couple).along(&on.pace, r.slope * h_p);
-                let couple_p = self.statics.stiffness.of(m.hand_p.angle.abs());
+                let couple_p = self.statics.world.stiffness.of(m.hand_p.angle.abs());
                 let moment_p = couple_p + r.value * h_p;
                 Order::Second(bend + moment_p * on.p_bend)
             }

@@ -263,7 +263,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if kind == Kind::Pair {
             let m = self.statics.sliding_pair(self.body, way.per_p);
             drive = self.statics.placed_at_start(&m).e_p;
-        } else if !self.statics.swings {
+        } else if !self.statics.grip.swings {
             let m = Motion::new(kind, self.body, way.per_p);
             let i = self.statics.placed_at_start(&m);
             drive = i.e_p;

@@ -4,10 +4,13 @@ use crate::event::{Event, MAX_EVENTS, StateKind, Status};
 use crate::real::Real;
 use heapless::Vec;
 
+/// What happened, in order. Their number takes a byte: so the log of a step is short enough to be cleared without a call.
+pub(crate) type Events = Vec<Event, MAX_EVENTS, u8>;
+
 /// Events, slips, status and cost of a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log<R> {
-    pub(crate) events: Vec<Event, MAX_EVENTS>,
+    pub(crate) events: Events,
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,

@@ -45,14 +45,14 @@ pub(crate) enum Pressing {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ranking<R> {
     place: Place<R>,
-    struck: Vec<Begun, 12>,
+    struck: Vec<Begun, 12, u8>,
 }
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place<R> {
     /// The facets that yield by more than this are done.
     Facets(R),
     /// So many of the list are done.
-    List(usize),
+    List(u8),
 }
 impl<R: Real> Default for Ranking<R> {
     fn default() -> Self {
@@ -143,7 +143,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     return Picked::More;
                 }
             },
-            Place::List(done) => match candidate(body.contacts.len(), done) {
+            Place::List(done) => match candidate(body.contacts.len(), done.into()) {
                 Some((mode, pressing)) => {
                     ranking.place = Place::List(done.saturating_add(1));
                     (self.with_vertex(body, mode), pressing)
@@ -335,7 +335,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return None;
         }
         let s = sense.number::<R>();
-        if frame.turns || self.swings {
+        if frame.turns || self.grip.swings {
             let mut leading = *body;
             self.lead(&mut leading, contact);
             let i = self.placed_at_start(&Motion::slip(&leading, s));
@@ -343,8 +343,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return (i.e_u < R::ZERO).then(|| (i.g_p + i.g_u * turn, turn));
         }
         let r = frame.r;
-        let b = body.rotation.apply(self.centroid) * self.weight;
-        let e_u = b.y - self.stiffness.value + r.dot(load.force - r);
+        let b = body.rotation.apply(self.grip.centroid) * self.world.weight;
+        let e_u = b.y - self.world.stiffness.value + r.dot(load.force - r);
         let turn = -(r.cross(frame.t) * s) / e_u;
         (e_u < R::ZERO).then(|| (frame.t * s - r.turned() * turn, turn))
     }

@@ -1,8 +1,8 @@
 //! The answers of the solver. SI units, world frame.
 
-use crate::event::{Event, MAX_EVENTS, StateKind, Status};
+use crate::event::{Event, StateKind, Status};
 use crate::geometry::Angle;
-use heapless::Vec;
+use crate::log::Events;
 
 /// The answer of one step. SI units, world frame. Forces are requested separately, by [`Solver::wrench`](crate::Solver::wrench) and
 /// [`Solver::contacts`](crate::Solver::contacts), as not every frame needs them.
@@ -29,7 +29,7 @@ pub struct Output<F> {
     pub behind: F,
     /// Pieces of work that the step took: windows of a motion, words of settling, candidates of a selection (R41).
     pub work: u32,
-    pub(crate) events: Vec<Event, MAX_EVENTS>,
+    pub(crate) events: Events,
 }
 
 /// The tangent of a state, SI units, world frame.
@@ -43,7 +43,7 @@ pub struct Tangent<F> {
 }
 
 impl<F> Output<F> {
-    /// What happened in this frame, in order; the first [`MAX_EVENTS`], a run of equal ones once.
+    /// What happened in this frame, in order; the first [`MAX_EVENTS`](crate::MAX_EVENTS), a run of equal ones once.
     pub fn events(&self) -> &[Event] {
         &self.events
     }

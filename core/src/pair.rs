@@ -283,7 +283,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let side_u = f1_u.cross(i.force) - f1.cross(i.g_u);
         let m1_u = i.theta_u * m_theta - r1_u.cross(i.force) + i.r.cross(i.g_u);
         let h_p = m.hand_p.at;
-        let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
+        let m1_p = self.world.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
         let flip = m.pair.flip;
         i.e = (spread * m1 - arm * side) * flip;
         i.e_u = (spread * m1_u + spread_u * m1 - arm_u * side - arm * side_u) * flip;
@@ -296,7 +296,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
         let [w2, w2_u] = self.second(m, &k);
         let h_p = m.hand_p.at;
-        let m1_p = self.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
+        let m1_p = self.world.stiffness.of(m.hand_p.angle) - i.r.cross(h_p);
         let spread_u = f1_u.cross(w2.force) + f1.cross(w2_u.force);
         let e_up = spread_u * m1_p
             - f1.cross(w2.force) * r1_u.cross(h_p)

@@ -166,7 +166,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         };
         let moment = couple + of_first * pull;
-        let m1_p = self.stiffness.value * m.hand_p.angle.abs() + i.r.length_bound() * h_p;
+        let m1_p = self.world.stiffness.value * m.hand_p.angle.abs() + i.r.length_bound() * h_p;
         let m1 = (i.moment - i.r.cross(i.force)).abs() + m1_p * at.way + moment.slope * at.strip;
         let spread = if m.contacts.iter().any(|&c| self.turns(c)) {
             let [f1, f2] = s.f;
@@ -196,7 +196,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> Sup<R, THIRD> {
         let h_p = Sup::constant(m.hand_p.at.length_bound());
         let [r1, _] = sup.r;
-        let couple = Sup::constant(self.stiffness.value * m.hand_p.angle.abs());
+        let couple = Sup::constant(self.world.stiffness.value * m.hand_p.angle.abs());
         PairSup {
             force: h_p,
             m1: couple + r1 * h_p,
@@ -207,8 +207,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 
     /// Of k_theta (phi - theta) and the moment of the weight.
     pub(crate) fn couple_sup<const THIRD: bool>(&self, turn: Sup<R, THIRD>) -> Sup<R, THIRD> {
-        let b = self.weight * self.centroid.length_bound();
-        let held = self.stiffness.value + b;
+        let b = self.world.weight * self.grip.centroid.length_bound();
+        let held = self.world.stiffness.value + b;
         let (th1, z2) = (turn.slope, turn.bend);
         let third =
             third::<R, THIRD>(|| held * turn.third + b * th1 * (th1 * th1 + z2.doubled() + z2));

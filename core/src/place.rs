@@ -117,18 +117,29 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn weigh(&self, m: &Motion<R>, (pull, phi): (Vec2<R>, R), i: &mut Instant<R>) {
         i.force = pull - i.g;
         // B, times w
-        let b = i.rotation.apply(self.centroid) * self.weight;
-        i.moment = self.stiffness.of(phi - i.angle) - b.x;
-        let m_theta = b.y - self.stiffness.value;
-        let m_p = self.stiffness.of(m.hand_p.angle);
+        let b = i.rotation.apply(self.grip.centroid) * self.world.weight;
+        i.moment = self.world.stiffness.of(phi - i.angle) - b.x;
+        let m_theta = b.y - self.world.stiffness.value;
+        let m_p = self.world.stiffness.of(m.hand_p.angle);
         let force_p = m.hand_p.at - i.g_p;
         match m.kind {
             Kind::Line => (i.e, i.e_u, i.e_p) = (R::ZERO, R::ZERO, R::ZERO),
-            Kind::Free if self.swings => self.keep_angle(m, i),
+            Kind::Free if self.grip.swings => self.keep_angle(m, i),
             Kind::Pin | Kind::Slide if self.is_held_there(m, i) => self.keep_angle(m, i),
-            Kind::Slide if m.factor != Factor::Both => self.weigh_factor(m, i),
+            Kind::Slide if m.factor != Factor::Both => {
+                // Another instant of what counts, so that a slide that follows no factor needs none in memory.
+                let now = Instant {
+                    rotation: i.rotation,
+                    g: i.g,
+                    r: i.r,
+                    force: i.force,
+                    ..Instant::ZERO
+                };
+                let of = (m.first(), m.factor);
+                [i.e, i.e_u, i.e_p] = self.weigh_factor(of, &now, m.hand_p.at);
+            }
             // The spring alone, however soft: in units of k_theta.
-            Kind::Free if self.weight == R::ZERO => {
+            Kind::Free if self.world.weight == R::ZERO => {
                 (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
             }
             Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment, m_theta, m_p),
@@ -160,8 +171,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn rates_of(&self, m: &Motion<R>, i: &Instant<R>, u: R, p: R) -> Rates<R> {
         let g = i.g_u * u + i.g_p * p;
         let theta = i.theta_u * u;
-        let b = i.rotation.apply(self.centroid) * self.weight;
-        let m_theta = b.y - self.stiffness.value;
+        let b = i.rotation.apply(self.grip.centroid) * self.world.weight;
+        let m_theta = b.y - self.world.stiffness.value;
         Rates {
             u,
             p,
@@ -169,7 +180,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             theta,
             xi: i.xi_u * u + i.xi_p * p,
             force: m.hand_p.at * p - g,
-            moment: self.stiffness.of(m.hand_p.angle) * p + m_theta * theta,
+            moment: self.world.stiffness.of(m.hand_p.angle) * p + m_theta * theta,
         }
     }
 
@@ -191,13 +202,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(always)]
     pub(crate) fn nudge(&self, m: &Motion<R>, i: &mut Instant<R>, u: R) {
         let turn = i.theta_u * u;
-        let b = i.rotation.apply(self.centroid) * self.weight;
+        let b = i.rotation.apply(self.grip.centroid) * self.world.weight;
         i.u = i.u + u;
         i.foot = i.foot + i.xi_u * u;
         i.angle = i.angle + turn;
         i.g = i.g + i.g_u * u;
         i.force = i.force - i.g_u * u;
-        i.moment = i.moment + turn * (b.y - self.stiffness.value);
+        i.moment = i.moment + turn * (b.y - self.world.stiffness.value);
         if self.turns(m.first()) {
             i.r = i.r - i.g_u * u;
         } else {
@@ -222,7 +233,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return step;
         }
         // E_uu
-        let bend = self.weight * i.rotation.apply(self.centroid).x + i.r.cross(i.force);
+        let bend = self.world.weight * i.rotation.apply(self.grip.centroid).x + i.r.cross(i.force);
         step - step * step * bend / i.e_u.doubled()
     }
     /// The end of Newton's iteration again, where it was placed last.

@@ -190,7 +190,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
             rotation: Rotation::by(self.start.angle),
             g: self.start.at,
         };
-        let statics = self.world.held_at(Vec2::ZERO);
+        let grip = self.world.grip(Vec2::ZERO);
+        let statics = self.world.held(&grip);
         let too_deep = |depth: R, parameter| {
             let error = SceneError {
                 parameter,

@@ -282,14 +282,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn fly(&mut self) {
         let free = Motion::frozen(Kind::Free, self.body);
         let statics = self.statics;
-        let mut theta = if statics.weight == R::ZERO && !statics.swings {
+        let mut theta = if statics.world.weight == R::ZERO && !statics.grip.swings {
             self.body.hand.angle
         } else {
             self.body.angle
         };
         let at = |u: R| Spot { u, p: R::ZERO };
         let mut i = statics.placed(&free, at(theta));
-        if statics.weight > R::ZERO {
+        if statics.world.weight > R::ZERO {
             for _ in 0..40 {
                 let step = if i.e_u < R::ZERO {
                     (-i.e / i.e_u).max(-R::HALF).min(R::HALF)

@@ -4,7 +4,7 @@ use crate::errand::Errand;
 use crate::event::Status;
 use crate::evolution::Evolution;
 use crate::geometry::Angle;
-use crate::geometry::{Rotation, Vec2};
+use crate::geometry::Rotation;
 use crate::grasp::{Sample, is_representable};
 use crate::hand::Hand;
 use crate::hold::Hold;
@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
-use crate::world::Statics;
+use crate::world::{Grip, Statics};
 
 /// The solver of one scene with at most V vertices, S surfaces and C corners. It holds no state of a run: one solver serves any number of
 /// runs.
@@ -30,8 +30,8 @@ pub struct Solver<R: Real, const V: usize, const S: usize, const C: usize = 0> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<R: Real> {
     pub(crate) body: Body<R>,
-    /// g: where the hand holds the body or held it last, body frame.
-    pub(crate) holding_point: Vec2<R>,
+    /// Where the hand holds the body or held it last.
+    pub(crate) grip: Grip<R>,
     /// phi - theta at which the rotational spring rests.
     pub(crate) rest_offset: Angle<R>,
     /// Whole turns by which the angles of body and hand are more than their numbers.
@@ -86,8 +86,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     }
 
     /// The statics as the scene has it, with the body held where it is.
-    pub(crate) fn statics(&self, state: &State<R>) -> Statics<'_, R, V, S, C> {
-        self.scene.world.held_at(state.holding_point)
+    pub(crate) fn statics<'a>(&'a self, state: &'a State<R>) -> Statics<'a, R, V, S, C> {
+        self.scene.world.held(&state.grip)
     }
 
     /// Starts a run: the equilibrium that is reached from the scene's start pose with the hand at its first pose. A hand that is not finite
@@ -102,15 +102,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
     #[inline(never)]
     fn placed_at_start(&self) -> State<R> {
         let HandPose { at, angle } = self.scene.start;
-        let holding_point = self
-            .scene
-            .holding_point
-            .unwrap_or(self.scene.world.centroid);
+        let world = &self.scene.world;
+        let holding_point = self.scene.holding_point.unwrap_or(world.centroid);
         let holding = at + Rotation::by(angle).apply(holding_point);
         let first = HandPose { at: holding, angle };
         let mut state = State {
             body: Body::new(holding, angle, first),
-            holding_point,
+            grip: world.grip(holding_point),
             rest_offset: Angle::default(),
             turns: self.scene.turns,
             held: false,
@@ -119,7 +117,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
             errand: Errand::none(),
             limited: Status::Ok,
         };
-        self.statics(&state)
+        world
+            .held(&state.grip)
             .join_closed(&mut state.body, Scene::<R, V, S, C>::start_tolerance());
         state
     }
@@ -141,43 +140,43 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         let mut log = Log::default();
         if let Some(sample) = self.usable(&hand, &mut log) {
             let is_new = hand != state.hand;
-            let is_followed = match (state.held, hand.held) {
-                (true, true) => self.go_to(state, (&sample, is_new), &mut log, &mut more),
+            let aim = match (state.held, hand.held) {
+                (true, true) => self.aim(state, &sample, is_new, &mut log),
                 (true, false) => {
                     state.let_go(&mut log);
-                    true
+                    Some(None)
                 }
-                (false, true) => {
-                    if let Some(target) = self.take_hold(state, &sample, &mut log) {
-                        self.follow(state, target, &mut log, &mut more);
-                    }
-                    true
-                }
-                (false, false) => true,
+                (false, true) => Some(self.take_hold(state, &sample, &mut log)),
+                (false, false) => Some(None),
             };
-            if is_followed {
-                state.hand = hand;
-            } else {
-                log.limit(Status::Saturated);
+            match aim {
+                Some(target) => {
+                    state.hand = hand;
+                    if let Some(target) = target {
+                        self.follow(state, (target, is_new), &mut log, &mut more);
+                    }
+                }
+                None => log.limit(Status::Saturated),
             }
         }
         self.output(state, log)
     }
-    /// The hand moves to a sample, a new one or again, and the body with it. False, with nothing moved, if the sample is out of range.
-    fn go_to(
+    /// Where a sample, a new one or again, leads the hand that holds the body; nowhere if it is there, and all is done. None if the sample is
+    /// out of range.
+    #[inline(always)]
+    fn aim(
         &self,
         state: &mut State<R>,
-        sample: (&Sample<R>, bool),
+        sample: &Sample<R>,
+        is_new: bool,
         log: &mut Log<R>,
-        more: &mut impl FnMut() -> bool,
-    ) -> bool {
-        let (sample, is_new) = sample;
+    ) -> Option<Option<HandPose<R>>> {
         let is_still = state.errand.is_still();
         let mut target = state.relative(sample);
         if is_new && is_still && state.unwind() {
             target = state.relative(sample);
         }
-        if self.statics(state).swings {
+        if state.grip.swings {
             if is_new && is_still {
                 state.body.hand.angle = state.body.angle;
             }
@@ -186,33 +185,33 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         }
         // A sample that was accepted is followed to its end.
         if is_new && !is_representable(&self.statics(state), &state.body, &target) {
-            return false;
+            return None;
         }
         let unrest = unrest_of(state.limited);
         if is_still && state.body.hand == target {
             log.limit(unrest);
-            return true;
+            return Some(None);
         }
         if is_new {
-            state.errand.whole = state.body.hand.distance(&target);
             // Out of balance there is no path.
             state.errand.jumps |= is_still && !matches!(unrest, Status::Ok | Status::Jammed);
         } else {
             log.limit(state.limited);
         }
-        self.follow(state, target, log, more);
-        true
+        Some(Some(target))
     }
 
-    /// Follows the hand.
+    /// Follows the hand to where a sample leads it, a new one or again.
+    #[inline(always)]
     fn follow(
         &self,
         state: &mut State<R>,
-        target: HandPose<R>,
+        (target, is_new): (HandPose<R>, bool),
         log: &mut Log<R>,
         more: &mut impl FnMut() -> bool,
     ) {
-        let statics = self.statics(state);
+        let from = state.body.hand;
+        let statics = self.scene.world.held(&state.grip);
         let mut step = Step {
             statics: &statics,
             body: &mut state.body,
@@ -226,6 +225,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         if is_done {
             state.errand.has_caught_up();
         } else {
+            if is_new {
+                state.errand.whole = from.distance(&target);
+            }
             state.errand.is_left(&state.body.hand, &target);
             log.limit(Status::Behind);
         }

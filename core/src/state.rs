@@ -174,10 +174,10 @@ impl<R: Real> Body<R> {
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// F and M: hand and weight on the body, about the holding point, with the hand at a pose.
     pub(crate) fn load(&self, body: &Body<R>, hand: &HandPose<R>) -> Wrench<R> {
-        let weight = body.rotation.apply(self.centroid).x * self.weight;
+        let weight = body.rotation.apply(self.grip.centroid).x * self.world.weight;
         Wrench {
             force: hand.at - body.holding + self.weight_force(),
-            moment: self.stiffness.of(hand.angle - body.angle) - weight,
+            moment: self.world.stiffness.of(hand.angle - body.angle) - weight,
         }
     }
     /// The load with the hand where it is.

@@ -30,19 +30,22 @@ pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// Follows the hand to a pose, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
+    /// Follows the hand to a pose where it is not yet, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
     /// Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
+        let mut is_done = false;
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
         if matches!(self.errand.stage, Stage::Path) && self.errand.target != to {
             self.turn_path();
+            is_done = self.is_done(&to);
         }
-        while !self.is_done(&to) {
+        while !is_done {
             // At least one piece, so that the body makes progress.
-            if self.log.work > 0 && !self.may_go_on(more) {
+            self.piece(to, more);
+            is_done = self.is_done(&to);
+            if !is_done && !self.may_go_on(more) {
                 return false;
             }
-            self.piece(to, more);
         }
         // A corner, whose load goes on changing while the body turns about it, is asked at the end.
         let is_corner = self.body.contacts.len() > 1 && self.body.freedom() == Freedom::Turns;
@@ -74,7 +77,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// The smallest part of a step that leaves plain data behind.
     fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
-        self.do_piece(to, more);
+        if self.errand.is_still() {
+            self.set_out(to);
+        } else {
+            self.go_on(more);
+        }
         if C > 0 && self.errand.is_still() && self.errand.search.motion.kind == Kind::Pair {
             self.statics.widen(self.body);
         }
@@ -82,24 +89,32 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.log_slide(to);
         }
     }
-    fn do_piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
+    /// A path begins.
+    #[inline(always)]
+    fn set_out(&mut self, to: HandPose<R>) {
+        self.log.jammed = false;
+        self.errand.paths = self.errand.paths.saturating_add(1);
+        if self.errand.paths > PATHS {
+            self.log.limit(Status::EventLimit);
+            self.errand.jumps = true;
+        }
+        if self.errand.jumps {
+            self.body.hand = to;
+            (self.errand.paths, self.errand.jumps) = (0, false);
+            // A sliding contact sticks or slips first.
+            return self.errand.settle(Next::Relax(Sense::Rests));
+        }
+        (self.errand.before, self.errand.target) = (self.body.hand, to);
+        match self.statics.follows_calmly(self.body, &self.errand.target) {
+            Calm::End => {}
+            Calm::Yields(sense) => self.errand.stage = Stage::At(Ending::Yields(sense)),
+            Calm::Unsure => self.follow(),
+        }
+    }
+    /// What is under way goes on.
+    fn go_on(&mut self, more: &mut impl FnMut() -> bool) {
         match self.errand.stage {
-            Stage::Still => {
-                self.log.jammed = false;
-                self.errand.paths = self.errand.paths.saturating_add(1);
-                if self.errand.paths > PATHS {
-                    self.log.limit(Status::EventLimit);
-                    self.errand.jumps = true;
-                }
-                if self.errand.jumps {
-                    self.body.hand = to;
-                    (self.errand.paths, self.errand.jumps) = (0, false);
-                    // A sliding contact sticks or slips first.
-                    return self.errand.settle(Next::Relax(Sense::Rests));
-                }
-                (self.errand.before, self.errand.target) = (self.body.hand, to);
-                self.follow();
-            }
+            Stage::Still => {}
             Stage::At(ending) => {
                 self.errand.stage = Stage::Still;
                 // In frame evolution, too, the first event happens where the hand reaches it (R40).
@@ -204,25 +219,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
     }
 
-    /// Along the hand's displacement to the first event.
+    /// Along the hand's displacement, not calmly, to the first event.
     #[inline(never)]
     fn follow(&mut self) {
         let to = self.errand.target;
         let way = self.body.hand.to(&to);
-        let calm = match self.body.freedom() {
-            Freedom::Free | Freedom::Turns => self.statics.turns_calmly(self.body, &to),
-            Freedom::Slides => self.statics.slides_calmly(self.body, &to),
-            Freedom::Together => Calm::Unsure,
-            Freedom::Fixed => return self.stand_still(&way),
-        };
-        match calm {
-            Calm::End => return,
-            Calm::Yields(sense) => {
-                self.errand.stage = Stage::At(Ending::Yields(sense));
-                return;
-            }
-            Calm::Unsure => {}
-        }
         let (motion, watch) = match self.body.freedom() {
             Freedom::Free => (self.along(Kind::Free, &way), Watch::Way),
             Freedom::Turns if self.body.contacts.len() > 1 => {
@@ -237,7 +238,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 };
                 (m.to(to, way.whole), watch)
             }
-            Freedom::Together | Freedom::Fixed => {
+            Freedom::Fixed => return self.stand_still(&way),
+            Freedom::Together => {
                 let m = self.statics.sliding_pair(self.body, way.per_p);
                 (m.to(to, way.whole), Watch::Joint)
             }
@@ -268,6 +270,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let change = (to.at - self.body.hand.at).length_bound()
             + self
                 .statics
+                .world
                 .stiffness
                 .of((to.angle - self.body.hand.angle).abs());
         if self.body.slack > change {

@@ -1,6 +1,6 @@
 //! A body whose angle nothing holds, and the slides of its single contact: E = N (e·r), of which one factor is followed (STATICS 11, R34).
 
-use crate::contact::Sense;
+use crate::contact::{Contact, Sense};
 use crate::events::Watched;
 use crate::frame::Frame;
 use crate::geometry::Vec2;
@@ -18,16 +18,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// Nothing holds the angle, and the contact is a vertex at the holding point: it does not turn the body either.
     pub(crate) fn is_held_there(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
-        self.swings && !self.turns(m.first()) && i.r.length_bound() <= R::TOUCH
+        self.grip.swings && !self.turns(m.first()) && i.r.length_bound() <= R::TOUCH
     }
-    /// One of the factors of E = N (e·r), with the sign that E has with it.
-    pub(crate) fn weigh_factor(&self, m: &Motion<R>, i: &mut Instant<R>) {
-        let frame = self.frame(m.first(), i.rotation, i.g);
-        let edge = self.edge(m.first(), &frame);
-        let (pull, h_p) = (i.force - i.r, m.hand_p.at);
+    /// One of the factors of E = N (e·r) of a contact, with the sign that E has with it, and its partial derivatives, along h_p.
+    #[inline(never)]
+    pub(crate) fn weigh_factor(
+        &self,
+        (contact, factor): (Contact, Factor),
+        i: &Instant<R>,
+        h_p: Vec2<R>,
+    ) -> [R; 3] {
+        let frame = self.frame(contact, i.rotation, i.g);
+        let edge = self.edge(contact, &frame);
+        let pull = i.force - i.r;
         let lever = edge.e.dot(i.r);
-        (i.e, i.e_u, i.e_p) = match m.factor {
-            Factor::Both => (i.e, i.e_u, i.e_p),
+        let (e, e_u, e_p) = match factor {
+            Factor::Both => (R::ZERO, R::ZERO, R::ZERO),
             // e·r = -e·P of a C
             Factor::Lever if frame.turns => (lever, -edge.e.turned().dot(pull), -edge.e.dot(h_p)),
             Factor::Lever => (lever, edge.e.dot(i.r.turned()), R::ZERO),
@@ -41,23 +47,30 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 (n.dot(i.force), n_u, n.dot(h_p))
             }
         };
+        [e, e_u, e_p]
     }
-    /// A slide of the first contact along the hand's displacement. Of a body whose angle nothing holds it follows the factor that is zero; the
-    /// lever if both are.
+    /// A slide of the first contact along the hand's displacement.
+    #[inline(always)]
     pub(crate) fn sliding(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
         let mut m = Motion::new(Kind::Slide, body, hand_p);
-        if self.swings {
-            let i = self.placed_at_start(&m);
-            let frame = self.frame(m.first(), i.rotation, i.g);
-            let lever = self.edge(m.first(), &frame).e.dot(i.r);
-            let is_slack = lever.abs() > R::zero().max(frame.n.dot(i.force).abs());
-            m.factor = if is_slack {
-                Factor::Normal(Sense::of(lever))
-            } else {
-                Factor::Lever
-            };
+        if self.grip.swings {
+            m.factor = self.factor(body, hand_p);
         }
         m
+    }
+    /// Of a slide of a body whose angle nothing holds, the factor that is zero; the lever if both are.
+    #[inline(never)]
+    fn factor(&self, body: &Body<R>, hand_p: HandPose<R>) -> Factor {
+        let m = Motion::new(Kind::Slide, body, hand_p);
+        let i = self.placed_at_start(&m);
+        let frame = self.frame(m.first(), i.rotation, i.g);
+        let lever = self.edge(m.first(), &frame).e.dot(i.r);
+        let is_slack = lever.abs() > R::zero().max(frame.n.dot(i.force).abs());
+        if is_slack {
+            Factor::Normal(Sense::of(lever))
+        } else {
+            Factor::Lever
+        }
     }
     /// E_uu of a factor: the second derivative of a direction times r, or P of a C, one of which turns.
     pub(crate) fn e_uu_factor(&self, m: &Motion<R>, i: &Instant<R>) -> R {

@@ -9,7 +9,7 @@ use crate::motion::{Factor, Instant, Kind, Motion, Spot};
 use crate::scene::{Description, SurfaceDescription};
 use crate::state::{Body, HandPose};
 use crate::window::Begin;
-use crate::world::{Statics, World};
+use crate::world::{Grip, Statics, World};
 use std::vec::Vec;
 
 type Room = World<f64, 4, 2, 0>;
@@ -91,7 +91,8 @@ fn seated(statics: &Statics<'_, f64, 4, 2, 0>, body: &mut Body<f64>) {
 
 /// A motion with a hand near balance, and the body at its beginning.
 fn motion(random: &mut Random, world: &Room, case: Case) -> (Body<f64>, Motion<f64>) {
-    let statics = world.held_at(random.vector(0.2));
+    let grip = world.grip(random.vector(0.2));
+    let statics = world.held(&grip);
     let angle = random.number(-0.4, 0.4);
     let hand = HandPose {
         at: random.vector(0.3),
@@ -151,8 +152,8 @@ fn partial_derivatives_are_those_of_differences() {
     for round in 0..300 {
         let case = CASES[round % CASES.len()];
         let world = world(&mut random);
-        let grip = random.vector(0.2);
-        let statics = world.held_at(grip);
+        let grip = world.grip(random.vector(0.2));
+        let statics = world.held(&grip);
         let (_, m) = motion(&mut random, &world, case);
         let at = centre(case, &m);
         let step = 1e-5;
@@ -196,7 +197,8 @@ fn factors_of_a_slide_have_the_derivatives_of_differences() {
     let mut random = Random(4);
     for round in 0..60 {
         let world = world(&mut random);
-        let statics = world.held_at(random.vector(0.2));
+        let grip = world.grip(random.vector(0.2));
+        let statics = world.held(&grip);
         let (_, mut m) = motion(&mut random, &world, Case::Slide);
         m.factor = [
             Factor::Lever,
@@ -215,12 +217,12 @@ fn factors_of_a_slide_have_the_derivatives_of_differences() {
 /// The points of an accepted window in balance, from p = 0 to `way`.
 fn followed(
     world: &Room,
-    grip: Vec2<f64>,
+    grip: &Grip<f64>,
     m: &Motion<f64>,
     begin: &Instant<f64>,
     way: f64,
 ) -> Vec<Instant<f64>> {
-    let statics = world.held_at(grip);
+    let statics = world.held(grip);
     let points = (0..=40).map(|k| {
         let p = way * f64::from(k) / 40.0;
         let mut i = *begin;
@@ -241,8 +243,8 @@ fn bounds_hold_on_every_accepted_window() {
     for round in 0..900 {
         let case = CASES[round % CASES.len()];
         let world = world(&mut random);
-        let grip = random.vector(0.2);
-        let statics = world.held_at(grip);
+        let grip = world.grip(random.vector(0.2));
+        let statics = world.held(&grip);
         let (_, mut m) = motion(&mut random, &world, case);
         // The moment of the hand that makes a balance of the beginning.
         let mut begin = statics.placed_at_start(&m);
@@ -270,7 +272,7 @@ fn bounds_hold_on_every_accepted_window() {
         };
         accepted[round % CASES.len()] += 1;
         let bound = statics.bound(&m, &end, &pace);
-        let points = followed(&world, grip, &m, &begin, way);
+        let points = followed(&world, &grip, &m, &begin, way);
         let last = points.last().expect("points");
         close("end of the window", end.u, last.u, 1e-9);
         let curvature = statics.curvature(&m, &begin, pace.extent);
@@ -327,7 +329,8 @@ fn reactions_of_a_pair_bear_the_load() {
     let mut random = Random(3);
     for _ in 0..200 {
         let world = world(&mut random);
-        let statics = world.held_at(random.vector(0.2));
+        let grip = world.grip(random.vector(0.2));
+        let statics = world.held(&grip);
         let (_, m) = motion(&mut random, &world, Case::Pair);
         let i = statics.placed_at_start(&m);
         let couple = statics.couple(&m, &i);
@@ -360,7 +363,8 @@ fn the_curvature_of_a_pair_holds_within_its_reach() {
     let mut random = Random(4);
     for _ in 0..300 {
         let world = world(&mut random);
-        let statics = world.held_at(random.vector(0.2));
+        let grip = world.grip(random.vector(0.2));
+        let statics = world.held(&grip);
         let (_, m) = motion(&mut random, &world, Case::Pair);
         let reach = m.pair.reach;
         let middle = statics.placed_at_start(&m);

@@ -151,19 +151,24 @@ pub(crate) struct World<R, const V: usize, const S: usize, const C: usize> {
     pub(crate) weight: R,
 }
 
+/// Where a body is held, and what follows from it for as long as it is held there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Grip<R> {
+    /// g, body frame
+    pub(crate) point: Vec2<R>,
+    /// cg - g, body frame
+    pub(crate) centroid: Vec2<R>,
+    /// An upper bound of the distance of the vertices from g.
+    pub(crate) size: R,
+    /// Nothing holds the angle: no spring, and no weight that turns the body (R34).
+    pub(crate) swings: bool,
+}
+
 /// A world whose body is held at a point of its own: levers count from there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Statics<'a, R, const V: usize, const S: usize, const C: usize> {
     pub(crate) world: &'a World<R, V, S, C>,
-    /// g, body frame
-    grip: Vec2<R>,
-    /// cg - g, body frame
-    pub(crate) centroid: Vec2<R>,
-    /// k, w
-    pub(crate) stiffness: Stiffness<R>,
-    pub(crate) weight: R,
-    /// Nothing holds the angle: no spring, and no weight that turns the body (R34).
-    pub(crate) swings: bool,
+    pub(crate) grip: &'a Grip<R>,
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> {
@@ -171,18 +176,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
     pub(crate) fn has_obstacles(&self) -> bool {
         C > 0 && !self.obstacles.is_empty()
     }
-    /// The body held at g, body frame.
-    pub(crate) fn held_at(&self, grip: Vec2<R>) -> Statics<'_, R, V, S, C> {
-        let centroid = self.centroid - grip;
+    /// A hold of the body at g, body frame.
+    pub(crate) fn grip(&self, point: Vec2<R>) -> Grip<R> {
+        let centroid = self.centroid - point;
         let hangs = self.weight > R::ZERO && centroid != Vec2::ZERO;
-        Statics {
-            world: self,
-            grip,
+        let levers = self.vertices.iter().map(|&v| (v - point).length_bound());
+        Grip {
+            point,
             centroid,
-            stiffness: self.stiffness,
-            weight: self.weight,
+            size: levers.fold(R::ZERO, R::max),
             swings: self.stiffness.value == R::ZERO && !hangs,
         }
+    }
+    /// The body held in this way.
+    pub(crate) fn held<'a>(&'a self, grip: &'a Grip<R>) -> Statics<'a, R, V, S, C> {
+        Statics { world: self, grip }
     }
 }
 
@@ -190,7 +198,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// a: the lever of a vertex from the holding point, body frame; zero if there is no such vertex.
     pub(crate) fn vertex(&self, index: u8) -> Vec2<R> {
         let vertex = self.world.vertices.get(usize::from(index));
-        vertex.map_or(Vec2::ZERO, |&v| v - self.grip)
+        vertex.map_or(Vec2::ZERO, |&v| v - self.grip.point)
     }
     /// From one vertex to another, whatever the holding point.
     pub(crate) fn way_between(&self, pair: [u8; 2]) -> Vec2<R> {
@@ -202,7 +210,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The levers of all vertices, with their indices.
     pub(crate) fn vertices(&self) -> impl Iterator<Item = (u8, Vec2<R>)> {
-        (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip))
+        (0_u8..).zip(self.world.vertices.iter().map(|&v| v - self.grip.point))
     }
     /// A half-plane, or a side of an obstacle after them; one that nothing reaches if there is none of that index.
     pub(crate) fn side(&self, index: u8) -> &Side<R> {
@@ -221,11 +229,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// W: the weight as a force.
     pub(crate) fn weight_force(&self) -> Vec2<R> {
-        Vec2::new(R::ZERO, -self.weight)
-    }
-    /// An upper bound of the distance of the vertices from the holding point.
-    pub(crate) fn size(&self) -> R {
-        self.vertices()
-            .fold(R::ZERO, |size, (_, a)| size.max(a.length_bound()))
+        Vec2::new(R::ZERO, -self.world.weight)
     }
 }

@@ -172,7 +172,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// A lower bound of the distance from an obstacle, by its circle.
     pub(crate) fn distance_bound(&self, o: &Obstacle<R>, g: Vec2<R>) -> R {
         let way = o.middle - g;
-        way.x.abs().max(way.y.abs()) - o.radius - self.size()
+        way.x.abs().max(way.y.abs()) - o.radius - self.grip.size
     }
     /// How far behind an axis counts as a step that is none: 2^-19 L; of a thin body and a thin obstacle nothing, since both sides of a wall
     /// are nearer to each other.

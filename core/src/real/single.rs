@@ -32,6 +32,30 @@ fn arctangent(x: f32) -> f32 {
     x + x * y * (-0.333_327_56 + y * (0.199_718_71 + y * (-0.138_243_75 + y * 0.079_023_43)))
 }
 
+/// Sine and cosine of an angle: reduced to a quarter turn in two steps. Compiled once per image.
+#[inline(never)]
+fn reduced(angle: f32) -> (f32, f32) {
+    let quarters = (angle * FRAC_2_PI + 0.5f32.copysign(angle)) as i32;
+    let n = quarters as f32;
+    let x = (angle - n * QUARTER_TURN.0) - n * QUARTER_TURN.1;
+    let y = x * x;
+    let (s, c) = (sine(x, y), cosine(y));
+    match quarters & 3 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// The whole turns of an angle and the remainder. Compiled once per image.
+#[inline(never)]
+fn whole_turns(x: f32) -> (i32, f32) {
+    let turns = (x / TAU + 0.5f32.copysign(x)) as i32;
+    let n = turns as f32 * 4.0;
+    (turns, (x - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
+}
+
 impl Real for f32 {
     type Si = f32;
 
@@ -67,22 +91,13 @@ impl Real for f32 {
     fn abs(self) -> f32 {
         f32::abs(self)
     }
-    /// Reduces the angle to a quarter turn in two steps, then evaluates the polynomials.
+    #[inline]
     fn sin_cos(self) -> (f32, f32) {
         if self.abs() < SMALL {
             let y = self * self;
-            return (sine(self, y), cosine(y));
-        }
-        let quarters = (self * FRAC_2_PI + 0.5f32.copysign(self)) as i32;
-        let n = quarters as f32;
-        let x = (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1;
-        let y = x * x;
-        let (s, c) = (sine(x, y), cosine(y));
-        match quarters & 3 {
-            0 => (s, c),
-            1 => (c, -s),
-            2 => (-s, -c),
-            _ => (-c, s),
+            (sine(self, y), cosine(y))
+        } else {
+            reduced(self)
         }
     }
     fn sinc_cos(self) -> (f32, f32) {
@@ -110,15 +125,13 @@ impl Real for f32 {
         let angle = if other < 0.0 { PI - angle } else { angle };
         angle.copysign(self)
     }
-    // Compiled once per image.
-    #[inline(never)]
+    #[inline]
     fn turns(self) -> (i32, f32) {
         if self.abs() <= PI {
-            return (0, self);
+            (0, self)
+        } else {
+            whole_turns(self)
         }
-        let turns = (self / TAU + 0.5f32.copysign(self)) as i32;
-        let n = turns as f32 * 4.0;
-        (turns, (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
     }
 }
 
