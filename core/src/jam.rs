@@ -110,6 +110,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         let (cone, load) = (self.cone(body), self.present_load(body));
         let change = cone.within_limit(is_corner, load, self.rounding(body), most);
-        (change >= -R::of_release(load.size())).then(|| change.max(R::ZERO))
+        let is_within =
+            change >= -R::of_release(load.size()) || self.bears_within_limit(body, load);
+        is_within.then(|| change.max(R::ZERO))
+    }
+    /// The reactions that are reported are within the limit and leave no more of the load than a body at rest may: on the very edge of what is
+    /// borne a face does not decide.
+    fn bears_within_limit(&self, body: &Body<R>, load: Wrench<R>) -> bool {
+        let (mut rest, mut sum) = (load, R::ZERO);
+        for (contact, [n, t]) in body.contacts.iter().zip(self.fixed_shares(body)) {
+            let frame = self.frame(contact, body.rotation, body.holding);
+            rest = rest + Wrench::at(frame.r, frame.n * n + frame.t * t);
+            sum = sum.max(n);
+        }
+        sum <= R::limit() && rest.size() <= self.left_at_rest(body) + R::of_balance(sum)
     }
 }

@@ -284,13 +284,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.errand.runs = 0;
         self.turn(Stage::Snap(kind));
     }
-    /// The foot of a slide follows the hand to where the body is inside of what it does not touch.
-    fn is_led_inside(&self) -> bool {
-        let m = Motion::frozen(Kind::Slide, self.body);
-        let mut there = *self.body;
-        there.go_to(&self.statics.placed_at_start(&m), R::ZERO);
-        self.statics.is_inside(&there)
-    }
     /// A turn over a fold has ended.
     pub(crate) fn snapped(&mut self, kind: Kind, ending: Ending) {
         let slides = kind == Kind::Slide;

@@ -246,9 +246,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 return self.settled(Next::Relax(Sense::Rests));
             }
         }
-        // Borne as well as a load is known that was released: the hand has moved by up to 64 touches.
-        let known = R::TOUCH * R::from_int(64) + statics.rounding(self.body);
-        if !statics.bears(self.body, known) {
+        if !statics.bears(self.body, statics.left_at_rest(self.body)) {
             self.log.limit(Status::Ambiguous);
         }
         self.settled(Next::Rest);

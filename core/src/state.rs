@@ -194,6 +194,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn rounding(&self, body: &Body<R>) -> R {
         R::of_balance(self.present_load(body).size())
     }
+    /// What contacts at rest may leave of a load: it is known no better where it was released, as the hand has moved by up to 64 touches.
+    pub(crate) fn left_at_rest(&self, body: &Body<R>) -> R {
+        R::TOUCH * R::from_int(64) + self.rounding(body)
+    }
     /// Contact i becomes the first, so that the pose is held by it.
     pub(crate) fn lead(&self, body: &mut Body<R>, i: usize) {
         if i > 0 {

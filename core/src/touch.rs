@@ -170,6 +170,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         is_closed(R::ZERO) && is_closed(ended.x.halved())
     }
+    /// The foot of a slide follows the hand to where the body is inside of what it does not touch.
+    pub(crate) fn is_led_inside(&self) -> bool {
+        let m = Motion::frozen(Kind::Slide, self.body);
+        let mut there = *self.body;
+        there.go_to(&self.statics.placed_at_start(&m), R::ZERO);
+        self.statics.is_inside(&there)
+    }
     /// On the hand's path.
     pub(crate) fn touches(&mut self, feature: Feature) {
         let hand_p = self.path();

@@ -142,13 +142,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let part = e_p.halved() / lost;
             return Err(part.max(R::ONE / R::from_int(8)).min(R::HALF));
         }
-        let inverse = R::ONE / low;
-        let rate = (e_u + k * l + j * d) * inverse;
-        if rate * l > d {
+        let rate = (e_u + k * l + j * d) / low;
+        // A rate beyond the range of the number type bounds nothing.
+        if rate * l > d || !rate.is_finite() {
             return Err(R::HALF);
         }
         let square = q * rate * rate;
-        let bend = (k + (j * rate).doubled() + square) * inverse;
+        let bend = (k + (j * rate).doubled() + square) / low;
         // |E_uuu|, |E_uup|
         let (third, mixed) = if m.kind == Kind::Pair {
             let sup = self.pair_sup::<true>(m, i, Extent { way: d, strip: l });
