@@ -305,6 +305,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if (i.u - angle).abs() > pace.extent.strip {
             return None;
         }
-        Some(self.bound(m, i, &pace))
+        Some(self.bound(m, i, &pace, None))
     }
 }

@@ -1,6 +1,6 @@
 //! Whatever can end a motion, as a function with a value, a slope along x and a bound: the search looks for the first zero of all.
 
-use crate::bounds::{Bound, Pace};
+use crate::bounds::{Bound, Curvature, Extent, Pace};
 use crate::contact::Sense;
 pub(crate) use crate::ending::{Ending, Which};
 use crate::geometry::Vec2;
@@ -143,6 +143,43 @@ pub(crate) struct Judging<R> {
     pub(crate) stable: R,
     /// The width of the window.
     pub(crate) width: R,
+}
+
+impl<R: Real> Judging<R> {
+    /// Of no window yet.
+    #[inline(always)]
+    pub(crate) const fn new() -> Self {
+        let curvature = Curvature {
+            k: R::ZERO,
+            j: R::ZERO,
+            q: R::ZERO,
+        };
+        let extent = Extent {
+            way: R::ZERO,
+            strip: R::ZERO,
+        };
+        Self {
+            bound: Bound {
+                pivot: R::ZERO,
+                theta: R::ZERO,
+                turn: R::ZERO,
+                holding: R::ZERO,
+                foot: [R::ZERO; 2],
+                way: R::ZERO,
+            },
+            pace: Pace {
+                rate: R::ZERO,
+                bent: R::ZERO,
+                curvature,
+                extent,
+            },
+            pair: None,
+            p_bend: R::ZERO,
+            drive: R::ZERO,
+            stable: R::ZERO,
+            width: R::ZERO,
+        }
+    }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {

@@ -50,7 +50,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             v: (i.e_p + R::of_displacement(size)) / size,
             d: R::ZERO,
         };
-        out.fill(&[share1, share2, advance, foot1, foot2, self.memory(i, rates)]);
+        out.fill(&[
+            share1,
+            share2,
+            advance,
+            foot1,
+            foot2,
+            self.memory(i, rates, &couple),
+        ]);
     }
     /// Multiples of s v_1, s v_2 of contacts that move: t_2·r12, t_1·r12.
     fn feet(&self, rates: &Rates<R>, couple: &Couple<R>) -> [Value<R>; 2] {
@@ -138,14 +145,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         ]
     }
     /// N* - N in one line, D_c less the length of a slip otherwise; the latter by value alone.
-    fn memory(&self, i: &Instant<R>, rates: &Rates<R>) -> Value<R> {
+    fn memory(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> Value<R> {
         let [c1, c2] = self.motion.contacts;
         if self.body.stiction {
             return Value::NONE;
         }
         if !self.statics.is_even(c1, c2) {
             return Value {
-                v: self.statics.room_to_stiction(self.motion, i),
+                v: self.statics.room_to_stiction(self.motion, i, couple),
                 d: R::ZERO,
             };
         }

@@ -203,7 +203,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (_, [first, second]) = self.seat_first(m, i);
         i.r2 = second.r;
         (i.xi_u, i.theta_u) = (tangent.x, tangent.y);
-        i.g_u = self.frame(c1, i.rotation, i.g).t * tangent.x - first.r.turned() * tangent.y;
+        i.g_u = first.t * tangent.x - first.r.turned() * tangent.y;
     }
     /// The holding point from foot and rotation of the first contact; its point, the frames there.
     fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> (Vec2<R>, [Frame<R>; 2]) {
@@ -214,12 +214,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 
     /// The two contacts at an instant.
     pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
-        let mut frames = self.levelled(m.contacts, m.contacts.map(|c| self.frame_at(c, i)));
-        let [first, second] = &mut frames;
-        (first.r, second.r) = (i.r, i.r2);
-        let [c1, c2] = m.contacts;
+        let frames = self.pair_frames(m, i);
         let [first, second] = &frames;
-        let f = [self.edge(c1, first).f, self.edge(c2, second).f];
+        let f = self.reactions_of_pair(m, &frames);
         let per_u = |frame: &Frame<R>, f: Vec2<R>| {
             if frame.turns {
                 [f.turned() * i.theta_u, -i.g_u]
@@ -237,19 +234,40 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             r12: i.r2 - i.r,
         }
     }
-    /// The frame of a contact at an instant but for its lever.
-    fn frame_at(&self, contact: Contact, i: &Instant<R>) -> Frame<R> {
+    /// The directions of the two reactions of a pair.
+    #[inline(always)]
+    pub(crate) fn reactions_of_pair(
+        &self,
+        m: &Motion<R>,
+        [first, second]: &[Frame<R>; 2],
+    ) -> [Vec2<R>; 2] {
+        let [c1, c2] = m.contacts;
+        [self.edge(c1, first).f, self.edge(c2, second).f]
+    }
+    /// The frames of a pair at an instant.
+    #[inline(always)]
+    pub(crate) fn pair_frames(&self, m: &Motion<R>, i: &Instant<R>) -> [Frame<R>; 2] {
+        let [c1, c2] = m.contacts;
+        let frames = [(c1, i.r), (c2, i.r2)].map(|(c, r)| self.frame_at(c, r, i));
+        self.levelled(m.contacts, frames)
+    }
+    /// The frame of a contact at an instant with its lever.
+    #[inline(always)]
+    fn frame_at(&self, contact: Contact, r: Vec2<R>, i: &Instant<R>) -> Frame<R> {
         match contact.feature {
             Feature::Vertex { side, .. } => {
                 let side = self.side(side);
                 Frame {
                     n: side.normal,
                     t: side.tangent,
-                    r: Vec2::ZERO,
+                    r,
                     turns: false,
                 }
             }
-            Feature::Corner { .. } => self.frame(contact, i.rotation, i.g),
+            Feature::Corner { .. } => Frame {
+                r,
+                ..self.frame(contact, i.rotation, i.g)
+            },
         }
     }
 
@@ -312,7 +330,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The normal reactions that bear the load; out of balance a drag at both contacts against their velocities takes up the excess.
     pub(crate) fn shares(&self, m: &Motion<R>, i: &Instant<R>) -> Shares<R> {
-        let k = self.couple(m, i);
+        self.shares_of(m, i, &self.couple(m, i))
+    }
+    fn shares_of(&self, m: &Motion<R>, i: &Instant<R>, k: &Couple<R>) -> Shares<R> {
         let [f1, f2] = k.f;
         let [first, second] = &k.frames;
         let [v1, v2] = k.frames.map(|frame| frame.advance(i.g_u, i.theta_u));
@@ -337,12 +357,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// D_c less the length of the slip that would begin here (E21), the less one of the feet that can have stiction.
-    pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {
-        let k = self.couple(m, i);
+    pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>, k: &Couple<R>) -> R {
         let [f1, f2] = k.f;
         let w2 = Wrench::at(k.r12, f2);
         let mut sum = R::ZERO;
-        let normal = self.shares(m, i).normal;
+        let normal = self.shares_of(m, i, k).normal;
         let levers = [Vec2::ZERO, k.r12];
         for (((contact, frame), n), lever) in
             m.contacts.iter().zip(&k.frames).zip(normal).zip(levers)
@@ -374,7 +393,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if self.is_even(c1, c2) {
             self.friction(c1).is_pressed(self.normal_of_edge(m, i))
         } else {
-            self.room_to_stiction(m, i) <= R::ZERO
+            self.room_to_stiction(m, i, &self.couple(m, i)) <= R::ZERO
         }
     }
 }
