@@ -92,14 +92,16 @@ impl<R: Real> WrenchCone<R> {
         let (mut inside, mut outside) = (false, false);
         let least = R::of_volume();
         for (other, c) in self.edges.iter().enumerate() {
-            if other == i || other == k {
-                continue;
-            }
-            let side = x.dot(c.wrench);
-            inside |= side > least;
-            outside |= side < -least;
-            if inside && outside {
-                return;
+            if other != i && other != k {
+                let side = x.dot(c.wrench);
+                if side > least {
+                    inside = true;
+                } else if side < -least {
+                    outside = true;
+                }
+                if inside && outside {
+                    return;
+                }
             }
         }
         if x.size() <= R::in_plane() {
