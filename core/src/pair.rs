@@ -213,7 +213,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// The two contacts at an instant.
+    #[inline(never)]
     pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
+        self.couple_inlined(m, i)
+    }
+    /// [`Self::couple`], compiled into the caller: what is not needed there is not computed.
+    #[inline(always)]
+    fn couple_inlined(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
         let frames = self.pair_frames(m, i);
         let [first, second] = &frames;
         let f = self.reactions_of_pair(m, &frames);
@@ -291,7 +297,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
     #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
-        let k = self.couple(m, i);
+        let k = self.couple_inlined(m, i);
         let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
         let [w2, w2_u] = self.second(m, &k);
         let (spread, arm, side) = (f1.cross(w2.force), w2.moment, f1.cross(i.force));
