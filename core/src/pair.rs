@@ -254,7 +254,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     #[inline(always)]
     pub(crate) fn pair_frames(&self, m: &Motion<R>, i: &Instant<R>) -> [Frame<R>; 2] {
         let [c1, c2] = m.contacts;
-        let frames = [(c1, i.r), (c2, i.r2)].map(|(c, r)| self.frame_at(c, r, i));
+        let frames = [self.frame_at(c1, i.r, i), self.frame_at(c2, i.r2, i)];
         self.levelled(m.contacts, frames)
     }
     /// The frame of a contact at an instant with its lever.
