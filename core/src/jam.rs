@@ -9,7 +9,6 @@ use crate::real::Real;
 use crate::state::{Body, Freedom};
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
-use core::iter::from_fn;
 use heapless::Vec;
 
 /// The sides of the triangles: three of each contact.
@@ -18,14 +17,7 @@ type Sides<R> = Vec<Wrench<R>, { 3 * MAX_CONTACTS }>;
 impl<R: Real> WrenchCone<R> {
     /// The edges of one contact after the other.
     fn contacts(&self) -> impl Iterator<Item = &[ConeEdge<R>]> {
-        let mut rest = self.edges.as_slice();
-        from_fn(move || {
-            let contact = rest.first()?.contact;
-            let count = rest.iter().take_while(|edge| edge.contact == contact);
-            let (own, others) = rest.split_at_checked(count.count())?;
-            rest = others;
-            Some(own)
-        })
+        self.edges.chunk_by(|a, b| a.contact == b.contact)
     }
     /// The directions of all edges of the triangles.
     fn sides(&self) -> impl Iterator<Item = Wrench<R>> + '_ {
