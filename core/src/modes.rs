@@ -160,6 +160,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// The facet that yields most of those that yield by less than `last`, over its size; and its motion.
+    #[inline(never)]
     fn worst_facet(&self, body: &Body<R>, hand: &HandPose<R>, last: R) -> Option<(R, Mode)> {
         let load = self.load(body, hand);
         let mut cone = WrenchCone::new();
@@ -324,6 +325,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         n > R::ZERO && excess > R::of_drive(load.size())
     }
     /// Velocity and turn with which one contact begins to slide: t s, with the turn of its slip, which must be stable.
+    #[inline(never)]
     fn slide_begins(
         &self,
         body: &Body<R>,

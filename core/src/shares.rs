@@ -307,6 +307,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             [n, t]
         })
     }
+    #[inline(never)]
     fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
