@@ -13,6 +13,8 @@ use heapless::Vec;
 
 /// The sides of the triangles: three of each contact.
 type Sides<R> = Vec<Wrench<R>, { 3 * MAX_CONTACTS }>;
+/// The corners of the triangles but for zero.
+type Corners<R> = Vec<[Wrench<R>; 2], MAX_CONTACTS>;
 
 impl<R: Real> WrenchCone<R> {
     /// The edges of one contact after the other.
@@ -27,42 +29,24 @@ impl<R: Real> WrenchCone<R> {
             edges.chain(across.map(|(a, b)| b.wrench + a.wrench * -R::ONE))
         })
     }
-    /// The reactions along its edges become those of N = 1.
-    fn to_unit_normals(&mut self) {
-        for edge in &mut self.edges {
-            edge.wrench = edge.wrench * (R::ONE / edge.cone.cos);
-        }
-    }
-    /// x·load and the most of x·w for all w that are borne within the limit, of edges with N = 1, for x and for -x; as soon as both are
-    /// `enough`, no more is added.
-    fn margins(&self, x: Wrench<R>, load: Wrench<R>, enough: R) -> [R; 2] {
-        let along = x.dot(load);
-        let [mut ahead, mut back] = [along, -along];
-        for own in self.contacts() {
-            let (mut least, mut most) = (R::ZERO, R::ZERO);
-            for edge in own {
-                let along = x.dot(edge.wrench);
-                (least, most) = (least.min(along), most.max(along));
-            }
-            (ahead, back) = (ahead + most * R::limit(), back - least * R::limit());
-            if ahead >= enough && back >= enough {
-                break;
-            }
-        }
-        [ahead, back]
+    /// The corners of the triangles: the reactions with N = 1 along both edges of each contact, without friction the same twice.
+    fn corners(&self) -> Corners<R> {
+        let unit = |edge: &ConeEdge<R>| edge.wrench * (R::ONE / edge.cone.cos);
+        let both = |own: &[ConeEdge<R>]| Some([unit(own.first()?), unit(own.last()?)]);
+        gather(self.contacts().filter_map(both))
     }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.
-    fn within_limit(mut self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
+    fn within_limit(&self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
         let sides: Sides<R> = gather(self.sides());
-        self.to_unit_normals();
+        let corners = self.corners();
         let mut least = most;
         normals(&sides, is_corner, &mut |x| {
             let size = x.size();
             if size <= R::in_plane() {
                 return;
             }
-            for margin in self.margins(x, load, least * size) {
+            for margin in margins(&corners, x, load, least * size) {
                 let is_none = margin.abs() <= little * (R::ONE + size);
                 let margin = if is_none { R::ZERO } else { margin };
                 least = least.min(margin / size);
@@ -70,6 +54,26 @@ impl<R: Real> WrenchCone<R> {
         });
         least
     }
+}
+
+/// x·load and the most of x·w for all w that are borne within the limit, for x and for -x; as soon as both are `enough`, no more is added.
+fn margins<R: Real>(
+    corners: &[[Wrench<R>; 2]],
+    x: Wrench<R>,
+    load: Wrench<R>,
+    enough: R,
+) -> [R; 2] {
+    let along = x.dot(load);
+    let [mut ahead, mut back] = [along, -along];
+    for corners in corners {
+        let [a, b] = corners.map(|corner| x.dot(corner));
+        let (least, most) = (R::ZERO.min(a).min(b), R::ZERO.max(a).max(b));
+        (ahead, back) = (ahead + most * R::limit(), back - least * R::limit());
+        if ahead >= enough && back >= enough {
+            break;
+        }
+    }
+    [ahead, back]
 }
 
 /// Directions among which are the normals of all faces of what is borne: those to two of the sides, in a corner, whose contacts bear forces
