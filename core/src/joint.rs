@@ -167,7 +167,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         }
     }
 
-    /// What bounds the functions of a pair.
+    /// What bounds the functions of a pair. A call: compiled into the loop over all functions, it would be computed before it for any motion.
+    #[inline(never)]
     pub(crate) fn pair_order(&self, function: Function, on: &Judging<R>) -> Order<R> {
         let m = self.motion;
         let Some(sup) = &on.pair else {
