@@ -4,7 +4,7 @@
 use crate::cone::{ConeEdge, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
-use crate::list::gather;
+use crate::list::fill;
 use crate::real::Real;
 use crate::state::{Body, Freedom};
 use crate::thresholds::Thresholds;
@@ -30,16 +30,17 @@ impl<R: Real> WrenchCone<R> {
         })
     }
     /// The corners of the triangles: the reactions with N = 1 along both edges of each contact, without friction the same twice.
-    fn corners(&self) -> Corners<R> {
+    fn corners(&self) -> impl Iterator<Item = [Wrench<R>; 2]> + '_ {
         let unit = |edge: &ConeEdge<R>| edge.wrench * (R::ONE / edge.cone.cos);
-        let both = |own: &[ConeEdge<R>]| Some([unit(own.first()?), unit(own.last()?)]);
-        gather(self.contacts().filter_map(both))
+        let both = move |own: &[ConeEdge<R>]| Some([unit(own.first()?), unit(own.last()?)]);
+        self.contacts().filter_map(both)
     }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.
     fn within_limit(&self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
-        let sides: Sides<R> = gather(self.sides());
-        let corners = self.corners();
+        let (mut sides, mut corners) = (Sides::new(), Corners::new());
+        fill(&mut sides, self.sides());
+        fill(&mut corners, self.corners());
         let mut least = most;
         normals(&sides, is_corner, &mut |x| {
             let size = x.size();

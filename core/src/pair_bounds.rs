@@ -1,7 +1,7 @@
 //! Bounds of all that moves in a joint slide, by products of bounds (E14 to E16).
 
 use crate::bounds::{Curvature, Extent, Sup, third};
-use crate::motion::{Instant, Kind, Motion};
+use crate::motion::{Instant, Motion};
 use crate::real::Real;
 use crate::world::Statics;
 
@@ -141,15 +141,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             holding: Sup::new(R::ZERO, way),
         };
         self.loaded(m, i, at, geometry)
-    }
-    /// The bounds of a pair, if a motion is one.
-    pub(crate) fn sup_of_pair(
-        &self,
-        m: &Motion<R>,
-        i: &Instant<R>,
-        at: Extent<R>,
-    ) -> Option<PairSup<R>> {
-        (m.kind == Kind::Pair).then(|| self.pair_sup(m, i, at))
     }
     /// K, J and Q of a pair.
     pub(crate) fn pair_curvature(&self, m: &Motion<R>, sup: &PairSup<R>) -> Curvature<R> {

@@ -88,7 +88,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 way: R::ZERO,
                 strip: width,
             };
-            on.pair = statics.sup_of_pair(motion, i, extent);
+            on.find_pair(statics, motion, i, extent);
             let curvature = match &on.pair {
                 Some(sup) => statics.pair_curvature(motion, sup),
                 None => statics.curvature(motion, i, extent),
@@ -122,7 +122,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             };
             on.pace = statics.window(motion, begin, x, &mut self.hi.instant)?;
             let i = &self.hi.instant;
-            on.pair = statics.sup_of_pair(motion, i, on.pace.extent);
+            on.find_pair(statics, motion, i, on.pace.extent);
             on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
         }
         Ok(())
@@ -150,7 +150,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             extent,
         };
         let go = statics.foot_per_p(motion) * on.p_bend;
-        on.pair = statics.sup_of_pair(motion, i, extent);
+        on.find_pair(statics, motion, i, extent);
         on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
         let [_, xi2] = &mut on.bound.foot;
         *xi2 = *xi2 + go;
@@ -203,6 +203,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         self.bracket.hi = self.bracket.certain + width * part;
         self.bracket.shrunk = true;
         None
+    }
+}
+
+impl<R: Real> Judging<R> {
+    /// The bounds of a pair, if the motion is one.
+    #[inline(never)]
+    fn find_pair<const V: usize, const S: usize, const C: usize>(
+        &mut self,
+        statics: &Statics<'_, R, V, S, C>,
+        motion: &Motion<R>,
+        i: &Instant<R>,
+        at: Extent<R>,
+    ) {
+        if motion.kind == Kind::Pair {
+            self.pair = Some(statics.pair_sup(motion, i, at));
+        }
     }
 }
 

@@ -271,7 +271,7 @@ fn bounds_hold_on_every_accepted_window() {
             continue;
         };
         accepted[round % CASES.len()] += 1;
-        let pair = statics.sup_of_pair(&m, &end, pace.extent);
+        let pair = (m.kind == Kind::Pair).then(|| statics.pair_sup(&m, &end, pace.extent));
         let bound = statics.bound(&m, &end, &pace, pair.as_ref());
         let points = followed(&world, &grip, &m, &begin, way);
         let last = points.last().expect("points");
