@@ -159,7 +159,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn cone(&self, body: &Body<R>, cone: &mut WrenchCone<R>) {
         cone.edges.clear();
         for (contact, c) in body.contacts.iter().enumerate() {
-            let frame = self.frame(c, body.rotation, body.holding);
+            let frame = self.frame_inlined(c, body.rotation, body.holding);
             let friction = self.friction(c).cone(body.stiction);
             let both = [Sense::Minus, Sense::Plus];
             let slides = if friction.sin > R::ZERO {

@@ -209,7 +209,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> (Vec2<R>, [Frame<R>; 2]) {
         let foot = self.foot(m.first(), i.rotation, i.foot);
         (i.g, i.r) = (foot.c - foot.r, foot.r);
-        (foot.c, self.frames(m.contacts, i.rotation, i.g))
+        let [c1, c2] = m.contacts;
+        let frames = [c1, c2].map(|c| self.frame_inlined(c, i.rotation, i.g));
+        (foot.c, self.levelled(m.contacts, frames))
     }
 
     /// The two contacts at an instant.
