@@ -2,9 +2,9 @@
 //! divisor keeps its sign.
 
 use crate::bounds::Sup;
+use crate::couple::Couple;
 use crate::events::{Function, Judging, Order, Watch, Watched, Which};
 use crate::motion::{Instant, Rates};
-use crate::pair::Couple;
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::gap_slope;

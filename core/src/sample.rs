@@ -71,59 +71,68 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             statics,
             motion,
             body,
-            direction,
             ..
         } = self.watched;
-        let width = x - self.bracket.certain;
-        on.width = width;
+        on.width = x - self.bracket.certain;
         if let Some(branch) = self.bracket.branch {
             return self.place_along_u(branch, x, on);
         }
         if motion.frozen {
-            let u = self.u0 + direction * x;
-            let spot = Spot { u, p: R::ZERO };
-            statics.place(motion, spot, None, &mut self.hi.instant);
-            let i = &self.hi.instant;
-            let extent = Extent {
-                way: R::ZERO,
-                strip: width,
-            };
-            on.find_pair(statics, motion, i, extent);
-            let curvature = match &on.pair {
-                Some(sup) => statics.pair_curvature(motion, sup),
-                None => statics.curvature(motion, i, extent),
-            };
-            on.pace = Pace {
-                rate: width,
-                bent: R::ZERO,
-                curvature,
-                extent,
-            };
-            on.drive = curvature.k * width * width;
-            on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
-            if ![on.drive, on.bound.holding]
-                .iter()
-                .all(|bound| bound.is_finite())
-            {
-                // A bound beyond the range of the number type bounds nothing.
-                return Err(R::ONE / R::from_int(8));
-            }
+            return self.place_frozen(x, on);
+        }
+        let begin = if self.bracket.is_known {
+            Begin::At(&self.lo.instant)
         } else {
-            let begin = if self.bracket.is_known {
-                Begin::At(&self.lo.instant)
-            } else {
-                Begin::Spot {
-                    spot: Spot {
-                        u: self.u0,
-                        p: self.bracket.certain,
-                    },
-                    rotation: body.rotation,
-                }
-            };
-            on.pace = statics.window(motion, begin, x, &mut self.hi.instant)?;
-            let i = &self.hi.instant;
-            on.find_pair(statics, motion, i, on.pace.extent);
-            on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+            Begin::Spot {
+                spot: Spot {
+                    u: self.u0,
+                    p: self.bracket.certain,
+                },
+                rotation: body.rotation,
+            }
+        };
+        on.pace = statics.window(motion, begin, x, &mut self.hi.instant)?;
+        let i = &self.hi.instant;
+        on.find_pair(statics, motion, i, on.pace.extent);
+        on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+        Ok(())
+    }
+    /// At a frozen hand: x is u.
+    fn place_frozen(&mut self, x: R, on: &mut Judging<R>) -> Result<(), R> {
+        let Watched {
+            statics,
+            motion,
+            direction,
+            ..
+        } = self.watched;
+        let width = on.width;
+        let u = self.u0 + direction * x;
+        let spot = Spot { u, p: R::ZERO };
+        statics.place(motion, spot, None, &mut self.hi.instant);
+        let i = &self.hi.instant;
+        let extent = Extent {
+            way: R::ZERO,
+            strip: width,
+        };
+        on.find_pair(statics, motion, i, extent);
+        let curvature = match &on.pair {
+            Some(sup) => statics.pair_curvature(motion, sup),
+            None => statics.curvature(motion, i, extent),
+        };
+        on.pace = Pace {
+            rate: width,
+            bent: R::ZERO,
+            curvature,
+            extent,
+        };
+        on.drive = curvature.k * width * width;
+        on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+        if ![on.drive, on.bound.holding]
+            .iter()
+            .all(|bound| bound.is_finite())
+        {
+            // A bound beyond the range of the number type bounds nothing.
+            return Err(R::ONE / R::from_int(8));
         }
         Ok(())
     }
@@ -203,22 +212,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         self.bracket.hi = self.bracket.certain + width * part;
         self.bracket.shrunk = true;
         None
-    }
-}
-
-impl<R: Real> Judging<R> {
-    /// The bounds of a pair, if the motion is one.
-    #[inline(never)]
-    fn find_pair<const V: usize, const S: usize, const C: usize>(
-        &mut self,
-        statics: &Statics<'_, R, V, S, C>,
-        motion: &Motion<R>,
-        i: &Instant<R>,
-        at: Extent<R>,
-    ) {
-        if motion.kind == Kind::Pair {
-            self.pair = Some(statics.pair_sup(motion, i, at));
-        }
     }
 }
 
