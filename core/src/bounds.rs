@@ -2,6 +2,7 @@
 
 use crate::geometry::Vec2;
 use crate::motion::{Factor, Instant, Kind, Motion};
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::world::Statics;
 use core::ops::{Add, Mul};
@@ -150,9 +151,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 }
             }
             Kind::Pair => {
-                let sup = self.pair_sup::<false>(m, i, at);
-                let mixed = self.pair_drive_p(m, &sup).slope;
-                (sup.drive().bend, mixed, R::ZERO)
+                return self.pair_curvature(m, &self.pair_sup(m, i, at));
             }
         };
         Curvature { k, j, q }
@@ -166,10 +165,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
-    /// The bounds on a window with this pace.
+    /// The bounds on a window with this pace, and with those of a pair.
     #[inline(never)]
-    pub(crate) fn bound(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
-        self.bound_inlined(m, i, pace)
+    pub(crate) fn bound(
+        &self,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        pace: &Pace<R>,
+        pair: Option<&PairSup<R>>,
+    ) -> Bound<R> {
+        match pair {
+            Some(sup) => self.pair_bound(m, sup, pace),
+            None => self.bound_inlined(m, i, pace),
+        }
     }
     /// [`Self::bound`], compiled into the caller: what it knows of the motion is decided there.
     #[inline(always)]
@@ -215,22 +223,24 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 };
                 self.about(m, none, (r, foot), rate)
             }
-            Kind::Pair => {
-                let sup = self.pair_sup::<false>(m, i, pace.extent);
-                let pivot = sup.foot.along(pace, R::ZERO);
-                let (theta, xi1) = (sup.turn.slope * rate, sup.foot.slope * rate);
-                let turning = theta * theta + sup.turn.along(pace, R::ZERO);
-                let turns = self.turns(m.first());
-                let more = if turns { theta * xi1 } else { R::ZERO };
-                Bound {
-                    pivot: pivot + more.doubled(),
-                    theta,
-                    turn: turning,
-                    holding: sup.holding.along(pace, R::ZERO),
-                    foot: [xi1, pivot],
-                    way: xi1 + theta,
-                }
-            }
+            Kind::Pair => none,
+        }
+    }
+    /// Those of a pair.
+    fn pair_bound(&self, m: &Motion<R>, sup: &PairSup<R>, pace: &Pace<R>) -> Bound<R> {
+        let rate = pace.rate;
+        let pivot = sup.foot.along(pace, R::ZERO);
+        let (theta, xi1) = (sup.turn.slope * rate, sup.foot.slope * rate);
+        let turning = theta * theta + sup.turn.along(pace, R::ZERO);
+        let turns = self.turns(m.first());
+        let more = if turns { theta * xi1 } else { R::ZERO };
+        Bound {
+            pivot: pivot + more.doubled(),
+            theta,
+            turn: turning,
+            holding: sup.holding.along(pace, R::ZERO),
+            foot: [xi1, pivot],
+            way: xi1 + theta,
         }
     }
     /// The bounds of a body that turns about a contact whose foot moves.

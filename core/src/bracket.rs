@@ -1,7 +1,7 @@
 //! What a search knows of its motion: up to where it is certain, the window that is next, both ends of the last one.
 
 use crate::ending::Which;
-use crate::geometry::Vec2;
+use crate::geometry::{Rotation, Vec2};
 use crate::motion::{Instant, Rates};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
@@ -75,8 +75,16 @@ impl<R: Real> Windows<R> {
 }
 
 impl<R: Real> WindowEnd<R> {
+    /// Nothing yet: all zeros, which are written faster than others are copied.
     const NONE: Self = Self {
-        instant: Instant::ZERO,
+        instant: Instant {
+            rotation: Rotation {
+                cos: R::ZERO,
+                sin: R::ZERO,
+            },
+            theta_u: R::ZERO,
+            ..Instant::ZERO
+        },
         rates: Rates {
             u: R::ZERO,
             p: R::ZERO,
@@ -86,7 +94,7 @@ impl<R: Real> WindowEnd<R> {
             force: Vec2::ZERO,
             moment: R::ZERO,
         },
-        values: Values::NONE,
+        values: Values::ZERO,
     };
 }
 

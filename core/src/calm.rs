@@ -218,26 +218,29 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         body.hand = m.hand_at(place.p);
         Calm::Yields(sense)
     }
-    /// A slip of one vertex that certainly ends at mu_d N, in balance: the body is there.
+    /// A slip of one vertex, from its beginning, that certainly ends at mu_d N, in balance: the body is there.
     #[inline(never)]
-    pub(crate) fn slips_shortly(&self, body: &mut Body<R>, sense: Sense) -> bool {
-        let m = Motion::slip(body, sense.number());
+    pub(crate) fn slips_shortly(
+        &self,
+        body: &mut Body<R>,
+        sense: Sense,
+        (m, begin): (&Motion<R>, &Instant<R>),
+    ) -> bool {
         if self.turns(m.first()) {
             return false;
         }
-        let begin = self.placed_at_start(&m);
         let frame = self.frame(m.first(), begin.rotation, begin.g);
         let cone = self.friction(m.first()).sliding;
         let q = frame.n * cone.sin + frame.t * sense.along(cone.cos);
-        let mut i = begin;
-        let Some(place) = self.calm_place(&m, q, R::HUGE, &mut i) else {
+        let mut i = *begin;
+        let Some(place) = self.calm_place(m, q, R::HUGE, &mut i) else {
             return false;
         };
-        let Some(bound) = self.certified_back(&m, &i, body.angle) else {
+        let Some(bound) = self.certified_back(m, &i, body.angle) else {
             return false;
         };
         let half = bound.holding.halved();
-        let normals = [&begin, &i].map(|i| -frame.n.dot(i.force));
+        let normals = [begin, &i].map(|i| -frame.n.dot(i.force));
         let is_pressed = normals.iter().all(|&n| n >= half);
         let stays = is_pressed && self.is_short_of_end(m.first(), i.foot);
         if !stays || place.fall.doubled() * place.p < bound.holding {
@@ -245,7 +248,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         let mut room = body.room - bound.way;
         if room <= self.rounding_at(&i) {
-            let Some(gap) = self.least_gap(body, &m, &i, &bound) else {
+            let Some(gap) = self.least_gap(body, m, &i, &bound) else {
                 return false;
             };
             room = gap;
@@ -305,6 +308,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if (i.u - angle).abs() > pace.extent.strip {
             return None;
         }
-        Some(self.bound(m, i, &pace))
+        Some(self.bound(m, i, &pace, None))
     }
 }

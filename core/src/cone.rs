@@ -43,11 +43,15 @@ pub(crate) struct WrenchCone<R> {
 }
 
 impl<R: Real> WrenchCone<R> {
+    /// Of no contact.
+    pub(crate) const fn new() -> Self {
+        Self { edges: Vec::new() }
+    }
     /// All facets, one after the other.
     pub(crate) fn facets<'a>(&'a self, mut each: impl FnMut(Facet<'a, R>)) {
         for (i, a) in self.edges.iter().enumerate() {
-            for b in self.edges.iter().skip(i.saturating_add(1)) {
-                self.through([a, b], &mut each);
+            for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
+                self.through([(i, a), (k, b)], &mut each);
             }
         }
         self.in_line(&mut each);
@@ -76,22 +80,28 @@ impl<R: Real> WrenchCone<R> {
             });
         }
     }
-    /// The facets through two edges: none or one, or up to four where all edges lie in one plane.
+    /// The facets through two edges, with their places: none or one, or up to four where all edges lie in one plane.
     #[inline(always)]
-    fn through<'a>(&'a self, edges: [&'a ConeEdge<R>; 2], each: &mut impl FnMut(Facet<'a, R>)) {
-        let [a, b] = edges;
+    fn through<'a>(
+        &'a self,
+        [(i, a), (k, b)]: [(usize, &'a ConeEdge<R>); 2],
+        each: &mut impl FnMut(Facet<'a, R>),
+    ) {
+        let edges = [a, b];
         let x = a.wrench.cross(b.wrench);
         let (mut inside, mut outside) = (false, false);
         let least = R::of_volume();
-        for c in &self.edges {
-            if c.is(a) || c.is(b) {
-                continue;
-            }
-            let side = x.dot(c.wrench);
-            inside |= side > least;
-            outside |= side < -least;
-            if inside && outside {
-                return;
+        for (other, c) in self.edges.iter().enumerate() {
+            if other != i && other != k {
+                let side = x.dot(c.wrench);
+                if side > least {
+                    inside = true;
+                } else if side < -least {
+                    outside = true;
+                }
+                if inside && outside {
+                    return;
+                }
             }
         }
         if x.size() <= R::in_plane() {
@@ -136,12 +146,6 @@ impl<R: Real> WrenchCone<R> {
     }
 }
 
-impl<R: Real> ConeEdge<R> {
-    fn is(&self, other: &Self) -> bool {
-        self.contact == other.contact && self.slide == other.slide
-    }
-}
-
 impl<R: Real> Facet<'_, R> {
     /// Not negative while the facet does not yield to a load.
     pub(crate) fn margin(&self, load: Wrench<R>) -> R {
@@ -150,34 +154,36 @@ impl<R: Real> Facet<'_, R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    pub(crate) fn cone(&self, body: &Body<R>) -> WrenchCone<R> {
-        let mut edges = Vec::new();
+    /// The cone of the reactions of a body's contacts, in place, as it is large.
+    #[inline(never)]
+    pub(crate) fn cone(&self, body: &Body<R>, cone: &mut WrenchCone<R>) {
+        cone.edges.clear();
         for (contact, c) in body.contacts.iter().enumerate() {
-            let frame = self.frame(c, body.rotation, body.holding);
-            let cone = self.friction(c).cone(body.stiction);
+            let frame = self.frame_inlined(c, body.rotation, body.holding);
+            let friction = self.friction(c).cone(body.stiction);
             let both = [Sense::Minus, Sense::Plus];
-            let slides = if cone.sin > R::ZERO {
+            let slides = if friction.sin > R::ZERO {
                 both.as_slice()
             } else {
                 &[Sense::Rests]
             };
             for &slide in slides {
-                let force = frame.n * cone.cos - frame.t * slide.along(cone.sin);
+                let force = frame.n * friction.cos - frame.t * slide.along(friction.sin);
                 // There is room for two of each contact.
-                let _ = edges.push(ConeEdge {
+                let _ = cone.edges.push(ConeEdge {
                     wrench: Wrench::at(frame.r, force),
                     contact,
                     slide,
-                    cone,
+                    cone: friction,
                 });
             }
         }
-        WrenchCone { edges }
     }
     /// Several contacts of one vertex: the two extreme edges, counter-clockwise from the first to the second; none if they span all
     /// directions. Opposite edges, to rounding, span a line: the first one twice.
     pub(crate) fn extreme_edges(&self, body: &Body<R>) -> Option<[Vec2<R>; 2]> {
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         let extreme = |sign: R| {
             let mut forces = cone.edges.iter().map(|edge| edge.wrench.force);
             forces.find(|a| {
@@ -190,13 +196,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// How long the contacts bear the load along the hand's displacement to another pose, as a part of it.
     #[inline(never)]
     pub(crate) fn borne(&self, body: &Body<R>, to: &HandPose<R>) -> Borne<R> {
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         let (begin, end) = (self.present_load(body), self.load(body, to));
+        let little = -R::of_balance(end.size());
         let (mut first, mut slack) = (None, R::HUGE);
         cone.facets(|facet| {
-            let v1 = facet.margin(end);
-            if v1 >= -R::of_balance(end.size()) * facet.inward.size() {
-                slack = slack.min(v1 / facet.inward.size());
+            let (v1, size) = (facet.margin(end), facet.inward.size());
+            if v1 >= little * size {
+                slack = slack.min(v1 / size);
                 return;
             }
             let v0 = facet.margin(begin).max(R::ZERO);
@@ -210,7 +218,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The contacts bear the present load, up to what it is known to. The normal of a facet is known to its rounding, however short it is.
     pub(crate) fn bears(&self, body: &Body<R>, known: R) -> bool {
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         let load = self.present_load(body);
         let of_normal = R::EPSILON * R::from_int(8) * load.size();
         let mut bears = true;
@@ -221,15 +230,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// How far the hand has to go on along a displacement until facets that only just bear the load certainly do not, at most `most`.
     pub(crate) fn beyond_facets(&self, body: &Body<R>, per_p: &HandPose<R>, most: R) -> R {
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         let load = self.present_load(body);
         let change = Wrench {
             force: per_p.at,
             moment: self.world.stiffness.of(per_p.angle),
         };
+        let released = R::of_release(load.size());
         let mut way = R::ZERO;
         cone.facets(|facet| {
-            let little = R::of_release(load.size()) * facet.inward.size();
+            let little = released * facet.inward.size();
             let rate = -facet.margin(change);
             if facet.margin(load).abs() <= little && rate > R::ZERO {
                 way = way.max((little / rate).min(most));

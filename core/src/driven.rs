@@ -88,6 +88,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         ]
     }
     /// Where a foot turns back the friction just ahead of either direction decides.
+    #[inline(never)]
     fn driven_at_turn(
         &self,
         body: &Body<R>,

@@ -1,11 +1,10 @@
 //! Whatever can end a motion, as a function with a value, a slope along x and a bound: the search looks for the first zero of all.
 
-use crate::bounds::{Bound, Pace};
 use crate::contact::Sense;
 pub(crate) use crate::ending::{Ending, Which};
 use crate::geometry::Vec2;
+pub(crate) use crate::judging::Judging;
 use crate::motion::{Instant, Motion, Rates};
-use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::Body;
 use crate::thresholds::Thresholds;
@@ -127,22 +126,6 @@ pub(crate) struct Watched<'a, R, const V: usize, const S: usize, const C: usize>
     pub(crate) watch: Watch,
     /// The direction of u of a frozen motion: 1 or -1.
     pub(crate) direction: R,
-}
-
-/// What is known of a window, along x from 0 to 1 on it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Judging<R> {
-    pub(crate) bound: Bound<R>,
-    pub(crate) pace: Pace<R>,
-    /// Of a pair.
-    pub(crate) pair: Option<PairSup<R>>,
-    /// |p''|: 0 where x = p.
-    pub(crate) p_bend: R,
-    /// |E''| of a frozen motion; |E_u''| along u.
-    pub(crate) drive: R,
-    pub(crate) stable: R,
-    /// The width of the window.
-    pub(crate) width: R,
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {

@@ -2,16 +2,23 @@
 //! what all bear the sum of these: a body whose faces are normal to two edges of the triangles.
 
 use crate::cone::{ConeEdge, WrenchCone};
+use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
-use crate::list::gather;
+use crate::list::fill;
 use crate::real::Real;
 use crate::state::{Body, Freedom};
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 use core::iter::from_fn;
+use heapless::Vec;
+
+/// The sides of the triangles: three of each contact.
+type Sides<R> = Vec<Wrench<R>, { 3 * MAX_CONTACTS }>;
+/// The corners of the triangles but for zero.
+type Corners<R> = Vec<[Wrench<R>; 2], MAX_CONTACTS>;
 
 impl<R: Real> WrenchCone<R> {
-    /// The edges of one contact after the other.
+    /// The edges of one contact after the other. `chunk_by` has a panic in it that is not optimised away.
     fn contacts(&self) -> impl Iterator<Item = &[ConeEdge<R>]> {
         let mut rest = self.edges.as_slice();
         from_fn(move || {
@@ -30,67 +37,68 @@ impl<R: Real> WrenchCone<R> {
             edges.chain(across.map(|(a, b)| b.wrench + a.wrench * -R::ONE))
         })
     }
-    /// With the reactions of N = 1 along its edges.
-    fn of_unit_normals(&self) -> Self {
-        let edges = self.edges.iter().map(|&edge| ConeEdge {
-            wrench: edge.wrench * (R::ONE / edge.cone.cos),
-            ..edge
-        });
-        Self {
-            edges: gather(edges),
-        }
-    }
-    /// x·load and the most of x·w for all w that are borne within the limit, of edges with N = 1, for x and for -x; as soon as both are
-    /// `enough`, no more is added.
-    fn margins(&self, x: Wrench<R>, load: Wrench<R>, enough: R) -> [R; 2] {
-        let along = x.dot(load);
-        let [mut ahead, mut back] = [along, -along];
-        for own in self.contacts() {
-            let (mut least, mut most) = (R::ZERO, R::ZERO);
-            for edge in own {
-                let along = x.dot(edge.wrench);
-                (least, most) = (least.min(along), most.max(along));
-            }
-            (ahead, back) = (ahead + most * R::limit(), back - least * R::limit());
-            if ahead >= enough && back >= enough {
-                break;
-            }
-        }
-        [ahead, back]
-    }
-    /// Directions among which are the normals of all faces of what is borne: those to two of the sides, in a corner, whose contacts bear
-    /// forces through one vertex, those to one.
-    fn normals(&self, is_corner: bool, each: &mut dyn FnMut(Wrench<R>)) {
-        for (i, a) in self.sides().enumerate() {
-            if is_corner {
-                each(Wrench {
-                    force: a.force.turned(),
-                    moment: R::ZERO,
-                });
-                continue;
-            }
-            for b in self.sides().skip(i.saturating_add(1)) {
-                each(a.cross(b));
-            }
-        }
+    /// The corners of the triangles: the reactions with N = 1 along both edges of each contact, without friction the same twice.
+    fn corners(&self) -> impl Iterator<Item = [Wrench<R>; 2]> + '_ {
+        let unit = |edge: &ConeEdge<R>| edge.wrench * (R::ONE / edge.cone.cos);
+        let both = move |own: &[ConeEdge<R>]| Some([unit(own.first()?), unit(own.last()?)]);
+        self.contacts().filter_map(both)
     }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.
     fn within_limit(&self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
-        let reactions = self.of_unit_normals();
+        let (mut sides, mut corners) = (Sides::new(), Corners::new());
+        fill(&mut sides, self.sides());
+        fill(&mut corners, self.corners());
         let mut least = most;
-        self.normals(is_corner, &mut |x| {
+        normals(&sides, is_corner, &mut |x| {
             let size = x.size();
             if size <= R::in_plane() {
                 return;
             }
-            for margin in reactions.margins(x, load, least * size) {
+            for margin in margins(&corners, x, load, least * size) {
                 let is_none = margin.abs() <= little * (R::ONE + size);
                 let margin = if is_none { R::ZERO } else { margin };
                 least = least.min(margin / size);
             }
         });
         least
+    }
+}
+
+/// x·load and the most of x·w for all w that are borne within the limit, for x and for -x; as soon as both are `enough`, no more is added.
+fn margins<R: Real>(
+    corners: &[[Wrench<R>; 2]],
+    x: Wrench<R>,
+    load: Wrench<R>,
+    enough: R,
+) -> [R; 2] {
+    let along = x.dot(load);
+    let [mut ahead, mut back] = [along, -along];
+    for corners in corners {
+        let [a, b] = corners.map(|corner| x.dot(corner));
+        let (least, most) = (R::ZERO.min(a).min(b), R::ZERO.max(a).max(b));
+        (ahead, back) = (ahead + most * R::limit(), back - least * R::limit());
+        if ahead >= enough && back >= enough {
+            break;
+        }
+    }
+    [ahead, back]
+}
+
+/// Directions among which are the normals of all faces of what is borne: those to two of the sides, in a corner, whose contacts bear forces
+/// through one vertex, those to one.
+fn normals<R: Real>(sides: &[Wrench<R>], is_corner: bool, each: &mut impl FnMut(Wrench<R>)) {
+    for (i, &a) in sides.iter().enumerate() {
+        if is_corner {
+            each(Wrench {
+                force: a.force.turned(),
+                moment: R::ZERO,
+            });
+            continue;
+        }
+        for &b in sides.iter().skip(i.saturating_add(1)) {
+            each(a.cross(b));
+        }
     }
 }
 
@@ -108,7 +116,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             | Freedom::Together
             | Freedom::Fixed => return Some(most),
         };
-        let (cone, load) = (self.cone(body), self.present_load(body));
+        let (mut cone, load) = (WrenchCone::new(), self.present_load(body));
+        self.cone(body, &mut cone);
         let change = cone.within_limit(is_corner, load, self.rounding(body), most);
         let is_within =
             change >= -R::of_release(load.size()) || self.bears_within_limit(body, load);

@@ -2,9 +2,9 @@
 //! divisor keeps its sign.
 
 use crate::bounds::Sup;
+use crate::couple::Couple;
 use crate::events::{Function, Judging, Order, Watch, Watched, Which};
 use crate::motion::{Instant, Rates};
-use crate::pair::Couple;
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::state::gap_slope;
@@ -50,7 +50,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             v: (i.e_p + R::of_displacement(size)) / size,
             d: R::ZERO,
         };
-        out.fill(&[share1, share2, advance, foot1, foot2, self.memory(i, rates)]);
+        out.fill(&[
+            share1,
+            share2,
+            advance,
+            foot1,
+            foot2,
+            self.memory(i, rates, &couple),
+        ]);
     }
     /// Multiples of s v_1, s v_2 of contacts that move: t_2·r12, t_1·r12.
     fn feet(&self, rates: &Rates<R>, couple: &Couple<R>) -> [Value<R>; 2] {
@@ -138,14 +145,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         ]
     }
     /// N* - N in one line, D_c less the length of a slip otherwise; the latter by value alone.
-    fn memory(&self, i: &Instant<R>, rates: &Rates<R>) -> Value<R> {
+    fn memory(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> Value<R> {
         let [c1, c2] = self.motion.contacts;
         if self.body.stiction {
             return Value::NONE;
         }
         if !self.statics.is_even(c1, c2) {
             return Value {
-                v: self.statics.room_to_stiction(self.motion, i),
+                v: self.statics.room_to_stiction(self.motion, i, couple),
                 d: R::ZERO,
             };
         }
@@ -160,7 +167,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         }
     }
 
-    /// What bounds the functions of a pair.
+    /// What bounds the functions of a pair. A call: compiled into the loop over all functions, it would be computed before it for any motion.
+    #[inline(never)]
     pub(crate) fn pair_order(&self, function: Function, on: &Judging<R>) -> Order<R> {
         let m = self.motion;
         let Some(sup) = &on.pair else {

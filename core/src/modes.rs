@@ -1,7 +1,7 @@
 //! The motions that a load can begin at contacts that fix the pose, ranked (STATICS 8): a pure function of the pose, the load and the motions
 //! that are struck off.
 
-use crate::cone::{ConeEdge, Facet};
+use crate::cone::{ConeEdge, Facet, WrenchCone};
 use crate::contact::{Contact, Sense};
 use crate::frame::Frame;
 use crate::geometry::{Vec2, Wrench};
@@ -160,9 +160,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// The facet that yields most of those that yield by less than `last`, over its size; and its motion.
+    #[inline(never)]
     fn worst_facet(&self, body: &Body<R>, hand: &HandPose<R>, last: R) -> Option<(R, Mode)> {
         let load = self.load(body, hand);
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         let mut worst: Option<(R, Facet<'_, R>)> = None;
         cone.facets(|facet| {
             let margin = facet.margin(load);
@@ -323,6 +325,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         n > R::ZERO && excess > R::of_drive(load.size())
     }
     /// Velocity and turn with which one contact begins to slide: t s, with the turn of its slip, which must be stable.
+    #[inline(never)]
     fn slide_begins(
         &self,
         body: &Body<R>,

@@ -1,63 +1,15 @@
 //! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (STATICS 3). Moments about the first
 //! contact.
 
-use crate::contact::{Contact, Feature, Sense};
+use crate::contact::{Contact, Sense};
+use crate::couple::Couple;
 use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2, Wrench};
 use crate::motion::{Instant, Kind, Motion, Pair, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose, gap_slope};
 use crate::thresholds::Thresholds;
-use crate::values::Moving;
 use crate::world::Statics;
-
-/// Two contacts at an instant, with what changes along u.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Couple<R> {
-    pub(crate) frames: [Frame<R>; 2],
-    /// The directions of the two reactions, of length 1.
-    pub(crate) f: [Vec2<R>; 2],
-    /// Their derivatives by u, and those of the levers.
-    f_u: [Vec2<R>; 2],
-    r_u: [Vec2<R>; 2],
-    /// From the first contact to the second.
-    pub(crate) r12: Vec2<R>,
-}
-
-impl<R: Real> Couple<R> {
-    /// r12 along x, if u' is the velocity of u.
-    pub(crate) fn arm(&self, u: R) -> Moving<R> {
-        let [r1_u, r2_u] = self.r_u;
-        Moving {
-            at: self.r12,
-            rate: (r2_u - r1_u) * u,
-        }
-    }
-    /// f_1, f_2 along x.
-    pub(crate) fn directions(&self, u: R) -> [Moving<R>; 2] {
-        let [f1, f2] = self.f;
-        let [f1_u, f2_u] = self.f_u;
-        [(f1, f1_u), (f2, f2_u)].map(|(at, f_u)| Moving { at, rate: f_u * u })
-    }
-    /// r_1, r_2 along x.
-    pub(crate) fn levers(&self, u: R) -> [Moving<R>; 2] {
-        let [first, second] = &self.frames;
-        let [r1_u, r2_u] = self.r_u;
-        [(first.r, r1_u), (second.r, r2_u)].map(|(at, r_u)| Moving { at, rate: r_u * u })
-    }
-    /// t_1, t_2 along x, if theta' is the velocity of the angle.
-    pub(crate) fn tangents(&self, theta: R) -> [Moving<R>; 2] {
-        let [first, second] = &self.frames;
-        [first, second].map(|frame| Moving {
-            at: frame.t,
-            rate: if frame.turns {
-                frame.t.turned() * theta
-            } else {
-                Vec2::ZERO
-            },
-        })
-    }
-}
 
 /// The normal reactions of a pair, and the drag along the motion that takes up what is not balanced.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -203,54 +155,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (_, [first, second]) = self.seat_first(m, i);
         i.r2 = second.r;
         (i.xi_u, i.theta_u) = (tangent.x, tangent.y);
-        i.g_u = self.frame(c1, i.rotation, i.g).t * tangent.x - first.r.turned() * tangent.y;
+        i.g_u = first.t * tangent.x - first.r.turned() * tangent.y;
     }
     /// The holding point from foot and rotation of the first contact; its point, the frames there.
     fn seat_first(&self, m: &Motion<R>, i: &mut Instant<R>) -> (Vec2<R>, [Frame<R>; 2]) {
         let foot = self.foot(m.first(), i.rotation, i.foot);
         (i.g, i.r) = (foot.c - foot.r, foot.r);
-        (foot.c, self.frames(m.contacts, i.rotation, i.g))
-    }
-
-    /// The two contacts at an instant.
-    pub(crate) fn couple(&self, m: &Motion<R>, i: &Instant<R>) -> Couple<R> {
-        let mut frames = self.levelled(m.contacts, m.contacts.map(|c| self.frame_at(c, i)));
-        let [first, second] = &mut frames;
-        (first.r, second.r) = (i.r, i.r2);
         let [c1, c2] = m.contacts;
-        let [first, second] = &frames;
-        let f = [self.edge(c1, first).f, self.edge(c2, second).f];
-        let per_u = |frame: &Frame<R>, f: Vec2<R>| {
-            if frame.turns {
-                [f.turned() * i.theta_u, -i.g_u]
-            } else {
-                [Vec2::ZERO, frame.r.turned() * i.theta_u]
-            }
-        };
-        let [f1, f2] = f;
-        let [[f1_u, r1_u], [f2_u, r2_u]] = [per_u(first, f1), per_u(second, f2)];
-        Couple {
-            frames,
-            f,
-            f_u: [f1_u, f2_u],
-            r_u: [r1_u, r2_u],
-            r12: i.r2 - i.r,
-        }
-    }
-    /// The frame of a contact at an instant but for its lever.
-    fn frame_at(&self, contact: Contact, i: &Instant<R>) -> Frame<R> {
-        match contact.feature {
-            Feature::Vertex { side, .. } => {
-                let side = self.side(side);
-                Frame {
-                    n: side.normal,
-                    t: side.tangent,
-                    r: Vec2::ZERO,
-                    turns: false,
-                }
-            }
-            Feature::Corner { .. } => self.frame(contact, i.rotation, i.g),
-        }
+        let frames = [c1, c2].map(|c| self.frame_inlined(c, i.rotation, i.g));
+        (foot.c, self.levelled(m.contacts, frames))
     }
 
     /// w_2 and its derivative by u: (f_2, r12×f_2). Two contacts in one line with one friction bear any couple, however near they are to each
@@ -273,7 +186,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives.
     #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
-        let k = self.couple(m, i);
+        let k = self.couple_inlined(m, i);
         let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
         let [w2, w2_u] = self.second(m, &k);
         let (spread, arm, side) = (f1.cross(w2.force), w2.moment, f1.cross(i.force));
@@ -312,7 +225,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The normal reactions that bear the load; out of balance a drag at both contacts against their velocities takes up the excess.
     pub(crate) fn shares(&self, m: &Motion<R>, i: &Instant<R>) -> Shares<R> {
-        let k = self.couple(m, i);
+        self.shares_of(m, i, &self.couple(m, i))
+    }
+    fn shares_of(&self, m: &Motion<R>, i: &Instant<R>, k: &Couple<R>) -> Shares<R> {
         let [f1, f2] = k.f;
         let [first, second] = &k.frames;
         let [v1, v2] = k.frames.map(|frame| frame.advance(i.g_u, i.theta_u));
@@ -337,12 +252,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// D_c less the length of the slip that would begin here (E21), the less one of the feet that can have stiction.
-    pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> R {
-        let k = self.couple(m, i);
+    pub(crate) fn room_to_stiction(&self, m: &Motion<R>, i: &Instant<R>, k: &Couple<R>) -> R {
         let [f1, f2] = k.f;
         let w2 = Wrench::at(k.r12, f2);
         let mut sum = R::ZERO;
-        let normal = self.shares(m, i).normal;
+        let normal = self.shares_of(m, i, k).normal;
         let levers = [Vec2::ZERO, k.r12];
         for (((contact, frame), n), lever) in
             m.contacts.iter().zip(&k.frames).zip(normal).zip(levers)
@@ -374,7 +288,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if self.is_even(c1, c2) {
             self.friction(c1).is_pressed(self.normal_of_edge(m, i))
         } else {
-            self.room_to_stiction(m, i) <= R::ZERO
+            self.room_to_stiction(m, i, &self.couple(m, i)) <= R::ZERO
         }
     }
 }

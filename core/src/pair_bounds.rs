@@ -1,6 +1,6 @@
 //! Bounds of all that moves in a joint slide, by products of bounds (E14 to E16).
 
-use crate::bounds::{Extent, Sup, third};
+use crate::bounds::{Curvature, Extent, Sup, third};
 use crate::motion::{Instant, Motion};
 use crate::real::Real;
 use crate::world::Statics;
@@ -142,6 +142,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         self.loaded(m, i, at, geometry)
     }
+    /// K, J and Q of a pair.
+    pub(crate) fn pair_curvature(&self, m: &Motion<R>, sup: &PairSup<R>) -> Curvature<R> {
+        Curvature {
+            k: sup.drive().bend,
+            j: self.pair_drive_p(m, sup).slope,
+            q: R::ZERO,
+        }
+    }
     /// With the bounds of F, M_1 and f_1×f_2.
     fn loaded<const THIRD: bool>(
         &self,
@@ -172,7 +180,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let [f1, f2] = s.f;
             f1 * f2
         } else {
-            let [f1, f2] = self.couple(m, i).f;
+            let [f1, f2] = self.reactions_of_pair(m, &self.pair_frames(m, i));
             Sup::constant(f1.cross(f2).abs())
         };
         PairSup {

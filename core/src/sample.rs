@@ -3,7 +3,6 @@
 use crate::bounds::{Extent, Pace};
 use crate::events::{Ending, Judging, Watched};
 use crate::motion::{Instant, Kind, Motion, Spot};
-use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::search::{Bracket, Branch, Ended, Run, WindowEnd};
 use crate::thresholds::Thresholds;
@@ -65,104 +64,108 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         finish(&self.watched, self.bracket, self.lo);
     }
 
-    /// Places the body at x, from where the motion is certain; bounds of the window in between, or the part of it that may be certain.
-    pub(crate) fn place(&mut self, x: R) -> Result<Judging<R>, R> {
+    /// Places the body at x, from where the motion is certain; bounds of the window in between, in place as they are large, or the part of it
+    /// that may be certain.
+    pub(crate) fn place(&mut self, x: R, on: &mut Judging<R>) -> Result<(), R> {
         let Watched {
             statics,
             motion,
             body,
+            ..
+        } = self.watched;
+        on.width = x - self.bracket.certain;
+        if let Some(branch) = self.bracket.branch {
+            return self.place_along_u(branch, x, on);
+        }
+        if motion.frozen {
+            return self.place_frozen(x, on);
+        }
+        let begin = if self.bracket.is_known {
+            Begin::At(&self.lo.instant)
+        } else {
+            Begin::Spot {
+                spot: Spot {
+                    u: self.u0,
+                    p: self.bracket.certain,
+                },
+                rotation: body.rotation,
+            }
+        };
+        on.pace = statics.window(motion, begin, x, &mut self.hi.instant)?;
+        let i = &self.hi.instant;
+        on.find_pair(statics, motion, i, on.pace.extent);
+        on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+        Ok(())
+    }
+    /// At a frozen hand: x is u.
+    fn place_frozen(&mut self, x: R, on: &mut Judging<R>) -> Result<(), R> {
+        let Watched {
+            statics,
+            motion,
             direction,
             ..
         } = self.watched;
-        let width = x - self.bracket.certain;
-        if let Some(branch) = self.bracket.branch {
-            return self.place_along_u(branch, x);
-        }
-        let (pace, drive) = if motion.frozen {
-            let u = self.u0 + direction * x;
-            let spot = Spot { u, p: R::ZERO };
-            statics.place(motion, spot, None, &mut self.hi.instant);
-            let extent = Extent {
-                way: R::ZERO,
-                strip: width,
-            };
-            let curvature = statics.curvature(motion, &self.hi.instant, extent);
-            let pace = Pace {
-                rate: width,
-                bent: R::ZERO,
-                curvature,
-                extent,
-            };
-            (pace, curvature.k * width * width)
-        } else {
-            let begin = if self.bracket.is_known {
-                Begin::At(&self.lo.instant)
-            } else {
-                Begin::Spot {
-                    spot: Spot {
-                        u: self.u0,
-                        p: self.bracket.certain,
-                    },
-                    rotation: body.rotation,
-                }
-            };
-            (
-                statics.window(motion, begin, x, &mut self.hi.instant)?,
-                R::ZERO,
-            )
+        let width = on.width;
+        let u = self.u0 + direction * x;
+        let spot = Spot { u, p: R::ZERO };
+        statics.place(motion, spot, None, &mut self.hi.instant);
+        let i = &self.hi.instant;
+        let extent = Extent {
+            way: R::ZERO,
+            strip: width,
         };
-        let instant = &self.hi.instant;
-        let bound = statics.bound(motion, instant, &pace);
-        if motion.frozen && ![drive, bound.holding].iter().all(|bound| bound.is_finite()) {
+        on.find_pair(statics, motion, i, extent);
+        let curvature = match &on.pair {
+            Some(sup) => statics.pair_curvature(motion, sup),
+            None => statics.curvature(motion, i, extent),
+        };
+        on.pace = Pace {
+            rate: width,
+            bent: R::ZERO,
+            curvature,
+            extent,
+        };
+        on.drive = curvature.k * width * width;
+        on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+        if ![on.drive, on.bound.holding]
+            .iter()
+            .all(|bound| bound.is_finite())
+        {
             // A bound beyond the range of the number type bounds nothing.
             return Err(R::ONE / R::from_int(8));
         }
-        Ok(Judging {
-            bound,
-            pair: of_pair(statics, motion, instant, pace.extent),
-            pace,
-            p_bend: R::ZERO,
-            drive,
-            stable: R::ZERO,
-            width,
-        })
+        Ok(())
     }
     /// Along u: bounds by (E13).
-    fn place_along_u(&mut self, branch: Branch<R>, x: R) -> Result<Judging<R>, R> {
+    fn place_along_u(&mut self, branch: Branch<R>, x: R, on: &mut Judging<R>) -> Result<(), R> {
         let Watched {
             statics, motion, ..
         } = self.watched;
-        let width = x - self.bracket.certain;
+        let width = on.width;
         let i = &mut self.hi.instant;
         place_by_u(statics, motion, (&branch, x), i);
         let along = statics.along_u(motion, i, width)?;
         let square = width * width;
-        let p_bend = along.bend * square;
+        on.p_bend = along.bend * square;
+        on.stable = along.stable * square;
         let extent = Extent {
             way: along.rate * width,
             strip: width,
         };
-        let pace = Pace {
+        on.pace = Pace {
             rate: width,
             bent: R::ZERO,
             curvature: along.curvature,
             extent,
         };
-        let go = statics.foot_per_p(motion) * p_bend;
-        let mut bound = statics.bound(motion, i, &pace);
-        let [_, xi2] = &mut bound.foot;
+        let go = statics.foot_per_p(motion) * on.p_bend;
+        on.find_pair(statics, motion, i, extent);
+        on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
+        let [_, xi2] = &mut on.bound.foot;
         *xi2 = *xi2 + go;
-        bound.pivot = bound.pivot + go;
-        bound.holding = bound.holding + go;
-        Ok(Judging {
-            pair: of_pair(statics, motion, i, extent),
-            bound,
-            pace,
-            p_bend,
-            drive: R::ZERO,
-            stable: along.stable * square,
-            width,
-        })
+        on.bound.pivot = on.bound.pivot + go;
+        on.bound.holding = on.bound.holding + go;
+        Ok(())
     }
 
     /// There may be no single branch on the window.
@@ -259,16 +262,6 @@ pub(crate) fn finish<R: Real, const V: usize, const S: usize, const C: usize>(
         None => statics.rates(motion, i),
     };
     watched.values(i, &end.rates, stop, &mut end.values);
-}
-
-/// The bounds of a pair on a window.
-fn of_pair<R: Real, const V: usize, const S: usize, const C: usize>(
-    statics: &Statics<'_, R, V, S, C>,
-    m: &Motion<R>,
-    i: &Instant<R>,
-    at: Extent<R>,
-) -> Option<PairSup<R>> {
-    (m.kind == Kind::Pair).then(|| statics.pair_sup(m, i, at))
 }
 
 /// Where the first event is by tangents.

@@ -307,8 +307,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             [n, t]
         })
     }
+    #[inline(never)]
     pub(crate) fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
-        let cone = self.cone(body);
+        let mut cone = WrenchCone::new();
+        self.cone(body, &mut cone);
         // Along an edge of large friction the component of a reaction is far more than its N: of a part of the load it is representable.
         let cosines = cone.edges.iter().map(|edge| edge.cone.cos.doubled());
         let part = if R::is_fixed() {

@@ -55,11 +55,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return self.settled(Next::Rest);
         }
         let mut m = Motion::slip(self.body, sense.number());
-        let e0 = self.statics.placed_at_start(&m).e;
+        let begin = self.statics.placed_at_start(&m);
         let load = self.statics.present_load(self.body);
-        if e0.abs() > R::of_lasting_moment(load.size()) {
-            m.lasting = e0;
-        } else if self.statics.slips_shortly(self.body, sense) {
+        if begin.e.abs() > R::of_lasting_moment(load.size()) {
+            m.lasting = begin.e;
+        } else if self.statics.slips_shortly(self.body, sense, (&m, &begin)) {
             self.errand.search.motion.lasting = R::ZERO;
             return self.slipped(sense, Ending::Stopped);
         }

@@ -61,7 +61,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn is_done(&self, to: &HandPose<R>) -> bool {
         self.errand.is_still() && self.body.hand == *to
     }
-    /// The path ends where it is certain, if that is beyond its beginning.
+    /// The path ends where it is certain, if that is beyond its beginning. Not compiled into its caller, whose stack lies under all others.
+    #[inline(never)]
     fn turn_path(&mut self) {
         let search = &mut self.errand.search;
         let mut windows = Windows::NONE;

@@ -271,7 +271,8 @@ fn bounds_hold_on_every_accepted_window() {
             continue;
         };
         accepted[round % CASES.len()] += 1;
-        let bound = statics.bound(&m, &end, &pace);
+        let pair = (m.kind == Kind::Pair).then(|| statics.pair_sup(&m, &end, pace.extent));
+        let bound = statics.bound(&m, &end, &pace, pair.as_ref());
         let points = followed(&world, &grip, &m, &begin, way);
         let last = points.last().expect("points");
         close("end of the window", end.u, last.u, 1e-9);

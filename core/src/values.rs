@@ -89,7 +89,12 @@ impl<R: Real> Add for Moving<R> {
 pub(crate) struct Values<R>([Value<R>; 8]);
 
 impl<R: Real> Values<R> {
-    pub(crate) const NONE: Self = Self([Value::NONE; 8]);
+    pub(crate) const ZERO: Self = Self(
+        [Value {
+            v: R::ZERO,
+            d: R::ZERO,
+        }; 8],
+    );
     /// The places of what is left of p and of -E_u along u.
     pub(crate) const PATH: usize = 6;
     pub(crate) const STABLE: usize = 7;

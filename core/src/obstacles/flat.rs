@@ -166,11 +166,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// The frames of two contacts; those of a vertex and a corner in one line have one normal, whatever the rounding of the body's angle.
     pub(crate) fn frames(
         &self,
-        pair: [Contact; 2],
+        [a, b]: [Contact; 2],
         rotation: Rotation<R>,
         g: Vec2<R>,
     ) -> [Frame<R>; 2] {
-        self.levelled(pair, pair.map(|c| self.frame(c, rotation, g)))
+        let frames = [self.frame(a, rotation, g), self.frame(b, rotation, g)];
+        self.levelled([a, b], frames)
     }
     pub(crate) fn levelled(&self, [a, b]: [Contact; 2], frames: [Frame<R>; 2]) -> [Frame<R>; 2] {
         let [first, second] = frames;

@@ -1,0 +1,73 @@
+//! What is known of a window of a motion.
+
+use crate::bounds::{Bound, Curvature, Extent, Pace};
+use crate::motion::{Instant, Kind, Motion};
+use crate::pair_bounds::PairSup;
+use crate::real::Real;
+use crate::world::Statics;
+
+/// What is known of a window, along x from 0 to 1 on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Judging<R> {
+    pub(crate) bound: Bound<R>,
+    pub(crate) pace: Pace<R>,
+    /// Of a pair.
+    pub(crate) pair: Option<PairSup<R>>,
+    /// |p''|: 0 where x = p.
+    pub(crate) p_bend: R,
+    /// |E''| of a frozen motion; |E_u''| along u.
+    pub(crate) drive: R,
+    pub(crate) stable: R,
+    /// The width of the window.
+    pub(crate) width: R,
+}
+
+impl<R: Real> Judging<R> {
+    /// Of no window yet.
+    #[inline(always)]
+    pub(crate) const fn new() -> Self {
+        let curvature = Curvature {
+            k: R::ZERO,
+            j: R::ZERO,
+            q: R::ZERO,
+        };
+        let extent = Extent {
+            way: R::ZERO,
+            strip: R::ZERO,
+        };
+        Self {
+            bound: Bound {
+                pivot: R::ZERO,
+                theta: R::ZERO,
+                turn: R::ZERO,
+                holding: R::ZERO,
+                foot: [R::ZERO; 2],
+                way: R::ZERO,
+            },
+            pace: Pace {
+                rate: R::ZERO,
+                bent: R::ZERO,
+                curvature,
+                extent,
+            },
+            pair: None,
+            p_bend: R::ZERO,
+            drive: R::ZERO,
+            stable: R::ZERO,
+            width: R::ZERO,
+        }
+    }
+    /// The bounds of a pair, if the motion is one.
+    #[inline(never)]
+    pub(crate) fn find_pair<const V: usize, const S: usize, const C: usize>(
+        &mut self,
+        statics: &Statics<'_, R, V, S, C>,
+        motion: &Motion<R>,
+        i: &Instant<R>,
+        at: Extent<R>,
+    ) {
+        if motion.kind == Kind::Pair {
+            self.pair = Some(statics.pair_sup(motion, i, at));
+        }
+    }
+}
