@@ -207,13 +207,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
         }
         if width <= R::shortest_window().min(self.bracket.end.halved()) {
-            // Along u a fold is found by -E_u; there the search goes on by p.
-            let ending = if self.bracket.branch.is_some() {
-                Ending::GoesOn
-            } else {
-                Ending::Fold
-            };
-            return Some(self.ended_low(ending, R::ZERO));
+            return Some(self.ended_low(Ending::Fold, R::ZERO));
         }
         self.bracket.hi = self.bracket.certain + width * part;
         self.bracket.shrunk = true;
