@@ -55,6 +55,29 @@ async function drawPolygon(live, corners) {
   await live.page.keyboard.press("Enter");
 }
 
+liveTest("a click on its first point closes a polygon", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.click("#edit");
+  for (const corners of [3, 4, 5, 6]) {
+    await page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
+    const box = await page.locator("#stage").boundingBox();
+    assert.ok(box);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    for (let k = 0; k < corners; k++) {
+      const angle = (2 * Math.PI * k) / corners;
+      await page.mouse.click(x + 60 * Math.cos(angle), y + 60 * Math.sin(angle));
+    }
+    // A hand presses for longer than a drawing takes.
+    await page.mouse.move(x + 60, y);
+    await page.mouse.down();
+    await live.drawn();
+    await page.mouse.up();
+    await live.until((count) => window.stiction.state?.scene.body.length === count, corners);
+    assert.equal(await page.locator(".pen").count(), 0);
+  }
+});
+
 /**
  * Edits a scene from its polygon to its file, which is opened again.
  * @param {Live} live @returns {Promise<string>} the saved text
