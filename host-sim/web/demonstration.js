@@ -1,6 +1,6 @@
 // A demonstration until somebody touches the page: the hand follows the scene's path repeatedly, and a caption describes what
-// the object does. The first press, touch or key ends it; hand and object stay where they are. Also the note about a released
-// object.
+// the object does. It begins when the page is opened and when a scene is chosen. The first press, touch or key ends it; hand and
+// object stay where they are. Also the note about a released object.
 
 import { byId, reducedMotion, setText } from "./dom.js";
 
@@ -61,6 +61,11 @@ export class Demonstration {
     }
   }
 
+  /** Begins with a scene that was chosen: its story promises motion. A board, and a hand that comes from elsewhere, refuse it. */
+  play() {
+    if (!reducedMotion() && this.hello?.source.kind === "core") this.ask().catch(() => {});
+  }
+
   /** Ends it: somebody has pressed or typed. */
   touch() {
     this.over = true;
@@ -84,8 +89,12 @@ export class Demonstration {
     const now = performance.now();
     if (message.holding !== null) this.openSince = Infinity;
     else if (this.openSince === Infinity) this.openSince = now;
-    const hangs = message.frame.contacts.length === 0 || (this.state?.scene.weight ?? 0) > 0;
+    const { length } = message.frame.contacts;
+    const hangs = length < 2 || (this.state?.scene.weight ?? 0) > 0;
     byId("released").hidden = !hangs || this.running || now - this.openSince < OPEN;
+    setText(byId("released-text"), length === 1
+      ? "Released on one corner: it stays tilted, because statics computes rest only, and nothing falls."
+      : "Released: it stays where it is, because nothing falls in statics.");
   }
 
   /** Returns true if nobody has done anything yet, here or elsewhere. @param {FrameMessage} message */

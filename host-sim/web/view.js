@@ -82,7 +82,7 @@ export class View {
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   follow(scene, pose, hand) {
-    const r = Math.min(bodySize(scene), 0.3 * Math.min(this.width, this.height - this.top) / this.scale);
+    const r = Math.min(bodySize(scene), 0.4 * Math.min(this.width, this.height - this.top) / this.scale);
     const left = Math.min(pose[0] - r, hand[0]), right = Math.max(pose[0] + r, hand[0]);
     const low = Math.min(pose[1] - r, hand[1]), high = Math.max(pose[1] + r, hand[1]);
     const [wide, tall] = [(1 - 2 * BORDER) * this.width, (1 - 2 * BORDER) * (this.height - this.top)];

@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Host, missingPage } from "./alone.js";
-import { Live, liveTest, newFolder, Program, runProgram, shared } from "./live.js";
+import { Live, liveTest, newFolder, openParts, Program, runProgram, shared } from "./live.js";
 
 /** Returns the position of a handle of the editor (CSS px). @param {Live} live @param {string} key */
 async function spotOf(live, key) {
@@ -207,8 +207,10 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
   const context = await shared().get().newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light" });
   const live = new Live(await context.newPage(), host.origin);
   try {
+    await openParts(live.page);
     await live.page.goto(`${host.origin}/`);
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+    await live.scene("box-flat");
     await edits(live);
     live.check();
   } finally {

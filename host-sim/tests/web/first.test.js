@@ -4,20 +4,30 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
+import { layoutFaults } from "./layout.js";
 import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** Windows (px): a phone, a laptop, a screen. */
+/** Windows (px): phones, laptops, a screen. */
 const WINDOWS = [
   { width: 360, height: 740 },
+  { width: 390, height: 844 },
   { width: 1280, height: 800 },
+  { width: 1440, height: 900 },
   { width: 1920, height: 1080 },
 ];
-/** Elements that are visible at the top without scrolling; of the stage, more than half of its height. */
-const AT_ONCE = ["#what", "#cards", "#story", "#help-open"];
-/** Some captions of the demonstration of a box that is set down and dragged, in order. */
-const SAID = ["moves freely", "slips", "sticks and slips"];
+/** Elements that are visible at the top without scrolling. */
+const AT_ONCE = [
+  "#what", "#story", "#scenes-open", "#details-open", "#help-open",
+  ...["static", "dynamic", "stiffness_translation", "weight"].map((name) => `#slide-${name}`),
+];
+/** Most words and controls before the first action, and least share of the scene in the window. */
+const WORDS = 80;
+const CONTROLS = 12;
+const SHARE = 0.6;
+/** Captions of the demonstration of a box that is dragged. */
+const SAID = ["sticks", "slips"];
 /** Terms that the page explains, by the element with the title. */
 const TERMS = [
   "#h-trade", "#number", "#evolution", "#keep", '[data-layer="ghost"]', '[data-layer="trails"]', '[data-layer="cones"]',
@@ -39,9 +49,31 @@ const shown = (live, seconds) =>
     seconds,
   );
 
+/** Returns the words and the controls in the window, and the share of the scene in it. @param {Live} live */
+const firstSight = (live) =>
+  live.page.evaluate(() => {
+    const isSeen = (/** @type {Element} */ element, /** @type {DOMRect} */ { width, top }) =>
+      width > 0 && top < window.innerHeight && element.checkVisibility({ visibilityProperty: true }) && !element.closest(".hidden");
+    /** @type {string[]} */
+    const words = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      const range = document.createRange();
+      range.selectNodeContents(node);
+      if (node.parentElement && isSeen(node.parentElement, range.getBoundingClientRect())) {
+        words.push(...(node.textContent?.trim().split(/\s+/).filter(Boolean) ?? []));
+      }
+    }
+    const controls = [...document.querySelectorAll("button, select, input, a[href], [tabindex='0']")]
+      .filter((element) => isSeen(element, element.getBoundingClientRect())).map(({ id }) => id);
+    const { width, height, top } = /** @type {Element} */ (document.querySelector("#stage")).getBoundingClientRect();
+    const seen = Math.min(height, window.innerHeight - top);
+    return { words, controls, share: (width * seen) / (window.innerWidth * window.innerHeight) };
+  });
+
 for (const viewport of WINDOWS) {
-  liveTest(`at ${viewport.width} px the first screen says what it is, has the gallery, and moves`, async (bench) => {
-    const live = await bench.open({ viewport, reducedMotion: "no-preference" });
+  liveTest(`at ${viewport.width} px the first screen is the scene with four sliders, says what it is, and moves`, async (bench) => {
+    const live = await bench.openFirst({ viewport, reducedMotion: "no-preference" });
     for (const theme of /** @type {const} */ (["light", "dark"])) {
       await live.page.emulateMedia({ colorScheme: theme });
       await shown(live, theme === "light" ? 0.6 : 1.2);
@@ -50,16 +82,58 @@ for (const viewport of WINDOWS) {
         const box = await live.page.locator(place).boundingBox();
         assert.ok(box && box.y >= 0 && box.y + box.height <= viewport.height, `${place}: ${JSON.stringify(box)}`);
       }
-      const stage = await live.page.locator("#stage").boundingBox();
-      assert.ok(stage && viewport.height - stage.y > stage.height / 2, JSON.stringify(stage));
+      const { words, controls, share } = await firstSight(live);
+      assert.ok(words.length <= WORDS, `${words.length} words: ${words.join(" ")}`);
+      assert.ok(controls.length <= CONTROLS, `${controls.length} controls: ${controls.join(" ")}`);
+      assert.ok(share >= SHARE, `${share} of the window`);
     }
-    // As in `look.test.js`: no column is wider than the window. The pictures are loaded as they come into view.
-    assert.ok(await live.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
-    await live.seesAllCards();
-    assert.match(await live.text("#story"), /^A box lies flat on the floor .*\.$/);
+    assert.deepEqual(await layoutFaults(live), []);
+    assert.match(await live.text("#story"), /^A heavy box is dragged .*\.$/);
     assert.ok(await live.page.locator("#demonstration").isVisible());
-  });
+    await live.page.click("#scenes-open");
+    await live.seesAllCards();
+    // What was opened is open again.
+    await live.page.reload();
+    await live.page.locator("#cards").waitFor();
+  }, []);
 }
+
+liveTest("a scene that is chosen moves as its story promises", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  await live.page.click("#scenes-open");
+  for (const name of ["ladder", "hook"]) {
+    await live.scene(name);
+    await shown(live, 0.3);
+    const { pose } = (await live.frame()).frame;
+    await live.until(([x, y, theta]) => {
+      const now = window.stiction.frame?.frame.pose ?? [x, y, theta];
+      return Math.hypot(now[0] - x, now[1] - y) > 1e-3 || Math.abs(now[2] - theta) > 0.02;
+    }, pose);
+  }
+}, []);
+
+liveTest("the opening slips by some 6 mm twice in a second, and the chart shows two seconds", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  await shown(live, 4);
+  const { frame, slips } = await live.frame();
+  const late = slips.filter(({ t }) => t > frame.t - 2);
+  assert.ok(late.length >= 3 && late.length <= 5, `${late.length} slips in two seconds`);
+  for (const { length } of late) assert.ok(Math.abs(length - 0.006) < 1e-3, `${length} m`);
+  await picture(live, "opening");
+}, []);
+
+liveTest("an object that is let go on one corner stays tilted, and the page says why", async (bench) => {
+  const live = await bench.open();
+  await live.scene("vertex-stick-slip");
+  await live.page.selectOption("#replay", "scene");
+  await live.until(() => window.stiction.frame?.frame.contacts.length === 1);
+  await live.page.selectOption("#replay", "live");
+  await live.grab();
+  await live.page.mouse.up();
+  const released = live.page.locator("#released");
+  await released.waitFor({ state: "visible" });
+  assert.match(await released.innerText(), /^Released on one corner: it stays tilted, because/);
+});
 
 liveTest("the demonstration moves until it is touched, and the object is taken where it is", async (bench) => {
   const live = await bench.open({ reducedMotion: "no-preference" });
@@ -97,7 +171,7 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
   const second = await bench.open({ reducedMotion: "no-preference" });
   await second.fresh();
   assert.equal((await second.state()).replay, null);
-});
+}, []);
 
 liveTest("who wants no motion, or another path, sees no demonstration", async (bench) => {
   const live = await bench.open();
