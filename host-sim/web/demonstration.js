@@ -15,6 +15,9 @@ const WORDS = /** @type {const} */ ([
   ["snap", "snaps over"], ["tip", "tips"], ["slip", "slips"], ["land", "lies down"], ["touch", "touches"], ["lift", "comes off"],
 ]);
 
+/** Returns true for a slider under the scene. @param {EventTarget | null} target */
+const isDial = (target) => target instanceof Element && target.matches('.dials input[type="range"]');
+
 export class Demonstration {
   /**
    * @param {(message: {type: string, [field: string]: unknown}) => Promise<void>} request
@@ -33,6 +36,8 @@ export class Demonstration {
     this.over = false;
     /** It is requested, but not answered yet. */
     this.asking = false;
+    /** It goes on, from its beginning, when the slider under the scene has its value. */
+    this.resumes = false;
     /** The last caption, and the end of its time. */
     this.word = "";
     this.until = 0;
@@ -42,8 +47,11 @@ export class Demonstration {
     this.button = byId("show-me", HTMLButtonElement);
     this.button.addEventListener("click", () => this.ask().catch((why) => this.tell(why.message)));
     for (const name of ["pointerdown", "keydown", "click"]) {
-      document.addEventListener(name, () => this.touch(), { capture: true });
+      document.addEventListener(name, ({ target }) => this.touch(target, name), { capture: true });
     }
+    document.addEventListener("change", ({ target }) => {
+      if (this.resumes && isDial(target)) this.ask().catch((why) => this.tell(why.message));
+    });
   }
 
   /** The hand follows the scene's path in a demonstration. */
@@ -66,9 +74,15 @@ export class Demonstration {
     if (!reducedMotion() && this.hello?.source.kind === "core") this.ask().catch(() => {});
   }
 
-  /** Ends it: somebody has pressed or typed. */
-  touch() {
+  /**
+   * Ends it: somebody has pressed or typed. A slider under the scene only interrupts it.
+   * @param {EventTarget | null} target @param {string} name
+   */
+  touch(target, name) {
     this.over = true;
+    // The click that ends the motion of a slider.
+    if (name === "click" && isDial(target)) return;
+    this.resumes = isDial(target) && (this.running || this.asking || this.resumes);
     if (this.running || this.asking) this.request({ type: "replay", what: null }).catch((why) => this.tell(why.message));
   }
 

@@ -48,26 +48,67 @@ const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], 
 /**
  * Draws the two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
- * @param {SceneParameters} parameters
+ * @param {SceneParameters} parameters @param {string | null} taken the kind that the pointer is at
  */
-export function drawCones(ctx, view, contact, surface, parameters) {
-  const { tx, ty, nx, ny } = frameOf(surface);
+export function drawCones(ctx, view, contact, surface, parameters, taken) {
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
   for (const kind of /** @type {const} */ (["static", "dynamic"])) {
-    const mu = surface[kind] ?? parameters[kind];
-    const size = CONE / Math.hypot(1, mu);
+    const [one, other] = coneEnds(view, contact, surface, surface[kind] ?? parameters[kind]);
     ctx.beginPath();
-    ctx.moveTo(x + size * (nx + mu * tx), y + size * (ny + mu * ty));
+    ctx.moveTo(one.x, one.y);
     ctx.lineTo(x, y);
-    ctx.lineTo(x + size * (nx - mu * tx), y + size * (ny - mu * ty));
+    ctx.lineTo(other.x, other.y);
     ctx.fillStyle = colors[`cone-${kind}`];
     ctx.fill();
     ctx.setLineDash(kind === "static" ? [6, 3] : [1.8, 2.6]);
     ctx.strokeStyle = colors[`limit-${kind}`];
     ctx.lineWidth = 1.3;
     ctx.stroke();
+    ctx.setLineDash([]);
+    for (const end of [one, other]) {
+      ctx.beginPath();
+      ctx.arc(end.x, end.y, DOT, 0, 2 * Math.PI);
+      ctx.fillStyle = colors[kind === taken ? "accent" : "paper"];
+      ctx.fill();
+      ctx.stroke();
+    }
   }
-  ctx.setLineDash([]);
+}
+
+/** Radius of the dots at the ends of a cone's sides (px): whoever drags one changes the friction. */
+const DOT = 3.5;
+
+/**
+ * Returns the ends of a cone's sides (px).
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {number} mu @returns {Spot[]}
+ */
+function coneEnds(view, contact, surface, mu) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const size = CONE / Math.hypot(1, mu);
+  return [1, -1].map((side) => ({ x: x + size * (nx + side * mu * tx), y: y + size * (ny + side * mu * ty) }));
+}
+
+/**
+ * Returns the kind of friction whose cone has the end of a side at a position, or null.
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters @param {Spot} at
+ * @param {number} slack px @returns {"static" | "dynamic" | null}
+ */
+export function coneAt(view, contact, surface, parameters, at, slack) {
+  const isAt = (/** @type {"static" | "dynamic"} */ kind) => coneEnds(view, contact, surface, surface[kind] ?? parameters[kind])
+    .some(({ x, y }) => Math.hypot(x - at.x, y - at.y) <= DOT + slack);
+  return isAt("static") ? "static" : isAt("dynamic") ? "dynamic" : null;
+}
+
+/**
+ * Returns the friction whose cone passes through a position, at most `most`.
+ * @param {View} view @param {Vec} point of the contact @param {Facing} surface @param {Spot} at @param {number} most
+ */
+export function frictionAt(view, point, surface, at, most) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const dx = at.x - view.px(point[0]), dy = at.y - view.py(point[1]);
+  const [along, up] = [Math.abs(dx * tx + dy * ty), dx * nx + dy * ny];
+  return up > along / most ? Math.round((100 * along) / up) / 100 : most;
 }
 
 /**

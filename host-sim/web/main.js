@@ -245,7 +245,7 @@ async function toggleSound() {
 
 const help = byId("help", HTMLDialogElement);
 const toggleHelp = () => (help.open ? help.close() : help.showModal());
-new Pointers(stage, grip);
+new Pointers(stage, grip, (kind, friction) => controls.set(kind, friction));
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
   "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(),

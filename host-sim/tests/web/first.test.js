@@ -26,6 +26,8 @@ const AT_ONCE = [
 const WORDS = 80;
 const CONTROLS = 12;
 const SHARE = 0.6;
+/** Length of the sides of a cone (px), as in forces.js. */
+const CONE = 92;
 /** Captions of the demonstration of a box that is dragged. */
 const SAID = ["sticks", "slips"];
 /** Terms that the page explains, by the element with the title. */
@@ -120,6 +122,40 @@ liveTest("the opening slips by some 6 mm twice in a second, and the chart shows 
   assert.ok(late.length >= 3 && late.length <= 5, `${late.length} slips in two seconds`);
   for (const { length } of late) assert.ok(Math.abs(length - 0.006) < 1e-3, `${length} m`);
   await picture(live, "opening");
+}, []);
+
+liveTest("a cone is dragged to change its friction, and a slider only interrupts the demonstration", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  const { page } = live;
+  await shown(live, 0.5);
+  await page.focus("#slide-static");
+  await page.keyboard.press("ArrowRight");
+  await live.until(() => (window.stiction.state?.parameters.static ?? 0) > 0.6);
+  await shown(live, 1);
+
+  // The dot at the end of the left side of the left cone: the pointer takes the whole cone with it.
+  await page.keyboard.press("Shift");
+  await live.until(() => window.stiction.state?.replay === null);
+  for (const [kind, mu, wanted] of /** @type {const} */ ([["static", 0.601, 0.9], ["dynamic", 0.3, 0.15]])) {
+    await live.steady();
+    const contacts = (await live.frame()).frame.contacts;
+    const [x, y] = contacts.reduce((left, contact) => (contact.point[0] < left.point[0] ? contact : left)).point;
+    const foot = await live.pixel(x, y);
+    const end = (/** @type {number} */ friction) => {
+      const size = CONE / Math.hypot(1, friction);
+      return [foot.x - size * friction, foot.y - size];
+    };
+    const now = (await live.state()).parameters[kind];
+    assert.ok(Math.abs(now - mu) < 0.01, `${now}`);
+    await page.mouse.move(end(now)[0], end(now)[1]);
+    await live.until((over) => /** @type {HTMLElement} */ (document.querySelector("#stage")).dataset.over === over, kind);
+    await page.mouse.down();
+    await page.mouse.move(end(wanted)[0], end(wanted)[1], { steps: 8 });
+    await page.mouse.up();
+    await live.until(([name, friction]) => Math.abs((window.stiction.state?.parameters[name] ?? 0) - friction) < 0.03,
+      /** @type {const} */ ([kind, wanted]));
+    assert.equal((await live.frame()).frame.held, true);
+  }
 }, []);
 
 liveTest("an object that is let go on one corner stays tilted, and the page says why", async (bench) => {
