@@ -1,7 +1,7 @@
 // Contacts: friction cones with the reaction in them, and bars of N along the normal and of T along the tangent.
 
 import { digits } from "./dom.js";
-import { label } from "./labels.js";
+import { boxOf, label, linesThrough } from "./labels.js";
 import { colors } from "./theme.js";
 import { step125 } from "./ground.js";
 
@@ -157,11 +157,30 @@ export function drawSliding(ctx, view, contact, surface) {
 }
 
 /**
+ * Returns the lines of a contact: the sides of its cones, its bars and its reaction.
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters
+ * @param {number} perNewton @returns {import("./labels.js").Line[]}
+ */
+export function linesOfContact(view, contact, surface, parameters, perNewton) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const n = contact.normal * perNewton, t = contact.friction * perNewton;
+  const bar = (/** @type {number} */ dx, /** @type {number} */ dy, /** @type {number} */ half) =>
+    linesThrough([[x, y], [x + dx, y + dy]], half);
+  const sides = /** @type {const} */ (["static", "dynamic"]).flatMap((kind) =>
+    coneEnds(view, contact, surface, surface[kind] ?? parameters[kind])
+      .flatMap((end) => [...linesThrough([[x, y], [end.x, end.y]], 1), ...linesThrough([[end.x, end.y], [end.x, end.y]], DOT)]));
+  return [...sides, ...bar(n * nx, n * ny, WIDTH / 2 + 1), ...bar(t * tx, t * ty, WIDTH / 2 + 1),
+    ...bar(n * nx + t * tx, n * ny + t * ty, 2), ...bar(0, 0, 5),
+    ...contact.sliding ? linesThrough([[x, y], [x - BELOW * nx, y - BELOW * ny]], 2 * CHEVRON + 2) : []];
+}
+
+/**
  * Writes the values of a contact's bars next to their ends; omits bars that are absent or outside the window.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
- * @param {import("./labels.js").Label[]} labels existing labels
+ * @param {import("./labels.js").Taken} taken
  */
-export function labelContact(ctx, view, contact, surface, perNewton, labels) {
+export function labelContact(ctx, view, contact, surface, perNewton, taken) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
   if (contact.normal === 0 || x < 0 || y < 0 || x > view.width || y > view.height) return;
@@ -169,12 +188,15 @@ export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const side = contact.friction > 0 ? -1 : 1;
   const away = 14;
   const [right, down] = [nx * n + side * away * tx, ny * n + side * away * ty];
-  label(ctx, { text: `N ${digits(contact.normal)}`, x: x + right, y: y + down }, side * tx, colors.normal, labels);
+  const key = `${contact.vertex} ${surface.name} ${contact.corner}`;
+  const ofN = { text: `N ${digits(contact.normal)}`, key: `N ${key}`, x: x + right, y: y + down };
+  label(ctx, { ...ofN, named: boxOf(x, y, x + n * nx, y + n * ny) }, side * tx, colors.normal, taken);
   if (Math.abs(t) < 1) return;
   const sense = Math.sign(t);
   const along = t + 8 * sense;
-  const place = { text: `T ${digits(contact.friction)}`, x: x + along * tx - 16 * nx, y: y + along * ty - 16 * ny };
-  label(ctx, place, sense * tx, colors.friction, labels);
+  // Behind the border and its hatching.
+  const ofT = { text: `T ${digits(contact.friction)}`, key: `T ${key}`, x: x + along * tx - 26 * nx, y: y + along * ty - 26 * ny };
+  label(ctx, { ...ofT, named: boxOf(x, y, x + t * tx, y + t * ty) }, sense * tx, colors.friction, taken);
 }
 
 /**

@@ -2,10 +2,10 @@
 // drawing and the age of a hand's sample when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
-import { coneAt, drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
-import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
+import { coneAt, drawContact, drawCones, drawSliding, ForceScale, labelContact, linesOfContact } from "./forces.js";
+import { drawGrid, drawScales, drawSurfaces, linesOfSurfaces } from "./ground.js";
 import { drawHandle } from "./handle.js";
-import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
+import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral, linesOfBody, linesOfHand } from "./object.js";
 import { placeOf } from "./reach.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -69,6 +69,10 @@ export class Stage {
     this.work = () => this.draw();
     onTheme(() => this.ask());
     new ResizeObserver((entries) => this.resize(entries[0])).observe(canvas);
+    /** The buttons and texts of the page over the drawing. */
+    this.overlays = [...canvas.parentElement?.querySelectorAll(".tools button, .foot > *, .over > *") ?? []];
+    const changes = new ResizeObserver(() => { this.buttons = this.buttonBoxes(); });
+    for (const overlay of this.overlays) changes.observe(overlay);
   }
 
   /** Gives the canvas as many pixels as the screen has there. @param {ResizeObserverEntry} entry */
@@ -90,11 +94,10 @@ export class Stage {
   /** Returns the boxes of the buttons and hints over the drawing, in its pixels. @returns {import("./labels.js").Label[]} */
   buttonBoxes() {
     const canvas = this.canvas.getBoundingClientRect();
-    const groups = this.canvas.parentElement?.querySelectorAll(".tools > div, .foot") ?? [];
-    return [...groups].map((group) => {
-      const { left, top, width, height } = group.getBoundingClientRect();
+    return this.overlays.map((overlay) => {
+      const { left, top, width, height } = overlay.getBoundingClientRect();
       const [x, y, w, h] = [left - canvas.left, top - canvas.top, width, height].map((length) => length / this.magnify);
-      return { left: x, top: y, width: w, height: h, buttons: true };
+      return { left: x, top: y, width: w, height: h };
     });
   }
 
@@ -244,7 +247,7 @@ export class Stage {
     /** @type {import("./labels.js").Label[]} */
     const labels = [...this.buttons];
     drawGrid(ctx, view);
-    obstacles?.drawObstacles(ctx, view, scene, labels);
+    obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces, labels);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -265,10 +268,18 @@ export class Stage {
     obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (this.handleShown()) drawHandle(ctx, view, frame.hand, this.over === "knob");
+    const lines = [
+      ...linesOfSurfaces(view, scene.surfaces), ...obstacles?.linesOfObstacles(view, scene.obstacles ?? []) ?? [],
+      ...linesOfBody(view, scene.body, frame.pose), ...ghost ? linesOfBody(view, scene.body, ghost) : [],
+      ...linesOfHand(view, frame.hand, holding),
+      ...contacts.flatMap(([contact, surface]) => linesOfContact(view, contact, surface, parameters, perNewton)),
+    ];
+    const taken = { labels, lines };
     if (layers.bars && layers.values) {
-      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
-      obstacles?.nameCorners(ctx, view, frame.contacts, labels);
+      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, taken);
+      obstacles?.nameCorners(ctx, view, frame.contacts, taken);
     }
+    obstacles?.nameObstacles(ctx, view, scene.obstacles ?? [], taken);
     drawScales(ctx, view, perNewton);
   }
 
