@@ -54,10 +54,9 @@ const record = (live) =>
       path.push(path[0]);
       closePath.call(this);
     };
-    prototype.stroke = function (/** @type {any} */ other) {
-      if (other) return stroke.call(this, other);
-      stroke.call(this);
-      if (this.canvas.id !== "stage") return;
+    prototype.stroke = function (/** @type {any[]} */ ...shapes) {
+      Reflect.apply(stroke, this, shapes);
+      if (this.canvas.id !== "stage" || shapes.length > 0) return;
       for (let k = 1; k < path.length; k++) {
         const ends = [...placed(this, path[k - 1][0], path[k - 1][1]), ...placed(this, path[k][0], path[k][1])];
         const half = (this.lineWidth / 2) * this.getTransform().a / devicePixelRatio;
