@@ -40,17 +40,14 @@ export class Gallery {
     this.title = "";
   }
 
-  /**
-   * Adds cards for new scenes, in front, and removes those of deleted scenes.
-   * @param {string[]} names @param {boolean} drawn whether there are pictures of them
-   */
-  list(names, drawn) {
+  /** Adds cards for new scenes, in front, and removes those of deleted scenes. @param {string[]} names */
+  list(names) {
     for (const [name, { input }] of this.scenes) {
       if (names.includes(name)) continue;
       input.closest("label")?.remove();
       this.scenes.delete(name);
     }
-    for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, drawn));
+    for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, false));
   }
 
   /** Makes a card. @param {string} name @param {string | null} story @param {boolean} drawn whether there is a picture of it */
@@ -75,14 +72,13 @@ export class Gallery {
   /** Shows a state. Adds a card for its scene if it has none. @param {StateMessage} state */
   show({ scene, scenes }) {
     const { title, story } = scene;
-    // Only a program that lists its scenes has pictures of those added later.
-    const hasPictures = scenes !== undefined && document.body.dataset.alone === undefined;
-    this.list([...new Set([...(scenes ?? this.scenes.keys()), title])], hasPictures);
+    this.list([...new Set([...(scenes ?? this.scenes.keys()), title])]);
     const card = /** @type {Card} */ (this.scenes.get(title));
     if (story !== undefined) card.story = story;
     card.input.title = card.story ?? "";
     this.title = title;
-    if (hasPictures) redraw(card, scene);
+    // Only a program that lists its scenes has pictures of those added later.
+    if (scenes && document.body.dataset.alone === undefined) redraw(card, scene);
     this.select(title);
   }
 

@@ -176,16 +176,6 @@ liveTest("a scene is drawn, changed, undone, saved, opened and run", async (benc
   await live.until(() => window.stiction.state?.parameters.static === 0.77);
 });
 
-liveTest("a scene of one's own has its picture in the gallery after a reload, too", async (bench) => {
-  const live = await bench.open();
-  const text = `[body]\nrectangle = [0.1, 0.06]\nstart = [0.0, 0.1, 0.0]\n[spring]\ntranslation = 500.0\nrotation = 0.5\n`;
-  await drop(live, "mine.toml", text);
-  await live.until(() => window.stiction.state?.scene.title === "mine");
-  await live.scene("ladder");
-  await live.page.reload();
-  await live.page.locator('.card:has(input[value="mine"]) svg').waitFor({ state: "attached" });
-});
-
 test("a file that is edited is shown anew, a broken one is reported with its line", { skip: shared().missing }, async () => {
   const folder = newFolder();
   const file = join(folder, "mine.toml");
