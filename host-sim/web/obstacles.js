@@ -227,9 +227,10 @@ export function nameCorners(ctx, view, contacts, taken) {
   for (const { corner, obstacle, point, direction } of contacts) {
     if (corner === undefined || !direction) continue;
     const [nx, ny] = direction;
-    const x = view.px(point[0]) - (RING + 7) * nx, y = view.py(point[1]) + (RING + 11) * ny;
+    const px = view.px(point[0]), py = view.py(point[1]);
+    const x = px - (RING + 7) * nx, y = py + (RING + 11) * ny;
     const toward = Math.abs(nx) > 0.2 ? -Math.sign(nx) : 0;
     const text = `${obstacle}, corner ${corner}`;
-    label(ctx, { text, key: text, x, y, named: boxOf(view.px(point[0]), view.py(point[1])) }, toward, colors.muted, taken);
+    label(ctx, { text, key: text, x, y, named: boxOf(px - RING, py - RING, px + RING, py + RING) }, toward, colors.muted, taken);
   }
 }
