@@ -72,7 +72,7 @@ use retained::Retained;
 use server::Hub;
 
 /// The default scene.
-const SCENE: &str = "box-flat";
+const SCENE: &str = "drag";
 /// Maximum number of orders that wait for the solver.
 const ORDERS: usize = 1024;
 /// Maximum number of lines that wait for the terminal: of recordings that begin faster than it prints, some are not reported.

@@ -9,7 +9,7 @@ import { Strip } from "./strip.js";
 /** Resolution of the time that a browser gives a page (s). */
 const CLOCK = 1e-4;
 /** Width of the window in real time (s); in slow motion it shows less of the solver's time. */
-const WINDOW = 8;
+const WINDOW = 2;
 /** Number of ticks in memory: those in the window and a few more. */
 const TICKS = 9000;
 /** Number of slips in memory. */
@@ -77,7 +77,10 @@ export class Charts {
   setState(state) {
     this.state = state;
     this.units = unitsOf(state);
+    setText(byId("unit-force"), this.units.force.name);
     setText(byId("unit-slip"), this.units.length.name);
+    // Without data, too, the scales are those of the scene's units.
+    this.stale = true;
     this.window = WINDOW * Math.min(1, Math.max(0.01, state.speed));
     const solids = [...state.scene.surfaces, ...state.scene.obstacles ?? []];
     const names = solids.map(({ name }) => name);
@@ -170,10 +173,10 @@ export class Charts {
 
   /** @param {number | null} at s */
   tellForces(at) {
-    const { name, per } = this.units.force;
+    const { per } = this.units.force;
     for (const [id, letter, column] of /** @type {const} */ ([["now-n", "N", 1], ["now-t", "T", 2]])) {
       const force = at === null ? this.forces.last(column) || 0 : this.past(this.forces, at, column);
-      setText(byId(id), `${letter} ${digits(force * per)} ${name}`);
+      setText(byId(id), `${letter} ${digits(force * per)}`);
     }
   }
 

@@ -24,8 +24,11 @@ const MEMORY = 1 / 4096;
 const STEPS = 1000;
 
 export class Controls {
-  /** @param {() => Feed} feed @param {(text: string) => void} tell */
-  constructor(feed, tell) {
+  /**
+   * @param {() => Feed} feed @param {(text: string) => void} tell
+   * @param {() => void} chosen called when a scene that the reader has chosen is there
+   */
+  constructor(feed, tell, chosen) {
     this.feed = feed;
     this.tell = tell;
     /** @type {StateMessage | null} */
@@ -33,7 +36,11 @@ export class Controls {
     /** Parameters that wait for the answer to the previous ones. @type {Partial<SceneParameters> | null} */
     this.waiting = null;
     this.underWay = false;
-    this.gallery = new Gallery((name) => this.ask({ type: "scene", name }));
+    this.gallery = new Gallery(async (name) => {
+      const taken = await this.ask({ type: "scene", name });
+      if (taken) chosen();
+      return taken;
+    });
     /** A board keeps the weight of its scene. */
     this.keepsWeight = false;
     this.number = byId("number", HTMLSelectElement);
@@ -172,6 +179,8 @@ export class Controls {
       const shown = Number((value / (RANGES[name].unit ?? 1)).toPrecision(4));
       this.sliders[name].disabled = isAbsent;
       this.typed[name].disabled = isAbsent;
+      const said = document.getElementById(`value-${name}`);
+      if (said) setText(said, isAbsent ? "–" : String(shown));
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(shown));
       const typing = document.activeElement === this.typed[name] && !moved && !all;

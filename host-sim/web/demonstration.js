@@ -1,6 +1,6 @@
 // A demonstration until somebody touches the page: the hand follows the scene's path repeatedly, and a caption describes what
-// the object does. The first press, touch or key ends it; hand and object stay where they are. Also the note about a released
-// object.
+// the object does. It begins when the page is opened and when a scene is chosen. The first press, touch or key ends it; hand and
+// object stay where they are. Also the note about a released object.
 
 import { byId, reducedMotion, setText } from "./dom.js";
 
@@ -14,6 +14,9 @@ const NEAR = 1e-6;
 const WORDS = /** @type {const} */ ([
   ["snap", "snaps over"], ["tip", "tips"], ["slip", "slips"], ["land", "lies down"], ["touch", "touches"], ["lift", "comes off"],
 ]);
+
+/** Returns true for a slider under the scene. @param {EventTarget | null} target */
+const isDial = (target) => target instanceof Element && target.matches('.dials input[type="range"]');
 
 export class Demonstration {
   /**
@@ -33,6 +36,8 @@ export class Demonstration {
     this.over = false;
     /** It is requested, but not answered yet. */
     this.asking = false;
+    /** It goes on, from its beginning, when the slider under the scene has its value. */
+    this.resumes = false;
     /** The last caption, and the end of its time. */
     this.word = "";
     this.until = 0;
@@ -42,8 +47,11 @@ export class Demonstration {
     this.button = byId("show-me", HTMLButtonElement);
     this.button.addEventListener("click", () => this.ask().catch((why) => this.tell(why.message)));
     for (const name of ["pointerdown", "keydown", "click"]) {
-      document.addEventListener(name, () => this.touch(), { capture: true });
+      document.addEventListener(name, ({ target }) => this.touch(target, name), { capture: true });
     }
+    document.addEventListener("change", ({ target }) => {
+      if (this.resumes && isDial(target)) this.ask().catch((why) => this.tell(why.message));
+    });
   }
 
   /** The hand follows the scene's path in a demonstration. */
@@ -61,9 +69,20 @@ export class Demonstration {
     }
   }
 
-  /** Ends it: somebody has pressed or typed. */
-  touch() {
+  /** Begins with a scene that was chosen: its story promises motion. A board, and a hand that comes from elsewhere, refuse it. */
+  play() {
+    if (!reducedMotion() && this.hello?.source.kind === "core") this.ask().catch(() => {});
+  }
+
+  /**
+   * Ends it: somebody has pressed or typed. A slider under the scene only interrupts it.
+   * @param {EventTarget | null} target @param {string} name
+   */
+  touch(target, name) {
     this.over = true;
+    // The click that ends the motion of a slider.
+    if (name === "click" && isDial(target)) return;
+    this.resumes = isDial(target) && (this.running || this.asking || this.resumes);
     if (this.running || this.asking) this.request({ type: "replay", what: null }).catch((why) => this.tell(why.message));
   }
 
@@ -84,8 +103,12 @@ export class Demonstration {
     const now = performance.now();
     if (message.holding !== null) this.openSince = Infinity;
     else if (this.openSince === Infinity) this.openSince = now;
-    const hangs = message.frame.contacts.length === 0 || (this.state?.scene.weight ?? 0) > 0;
+    const { length } = message.frame.contacts;
+    const hangs = length < 2 || (this.state?.scene.weight ?? 0) > 0;
     byId("released").hidden = !hangs || this.running || now - this.openSince < OPEN;
+    setText(byId("released-text"), length === 1
+      ? "Released on one corner: it stays tilted, because statics computes rest only, and nothing falls."
+      : "Released: it stays where it is, because nothing falls in statics.");
   }
 
   /** Returns true if nobody has done anything yet, here or elsewhere. @param {FrameMessage} message */

@@ -1,7 +1,7 @@
 // Contacts: friction cones with the reaction in them, and bars of N along the normal and of T along the tangent.
 
 import { digits } from "./dom.js";
-import { label } from "./labels.js";
+import { boxOf, label, linesThrough } from "./labels.js";
 import { colors } from "./theme.js";
 import { step125 } from "./ground.js";
 
@@ -48,26 +48,67 @@ const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], 
 /**
  * Draws the two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
- * @param {SceneParameters} parameters
+ * @param {SceneParameters} parameters @param {string | null} taken the kind that the pointer is at
  */
-export function drawCones(ctx, view, contact, surface, parameters) {
-  const { tx, ty, nx, ny } = frameOf(surface);
+export function drawCones(ctx, view, contact, surface, parameters, taken) {
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
   for (const kind of /** @type {const} */ (["static", "dynamic"])) {
-    const mu = surface[kind] ?? parameters[kind];
-    const size = CONE / Math.hypot(1, mu);
+    const [one, other] = coneEnds(view, contact, surface, surface[kind] ?? parameters[kind]);
     ctx.beginPath();
-    ctx.moveTo(x + size * (nx + mu * tx), y + size * (ny + mu * ty));
+    ctx.moveTo(one.x, one.y);
     ctx.lineTo(x, y);
-    ctx.lineTo(x + size * (nx - mu * tx), y + size * (ny - mu * ty));
+    ctx.lineTo(other.x, other.y);
     ctx.fillStyle = colors[`cone-${kind}`];
     ctx.fill();
     ctx.setLineDash(kind === "static" ? [6, 3] : [1.8, 2.6]);
     ctx.strokeStyle = colors[`limit-${kind}`];
     ctx.lineWidth = 1.3;
     ctx.stroke();
+    ctx.setLineDash([]);
+    for (const end of [one, other]) {
+      ctx.beginPath();
+      ctx.arc(end.x, end.y, DOT, 0, 2 * Math.PI);
+      ctx.fillStyle = colors[kind === taken ? "accent" : "paper"];
+      ctx.fill();
+      ctx.stroke();
+    }
   }
-  ctx.setLineDash([]);
+}
+
+/** Radius of the dots at the ends of a cone's sides (px): whoever drags one changes the friction. */
+const DOT = 3.5;
+
+/**
+ * Returns the ends of a cone's sides (px).
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {number} mu @returns {Spot[]}
+ */
+function coneEnds(view, contact, surface, mu) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const size = CONE / Math.hypot(1, mu);
+  return [1, -1].map((side) => ({ x: x + size * (nx + side * mu * tx), y: y + size * (ny + side * mu * ty) }));
+}
+
+/**
+ * Returns the kind of friction whose cone has the end of a side at a position, or null.
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters @param {Spot} at
+ * @param {number} slack px @returns {"static" | "dynamic" | null}
+ */
+export function coneAt(view, contact, surface, parameters, at, slack) {
+  const isAt = (/** @type {"static" | "dynamic"} */ kind) => coneEnds(view, contact, surface, surface[kind] ?? parameters[kind])
+    .some(({ x, y }) => Math.hypot(x - at.x, y - at.y) <= DOT + slack);
+  return isAt("static") ? "static" : isAt("dynamic") ? "dynamic" : null;
+}
+
+/**
+ * Returns the friction whose cone passes through a position, at most `most`.
+ * @param {View} view @param {Vec} point of the contact @param {Facing} surface @param {Spot} at @param {number} most
+ */
+export function frictionAt(view, point, surface, at, most) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const dx = at.x - view.px(point[0]), dy = at.y - view.py(point[1]);
+  const [along, up] = [Math.abs(dx * tx + dy * ty), dx * nx + dy * ny];
+  return up > along / most ? Math.round((100 * along) / up) / 100 : most;
 }
 
 /**
@@ -116,11 +157,30 @@ export function drawSliding(ctx, view, contact, surface) {
 }
 
 /**
+ * Returns the lines of a contact: the sides of its cones, its bars and its reaction.
+ * @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters
+ * @param {number} perNewton @returns {import("./labels.js").Line[]}
+ */
+export function linesOfContact(view, contact, surface, parameters, perNewton) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const n = contact.normal * perNewton, t = contact.friction * perNewton;
+  const bar = (/** @type {number} */ dx, /** @type {number} */ dy, /** @type {number} */ half) =>
+    linesThrough([[x, y], [x + dx, y + dy]], half);
+  const sides = /** @type {const} */ (["static", "dynamic"]).flatMap((kind) =>
+    coneEnds(view, contact, surface, surface[kind] ?? parameters[kind])
+      .flatMap((end) => [...linesThrough([[x, y], [end.x, end.y]], 1), ...linesThrough([[end.x, end.y], [end.x, end.y]], DOT)]));
+  return [...sides, ...bar(n * nx, n * ny, WIDTH / 2 + 1), ...bar(t * tx, t * ty, WIDTH / 2 + 1),
+    ...bar(n * nx + t * tx, n * ny + t * ty, 2), ...bar(0, 0, 5),
+    ...contact.sliding ? linesThrough([[x, y], [x - BELOW * nx, y - BELOW * ny]], 2 * CHEVRON + 2) : []];
+}
+
+/**
  * Writes the values of a contact's bars next to their ends; omits bars that are absent or outside the window.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
- * @param {import("./labels.js").Label[]} labels existing labels
+ * @param {import("./labels.js").Taken} taken
  */
-export function labelContact(ctx, view, contact, surface, perNewton, labels) {
+export function labelContact(ctx, view, contact, surface, perNewton, taken) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
   if (contact.normal === 0 || x < 0 || y < 0 || x > view.width || y > view.height) return;
@@ -128,12 +188,15 @@ export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const side = contact.friction > 0 ? -1 : 1;
   const away = 14;
   const [right, down] = [nx * n + side * away * tx, ny * n + side * away * ty];
-  label(ctx, { text: `N ${digits(contact.normal)}`, x: x + right, y: y + down }, side * tx, colors.normal, labels);
+  const key = `${contact.vertex} ${surface.name} ${contact.corner}`;
+  const ofN = { text: `N ${digits(contact.normal)}`, key: `N ${key}`, x: x + right, y: y + down };
+  label(ctx, { ...ofN, named: boxOf(x, y, x + n * nx, y + n * ny) }, side * tx, colors.normal, taken);
   if (Math.abs(t) < 1) return;
   const sense = Math.sign(t);
   const along = t + 8 * sense;
-  const place = { text: `T ${digits(contact.friction)}`, x: x + along * tx - 16 * nx, y: y + along * ty - 16 * ny };
-  label(ctx, place, sense * tx, colors.friction, labels);
+  // Behind the border and its hatching.
+  const ofT = { text: `T ${digits(contact.friction)}`, key: `T ${key}`, x: x + along * tx - 26 * nx, y: y + along * ty - 26 * ny };
+  label(ctx, { ...ofT, named: boxOf(x, y, x + t * tx, y + t * ty) }, sense * tx, colors.friction, taken);
 }
 
 /**

@@ -1,7 +1,7 @@
 // The fixed parts: grid, surfaces with hatching, and scales of length and force.
 
 import { prefixed } from "./dom.js";
-import { LINE, covers } from "./labels.js";
+import { LINE, covers, linesThrough } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Spacing of the hatching and its depth (px). */
@@ -144,6 +144,13 @@ function nameSurface(ctx, view, surface, surfaces, labels) {
     return;
   }
 }
+
+/** Returns the lines of the surfaces: their borders with the hatching behind them. @param {View} view @param {Surface[]} surfaces */
+export const linesOfSurfaces = (view, surfaces) => surfaces.flatMap((surface) => {
+  const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
+  const [x, y] = [px - 0.5 * HATCH_DEPTH * nx, py - 0.5 * HATCH_DEPTH * ny];
+  return linesThrough([[x - reach * tx, y - reach * ty], [x + reach * tx, y + reach * ty]], 0.5 * HATCH_DEPTH + 2);
+});
 
 /** Formats a round size in a suitable unit. @param {number} size @param {string} unit */
 function round(size, unit) {

@@ -8,6 +8,7 @@ import { byId, setText } from "./dom.js";
 import { Grip } from "./grip.js";
 import { Keys } from "./keys.js";
 import { Link } from "./link.js";
+import { startPanels } from "./panels.js";
 import { Pointers } from "./pointer.js";
 import { Readout } from "./readout.js";
 import { asItCame, withoutNoise } from "./sizes.js";
@@ -23,6 +24,7 @@ const ZOOM = 1.3;
 
 startTheme();
 startTips();
+startPanels();
 const stage = new Stage(byId("stage", HTMLCanvasElement));
 const diagram = new Diagram(byId("diagram"));
 /** The strip charts, from the first drawing on. @type {import("./charts.js").Charts | null} */
@@ -54,7 +56,7 @@ const feed = () => board ?? source;
 /** Returns true if this browser can use a serial port. */
 const canSerial = () => navigator.serial !== undefined;
 const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
-const controls = new Controls(feed, note);
+const controls = new Controls(feed, note, () => demonstration.play());
 const demonstration = new Demonstration((message) => feed().request(message), () => !address?.busy, note);
 const transport = new Transport((message) => controls.ask(message), note);
 
@@ -243,7 +245,7 @@ async function toggleSound() {
 
 const help = byId("help", HTMLDialogElement);
 const toggleHelp = () => (help.open ? help.close() : help.showModal());
-new Pointers(stage, grip);
+new Pointers(stage, grip, (kind, friction) => controls.set(kind, friction));
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
   "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(),

@@ -1,5 +1,6 @@
 // The body, its ghost, the hand, and the two springs between them.
 
+import { linesThrough } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Size of the hand's ring and of the coil (px). */
@@ -24,6 +25,27 @@ function traceBody(ctx, view, body, pose) {
   }
   for (const [x, y] of body) ctx.lineTo(view.px(pose[0] + c * x - s * y), view.py(pose[1] + s * x + c * y));
   ctx.closePath();
+}
+
+/**
+ * Returns the lines of the body's outline at a pose.
+ * @param {View} view @param {Vec[]} body @param {Pose} pose
+ */
+export function linesOfBody(view, body, [x, y, theta]) {
+  const c = Math.cos(theta), s = Math.sin(theta);
+  const corners = body.map(([a, b]) => /** @type {Vec} */ ([view.px(x + c * a - s * b), view.py(y + s * a + c * b)]));
+  return linesThrough([...corners, corners[0]], body.length > 2 ? 1.5 : 4);
+}
+
+/**
+ * Returns the lines of the hand and of the springs that hold the body at a point.
+ * @param {View} view @param {Pose} hand @param {Vec | null} holding
+ */
+export function linesOfHand(view, hand, holding) {
+  const x = view.px(hand[0]), y = view.py(hand[1]);
+  if (!holding) return linesThrough([[x, y], [x, y]], HAND_RADIUS);
+  const [hx, hy] = [view.px(holding[0]), view.py(holding[1])];
+  return [...linesThrough([[hx, hy], [x, y]], HAND_RADIUS), ...linesThrough([[hx, hy], [hx, hy]], OUTER)];
 }
 
 /**

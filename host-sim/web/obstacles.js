@@ -1,7 +1,7 @@
 // Obstacles: convex polygons, thin walls and pins. Draws their inside, their free sides with hatching, their names, and the
 // corners that touch the object.
 
-import { label } from "./labels.js";
+import { boxOf, label, linesThrough } from "./labels.js";
 import { colors } from "./theme.js";
 
 /** Spacing and depth of the hatching, as of surfaces; width of a wall; radii of pins and of rings at corners (px). */
@@ -86,16 +86,32 @@ function within(heights) {
   return [from, to];
 }
 
-/**
- * Draws all obstacles with their names.
- * @param {Ink} ctx @param {View} view @param {Scene} scene
- * @param {import("./labels.js").Label[]} labels existing labels
- */
-export function drawObstacles(ctx, view, { obstacles, surfaces }, labels) {
+/** Draws all obstacles. @param {Ink} ctx @param {View} view @param {Scene} scene */
+export function drawObstacles(ctx, view, { obstacles, surfaces }) {
   if (!obstacles?.length) return;
   for (const { vertices } of obstacles) drawInside(ctx, view, vertices);
   freePieces(obstacles, surfaces).forEach((pieces, k) => drawSides(ctx, view, obstacles[k].vertices, pieces));
-  for (const obstacle of obstacles) drawName(ctx, view, obstacle, labels);
+}
+
+/**
+ * Returns the lines of the obstacles: their sides with the hatching behind them.
+ * @param {View} view @param {Obstacle[]} obstacles @returns {import("./labels.js").Line[]}
+ */
+export const linesOfObstacles = (view, obstacles) => obstacles.flatMap(({ vertices }) => {
+  const isSolid = vertices.length > 2;
+  return sides(vertices).flatMap(([a, b]) => {
+    const [nx, ny] = isSolid ? outward(a, b) : [0, 0];
+    const at = (/** @type {Vec} */ [x, y]) => /** @type {Vec} */ ([view.px(x) - 0.5 * DEPTH * nx, view.py(y) + 0.5 * DEPTH * ny]);
+    return linesThrough([at(a), at(b)], isSolid ? 0.5 * DEPTH + 1 : PIN);
+  });
+});
+
+/**
+ * Writes the names of the obstacles.
+ * @param {Ink} ctx @param {View} view @param {Obstacle[]} obstacles @param {import("./labels.js").Taken} taken
+ */
+export function nameObstacles(ctx, view, obstacles, taken) {
+  for (const obstacle of obstacles) drawName(ctx, view, obstacle, taken);
 }
 
 /** @param {Ink} ctx @param {View} view @param {Vec[]} corners */
@@ -174,9 +190,9 @@ function seen(view, corners) {
 
 /**
  * Writes the name in the middle of the visible part; next to it if it is too small.
- * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Label[]} labels
+ * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Taken} taken
  */
-function drawName(ctx, view, { name, vertices }, labels) {
+function drawName(ctx, view, { name, vertices }, taken) {
   const points = seen(view, vertices);
   if (points.length === 0) return;
   const [xs, ys] = [0, 1].map((axis) => points.map((p) => p[axis]));
@@ -186,7 +202,7 @@ function drawName(ctx, view, { name, vertices }, labels) {
   const beside = right + 8 + width < view.width ? right + 8 : left - 8 - width;
   const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x, y] = fits ? [mean(xs) - width / 2, mean(ys)] : [beside, (top + bottom) / 2];
-  label(ctx, { text: name, x, y }, 1, colors.muted, labels);
+  label(ctx, { text: name, key: name, x, y, named: boxOf(left, top, right, bottom) }, 1, colors.muted, taken);
 }
 
 /** Draws a ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */
@@ -205,14 +221,16 @@ export function drawCorners(ctx, view, contacts) {
 /**
  * Writes obstacle and number of every corner that touches the object, next to the corner within the obstacle.
  * @param {Ink} ctx @param {View} view @param {Contact[]} contacts
- * @param {import("./labels.js").Label[]} labels existing labels
+ * @param {import("./labels.js").Taken} taken
  */
-export function nameCorners(ctx, view, contacts, labels) {
+export function nameCorners(ctx, view, contacts, taken) {
   for (const { corner, obstacle, point, direction } of contacts) {
     if (corner === undefined || !direction) continue;
     const [nx, ny] = direction;
-    const x = view.px(point[0]) - (RING + 7) * nx, y = view.py(point[1]) + (RING + 11) * ny;
+    const px = view.px(point[0]), py = view.py(point[1]);
+    const x = px - (RING + 7) * nx, y = py + (RING + 11) * ny;
     const toward = Math.abs(nx) > 0.2 ? -Math.sign(nx) : 0;
-    label(ctx, { text: `${obstacle}, corner ${corner}`, x, y }, toward, colors.muted, labels);
+    const text = `${obstacle}, corner ${corner}`;
+    label(ctx, { text, key: text, x, y, named: boxOf(px - RING, py - RING, px + RING, py + RING) }, toward, colors.muted, taken);
   }
 }

@@ -1,6 +1,7 @@
 // Mouse, pen and fingers: press to hold, drag to move, let go to release; the handle, the wheel or a second finger turns the
 // hand. Dragging off the object moves the window; two fingers, and the wheel with ctrl or without a hold, zoom it.
 
+import { frictionAt } from "./forces.js";
 import { ARM, isAtKnob } from "./handle.js";
 import { HAND_RADIUS } from "./object.js";
 import { placeOf } from "./reach.js";
@@ -15,14 +16,24 @@ const LINE = 33;
 const PAGE = 400;
 /** Zoom exponent per pixel of the wheel. */
 const WHEEL_ZOOM = 0.0025;
+/** Distance from the end of a cone's side at which a press still takes it (px), and the largest friction to which it is dragged. */
+const CONE_SLACK = { mouse: 6, pen: 8, touch: 16 };
+const MOST_FRICTION = 1.5;
+
 export class Pointers {
-  /** @param {Stage} stage @param {Grip} grip */
-  constructor(stage, grip) {
+  /**
+   * @param {Stage} stage @param {Grip} grip
+   * @param {(kind: "static" | "dynamic", friction: number) => void} setFriction
+   */
+  constructor(stage, grip, setFriction) {
     this.stage = stage;
     this.grip = grip;
+    this.setFriction = setFriction;
+    /** The cone that is dragged. @type {ReturnType<Stage["coneAt"]>} */
+    this.cone = null;
     /** Positions of all pressed pointers (px), the oldest first. @type {Map<number, Spot>} */
     this.down = new Map();
-    /** Action of the first pointer. @type {"hold" | "turn" | "pan" | null} */
+    /** Action of the first pointer. @type {"hold" | "turn" | "cone" | "pan" | null} */
     this.doing = null;
     /** The hand held before the press on its handle, and keeps holding after it. */
     this.stays = false;
@@ -55,19 +66,21 @@ export class Pointers {
     const at = this.stage.place(event);
     this.down.set(event.pointerId, at);
     if (this.down.size > 1) return;
-    this.doing = event.button === 0 ? this.take(at, slackOf(event), event.timeStamp) : "pan";
+    this.doing = event.button === 0 ? this.take(at, event) : "pan";
     canvas.dataset.doing = this.doing;
     if (this.doing === "pan") return;
+    // The window stays, so that the cone stays under the pointer.
     this.stage.leading = at;
     if (this.doing === "turn") this.stage.setOver("knob");
   }
 
   /**
-   * Begins the action of a press on the handle, the holding hand, the object, or the window.
-   * @param {Spot} at @param {number} slack px @param {number} sent @returns {"hold" | "turn" | "pan"}
+   * Begins the action of a press on the handle, a cone, the holding hand, the object, or the window.
+   * @param {Spot} at @param {PointerEvent} event @returns {"hold" | "turn" | "cone" | "pan"}
    */
-  take(at, slack, sent) {
+  take(at, event) {
     const { grip, stage } = this;
+    const [slack, sent] = [slackOf(event), event.timeStamp];
     const point = stage.view.world(at.x, at.y);
     const [hand, isShown] = [stage.message?.frame.hand, stage.handleShown()];
     if (hand && isShown && isAtKnob(stage.view, hand, at, slack)) {
@@ -76,6 +89,8 @@ export class Pointers {
       const had = grip.holding ? grip.begin(sent) : place !== null && grip.grasp(place, sent);
       return had ? "turn" : "pan";
     }
+    this.cone = stage.coneAt(at, slackOf(event, CONE_SLACK));
+    if (this.cone) return "cone";
     const isNear = grip.holding && this.nearHand(at);
     const place = this.reach(point, slack);
     const had = isNear ? grip.begin(sent) : place !== null && grip.grasp(place, sent);
@@ -93,7 +108,9 @@ export class Pointers {
     const isShown = stage.handleShown();
     // The pointer keeps the handle while it moves towards it.
     const isNear = isShown && Math.hypot(stage.view.px(hand[0]) - at.x, stage.view.py(hand[1]) - at.y) < ARM + slack;
+    const cone = stage.coneAt(at, slackOf(event, CONE_SLACK));
     if (isShown && isAtKnob(stage.view, hand, at, slack)) stage.setOver("knob");
+    else if (cone) stage.setOver(cone.kind);
     else stage.setOver(isNear || this.reach(stage.view.world(at.x, at.y), slack) ? "object" : null);
   }
 
@@ -138,6 +155,9 @@ export class Pointers {
     if (this.doing === "hold" || this.doing === "turn") {
       if (before && after) this.grip.move(0, 0, turnBetween(before, after), event.timeStamp);
       if (this.doing === "hold" && at === first) this.grip.lead(this.stage.view.world(at.x, at.y), event.timeStamp);
+    } else if (this.doing === "cone" && this.cone) {
+      const { kind, point, surface } = this.cone;
+      if (at === first) this.setFriction(kind, frictionAt(this.stage.view, point, surface, at, MOST_FRICTION));
     } else {
       this.shift(dx, dy, before, after, first, second);
     }
@@ -178,7 +198,7 @@ export class Pointers {
     const [first] = this.down.keys();
     if (!this.down.delete(event.pointerId)) return;
     if (event.pointerId === first && this.doing !== "pan") {
-      this.grip.end(event.timeStamp, this.grip.keep || (this.doing === "turn" && this.stays));
+      if (this.doing !== "cone") this.grip.end(event.timeStamp, this.grip.keep || (this.doing === "turn" && this.stays));
       this.doing = "pan";
       this.stage.leading = null;
       this.stage.setOver(null);
@@ -212,7 +232,7 @@ export class Pointers {
 }
 
 /** Returns the tolerance of a pointer (px). @param {PointerEvent} event */
-const slackOf = ({ pointerType }) => SLACK[/** @type {keyof typeof SLACK} */ (pointerType)] ?? SLACK.mouse;
+const slackOf = ({ pointerType }, slack = SLACK) => slack[/** @type {keyof typeof SLACK} */ (pointerType)] ?? slack.mouse;
 
 /** Returns the angle from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
 const turnBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y);

@@ -41,9 +41,10 @@ export class Readout {
     const { by, client } = state.hand;
     const mine = client !== null && client === this.hello?.you;
     const page = mine ? "this page" : `page ${client}`;
-    const holders = /** @type {{[by: string]: string}} */ ({ page, osc: "OSC", opentrack: "OpenTrack" });
-    setText(byId("holder"), `Hand: ${by === null ? "nobody" : holders[by] ?? by}`);
+    const holders = /** @type {{[by: string]: string}} */ ({ page, osc: "OSC", opentrack: "OpenTrack", replay: "a path" });
+    setText(byId("holder"), `Hand: ${by === null ? "at rest" : holders[by] ?? by}`);
     byId("holder").dataset.mine = String(mine);
+    byId("clients").parentElement?.setAttribute("data-alone", String(state.clients === 1));
     setText(byId("clients"), state.clients === 1 ? "1 page" : `${state.clients} pages`);
     setText(byId("trade-what"), `${state.number}, ${state.evolution} against f64, path`);
   }
@@ -181,7 +182,7 @@ function setNumbers(element, numbers, words) {
 
 /** Describes the source of the poses. @param {Source} source */
 function sourceText({ kind, name, number, where, emulated }) {
-  if (kind === "core") return "core, in process";
+  if (kind === "core") return "this computer";
   const board = [emulated ? "emulated board" : "board", name].filter(Boolean).join(" ");
   return [board, number, where].filter(Boolean).join(", ");
 }

@@ -2,10 +2,10 @@
 // drawing and the age of a hand's sample when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
-import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
-import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
+import { coneAt, drawContact, drawCones, drawSliding, ForceScale, labelContact, linesOfContact } from "./forces.js";
+import { drawGrid, drawScales, drawSurfaces, linesOfSurfaces } from "./ground.js";
 import { drawHandle } from "./handle.js";
-import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
+import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral, linesOfBody, linesOfHand } from "./object.js";
 import { placeOf } from "./reach.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -16,6 +16,9 @@ const TEXT_HEIGHT = 44;
 /** Height of a scene (px) with symbols and texts in their normal size; their largest magnification. */
 const ORDINARY = 620;
 const MOST = 2;
+
+/** Fields of surfaces and obstacles that leave the drawing as it is. */
+const FRICTION = ["static", "dynamic", "memory"];
 
 /** Layers that can be hidden. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
 
@@ -46,7 +49,7 @@ export class Stage {
      * @type {Spot | null}
      */
     this.leading = null;
-    /** What the pointer is over. @type {"object" | "knob" | null} */
+    /** What the pointer is over; of a cone, the kind of its friction. @type {"object" | "knob" | "static" | "dynamic" | null} */
     this.over = null;
     /** The scene is being edited: the window stays fixed. */
     this.editing = false;
@@ -66,6 +69,10 @@ export class Stage {
     this.work = () => this.draw();
     onTheme(() => this.ask());
     new ResizeObserver((entries) => this.resize(entries[0])).observe(canvas);
+    /** The buttons and texts of the page over the drawing. */
+    this.overlays = [...canvas.parentElement?.querySelectorAll(".tools button, .foot > *, .over > *") ?? []];
+    const changes = new ResizeObserver(() => { this.buttons = this.buttonBoxes(); });
+    for (const overlay of this.overlays) changes.observe(overlay);
   }
 
   /** Gives the canvas as many pixels as the screen has there. @param {ResizeObserverEntry} entry */
@@ -87,11 +94,10 @@ export class Stage {
   /** Returns the boxes of the buttons and hints over the drawing, in its pixels. @returns {import("./labels.js").Label[]} */
   buttonBoxes() {
     const canvas = this.canvas.getBoundingClientRect();
-    const groups = this.canvas.parentElement?.querySelectorAll(".tools > div, .foot") ?? [];
-    return [...groups].map((group) => {
-      const { left, top, width, height } = group.getBoundingClientRect();
+    return this.overlays.map((overlay) => {
+      const { left, top, width, height } = overlay.getBoundingClientRect();
       const [x, y, w, h] = [left - canvas.left, top - canvas.top, width, height].map((length) => length / this.magnify);
-      return { left: x, top: y, width: w, height: h, buttons: true };
+      return { left: x, top: y, width: w, height: h };
     });
   }
 
@@ -108,7 +114,9 @@ export class Stage {
 
   /** Takes a state, which is valid until the next one. @param {StateMessage} state */
   setState(state) {
-    const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces, state.scene.obstacles]);
+    const { title, body, surfaces, obstacles } = state.scene;
+    // Another friction is not another scene: the window stays.
+    const key = JSON.stringify([title, body, surfaces, obstacles], (name, value) => (FRICTION.includes(name) ? undefined : value));
     if (key !== this.sceneKey) {
       this.sceneKey = key;
       this.leading = null;
@@ -190,7 +198,7 @@ export class Stage {
     this.ask();
   }
 
-  /** @param {"object" | "knob" | null} over what the pointer is over */
+  /** @param {"object" | "knob" | "static" | "dynamic" | null} over what the pointer is over */
   setOver(over) {
     if (over === this.over) return;
     this.over = over;
@@ -204,6 +212,20 @@ export class Stage {
     if (!state || !message || state.replay || this.editing) return false;
     const [x, y] = message.frame.hand;
     return message.holding !== null || (this.over !== null && placeOf(state.scene, message.frame.pose, [x, y], 0) !== null);
+  }
+
+  /**
+   * Returns the cone whose end is at a position: the kind of its friction, its contact and what that touches; or null.
+   * @param {Spot} at @param {number} slack px
+   */
+  coneAt(at, slack) {
+    const { state, message, view } = this;
+    if (!state || !message || !this.layers.cones || this.editing) return null;
+    for (const [contact, surface] of this.contactsOf(message.frame, state.scene)) {
+      const kind = coneAt(view, contact, surface, state.parameters, at, slack);
+      if (kind) return { kind, point: contact.point, surface };
+    }
+    return null;
   }
 
   /** Fits or follows; a window that the reader has chosen stays. @param {Scene} scene @param {TraceFrame} frame */
@@ -225,7 +247,7 @@ export class Stage {
     /** @type {import("./labels.js").Label[]} */
     const labels = [...this.buttons];
     drawGrid(ctx, view);
-    obstacles?.drawObstacles(ctx, view, scene, labels);
+    obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces, labels);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -234,7 +256,7 @@ export class Stage {
     if (ghost && layers.ghost) drawGhost(ctx, view, scene.body, ghost);
     drawBody(ctx, view, scene.body, frame.pose);
     const contacts = this.contactsOf(frame, scene);
-    if (layers.cones) for (const [contact, surface] of contacts) drawCones(ctx, view, contact, surface, parameters);
+    if (layers.cones) for (const [contact, surface] of contacts) drawCones(ctx, view, contact, surface, parameters, this.over);
     if (holding) {
       if (scene.body.length > 1) drawSpiral(ctx, view, holding, frame.pose[2], ghost ? ghost[2] - frame.pose[2] : 0);
       drawCoil(ctx, view, holding, frame.hand);
@@ -246,10 +268,18 @@ export class Stage {
     obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (this.handleShown()) drawHandle(ctx, view, frame.hand, this.over === "knob");
+    const lines = [
+      ...linesOfSurfaces(view, scene.surfaces), ...obstacles?.linesOfObstacles(view, scene.obstacles ?? []) ?? [],
+      ...linesOfBody(view, scene.body, frame.pose), ...ghost ? linesOfBody(view, scene.body, ghost) : [],
+      ...linesOfHand(view, frame.hand, holding),
+      ...contacts.flatMap(([contact, surface]) => linesOfContact(view, contact, surface, parameters, perNewton)),
+    ];
+    const taken = { labels, lines };
     if (layers.bars && layers.values) {
-      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
-      obstacles?.nameCorners(ctx, view, frame.contacts, labels);
+      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, taken);
+      obstacles?.nameCorners(ctx, view, frame.contacts, taken);
     }
+    obstacles?.nameObstacles(ctx, view, scene.obstacles ?? [], taken);
     drawScales(ctx, view, perNewton);
   }
 

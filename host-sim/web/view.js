@@ -7,8 +7,9 @@ import { reducedMotion } from "./dom.js";
 const ROOM = 0.09;
 /** Least distance of followed objects from the border, relative to the window. */
 const BORDER = 0.07;
-/** Distance within which corners of obstacles are fitted, in sizes of the body. */
+/** Distance within which corners of obstacles are fitted, and within which an obstacle is fitted as a whole, in sizes of the body. */
 const NEAR = 4;
+const WHOLE = 8;
 /** Fraction of its displacement that the window makes in one drawing. */
 const EASE = 0.2;
 /** Limits of the reader's zoom, relative to the fitting scale. */
@@ -65,8 +66,10 @@ export class View {
       const gap = normal[0] * pose[0] + normal[1] * pose[1] - offset;
       if (Math.abs(gap) < 6 * size) take(pose[0] - gap * normal[0], pose[1] - gap * normal[1], 0.35 * size);
     }
-    for (const [x, y] of (scene.obstacles ?? []).flatMap(({ vertices }) => vertices)) {
-      if (Math.hypot(x - pose[0], y - pose[1]) < NEAR * size) take(x, y, 0.1 * size);
+    for (const { vertices } of scene.obstacles ?? []) {
+      const distances = vertices.map(([x, y]) => Math.hypot(x - pose[0], y - pose[1]) / size);
+      const isWhole = Math.max(...distances) < WHOLE;
+      vertices.forEach(([x, y], k) => { if (isWhole || distances[k] < NEAR) take(x, y, 0.1 * size); });
     }
     for (const { normal, offset } of scene.surfaces) clip(box, normal, offset, 0.4 * size);
     this.x = (box[0] + box[2]) / 2;
@@ -82,7 +85,7 @@ export class View {
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   follow(scene, pose, hand) {
-    const r = Math.min(bodySize(scene), 0.3 * Math.min(this.width, this.height - this.top) / this.scale);
+    const r = Math.min(bodySize(scene), 0.4 * Math.min(this.width, this.height - this.top) / this.scale);
     const left = Math.min(pose[0] - r, hand[0]), right = Math.max(pose[0] + r, hand[0]);
     const low = Math.min(pose[1] - r, hand[1]), high = Math.max(pose[1] + r, hand[1]);
     const [wide, tall] = [(1 - 2 * BORDER) * this.width, (1 - 2 * BORDER) * (this.height - this.top)];

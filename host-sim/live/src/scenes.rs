@@ -16,6 +16,7 @@ macro_rules! bundled {
 
 /// Name and text of every bundled scene.
 pub const ALL: &[(&str, &str)] = bundled![
+    "drag",
     "vertex-stick-slip",
     "box-flat",
     "corner-stick-slip",

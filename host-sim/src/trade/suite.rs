@@ -91,7 +91,8 @@ struct Extent {
 }
 
 const WHOLE: Extent = Extent {
-    bundled: |_| true,
+    // The scene that the page opens with is the flat box, only with longer slips.
+    bundled: |name| name != "drag",
     random: 200,
     seconds: 30.0,
 };

@@ -46,7 +46,7 @@ static FILES: LazyLock<Vec<File>> = LazyLock::new(|| {
         "editor-model.js" "editor-pen.js" "editor.css" "editor.js" "events.js" "felt.js" "files.js"
         "first.css" "forces.js" "frame.js" "gallery.js" "grip.js" "ground.js" "handle.js" "icon.svg"
         "index.html" "insertion.css" "insertion.js" "keys.js" "labels.js" "link.js" "main.js"
-        "object.js" "obstacles.js" "panels.css" "pointer.js" "reach.js" "readout.js" "samples.js"
+        "object.js" "obstacles.js" "panels.css" "panels.js" "pointer.js" "reach.js" "readout.js" "samples.js"
         "shown.js" "sizes.js" "stage.js" "strip.js" "style.css" "talk.js" "theme.js" "tips.js"
         "trails.js" "transport.js" "uplot/LICENSE" "uplot/uplot.min.css" "uplot/uplot.min.js"
         "view.js"

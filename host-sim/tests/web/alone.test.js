@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { brotliCompressSync } from "node:zlib";
 import { filesOfFirstDrawing, folder, Host, missingPage, oneFile } from "./alone.js";
-import { Live, shared } from "./live.js";
+import { Live, openParts, shared } from "./live.js";
 
 const WINDOW = { width: 1280, height: 800 };
 
@@ -26,6 +26,7 @@ function aloneTest(name, work, { file = false } = {}) {
       const context = await browser.get().newContext({ viewport: WINDOW, colorScheme: "light", reducedMotion });
       const live = new Live(await context.newPage(), file ? "null" : host.origin);
       pages.push(live);
+      await openParts(live.page);
       await live.page.goto(`${file ? oneFile : `${host.origin}/`}${hash}`);
       await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0 && document.querySelector("#chart-steps canvas"));
       return live;

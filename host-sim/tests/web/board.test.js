@@ -221,7 +221,7 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
 
   // Back to the program, whose hand and body have not moved meanwhile.
   await page.click("#serial");
-  await live.reads("#source", /^core/);
+  await live.reads("#source", /^this computer/);
   await live.reads("#serial", /^Board by Web Serial$/);
   await live.until(() => window.stiction.frame?.frame.state === "non-contact");
   assert.ok(await page.locator("#pause").isEnabled());

@@ -399,7 +399,7 @@ liveTest("let others hold gives the hand up", async (bench) => {
   await live.reads("#holder", /this page/);
   await live.page.click("#let-go");
   await live.until(() => window.stiction.state?.hand.by === null);
-  await live.reads("#holder", /nobody/);
+  await live.reads("#holder", /at rest/);
 });
 
 liveTest("the chart shows the surface that is picked", async (bench) => {

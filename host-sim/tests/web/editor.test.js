@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Host, missingPage } from "./alone.js";
-import { Live, liveTest, newFolder, Program, runProgram, shared } from "./live.js";
+import { Live, liveTest, newFolder, openParts, Program, runProgram, shared } from "./live.js";
 
 /** Returns the position of a handle of the editor (CSS px). @param {Live} live @param {string} key */
 async function spotOf(live, key) {
@@ -54,6 +54,29 @@ async function drawPolygon(live, corners) {
   for (const [dx, dy] of corners) await live.page.mouse.click(box.x + box.width / 2 + dx, box.y + box.height / 2 + dy);
   await live.page.keyboard.press("Enter");
 }
+
+liveTest("a click on its first point closes a polygon", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.click("#edit");
+  for (const corners of [3, 4, 5, 6]) {
+    await page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
+    const box = await page.locator("#stage").boundingBox();
+    assert.ok(box);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    for (let k = 0; k < corners; k++) {
+      const angle = (2 * Math.PI * k) / corners;
+      await page.mouse.click(x + 60 * Math.cos(angle), y + 60 * Math.sin(angle));
+    }
+    // A hand presses for longer than a drawing takes.
+    await page.mouse.move(x + 60, y);
+    await page.mouse.down();
+    await live.drawn();
+    await page.mouse.up();
+    await live.until((count) => window.stiction.state?.scene.body.length === count, corners);
+    assert.equal(await page.locator(".pen").count(), 0);
+  }
+});
 
 /**
  * Edits a scene from its polygon to its file, which is opened again.
@@ -184,8 +207,10 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
   const context = await shared().get().newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light" });
   const live = new Live(await context.newPage(), host.origin);
   try {
+    await openParts(live.page);
     await live.page.goto(`${host.origin}/`);
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+    await live.scene("box-flat");
     await edits(live);
     live.check();
   } finally {

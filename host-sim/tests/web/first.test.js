@@ -4,20 +4,32 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
+import { layoutFaults } from "./layout.js";
 import { liveTest } from "./live.js";
 
 /** @typedef {import("./live.js").Live} Live */
 
-/** Windows (px): a phone, a laptop, a screen. */
+/** Windows (px): phones, laptops, a screen. */
 const WINDOWS = [
   { width: 360, height: 740 },
+  { width: 390, height: 844 },
   { width: 1280, height: 800 },
+  { width: 1440, height: 900 },
   { width: 1920, height: 1080 },
 ];
-/** Elements that are visible at the top without scrolling; of the stage, more than half of its height. */
-const AT_ONCE = ["#what", "#cards", "#story", "#help-open"];
-/** Some captions of the demonstration of a box that is set down and dragged, in order. */
-const SAID = ["moves freely", "slips", "sticks and slips"];
+/** Elements that are visible at the top without scrolling. */
+const AT_ONCE = [
+  "#what", "#story", "#scenes-open", "#details-open", "#help-open",
+  ...["static", "dynamic", "stiffness_translation", "weight"].map((name) => `#slide-${name}`),
+];
+/** Most words and controls before the first action, and least share of the scene in the window. */
+const WORDS = 80;
+const CONTROLS = 12;
+const SHARE = 0.6;
+/** Length of the sides of a cone (px), as in forces.js. */
+const CONE = 92;
+/** Captions of the demonstration of a box that is dragged. */
+const SAID = ["sticks", "slips"];
 /** Terms that the page explains, by the element with the title. */
 const TERMS = [
   "#h-trade", "#number", "#evolution", "#keep", '[data-layer="ghost"]', '[data-layer="trails"]', '[data-layer="cones"]',
@@ -39,9 +51,31 @@ const shown = (live, seconds) =>
     seconds,
   );
 
+/** Returns the words and the controls in the window, and the share of the scene in it. @param {Live} live */
+const firstSight = (live) =>
+  live.page.evaluate(() => {
+    const isSeen = (/** @type {Element} */ element, /** @type {DOMRect} */ { width, top }) =>
+      width > 0 && top < window.innerHeight && element.checkVisibility({ visibilityProperty: true }) && !element.closest(".hidden");
+    /** @type {string[]} */
+    const words = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      const range = document.createRange();
+      range.selectNodeContents(node);
+      if (node.parentElement && isSeen(node.parentElement, range.getBoundingClientRect())) {
+        words.push(...(node.textContent?.trim().split(/\s+/).filter(Boolean) ?? []));
+      }
+    }
+    const controls = [...document.querySelectorAll("button, select, input, a[href], [tabindex='0']")]
+      .filter((element) => isSeen(element, element.getBoundingClientRect())).map(({ id }) => id);
+    const { width, height, top } = /** @type {Element} */ (document.querySelector("#stage")).getBoundingClientRect();
+    const seen = Math.min(height, window.innerHeight - top);
+    return { words, controls, share: (width * seen) / (window.innerWidth * window.innerHeight) };
+  });
+
 for (const viewport of WINDOWS) {
-  liveTest(`at ${viewport.width} px the first screen says what it is, has the gallery, and moves`, async (bench) => {
-    const live = await bench.open({ viewport, reducedMotion: "no-preference" });
+  liveTest(`at ${viewport.width} px the first screen is the scene with four sliders, says what it is, and moves`, async (bench) => {
+    const live = await bench.openFirst({ viewport, reducedMotion: "no-preference" });
     for (const theme of /** @type {const} */ (["light", "dark"])) {
       await live.page.emulateMedia({ colorScheme: theme });
       await shown(live, theme === "light" ? 0.6 : 1.2);
@@ -50,16 +84,92 @@ for (const viewport of WINDOWS) {
         const box = await live.page.locator(place).boundingBox();
         assert.ok(box && box.y >= 0 && box.y + box.height <= viewport.height, `${place}: ${JSON.stringify(box)}`);
       }
-      const stage = await live.page.locator("#stage").boundingBox();
-      assert.ok(stage && viewport.height - stage.y > stage.height / 2, JSON.stringify(stage));
+      const { words, controls, share } = await firstSight(live);
+      assert.ok(words.length <= WORDS, `${words.length} words: ${words.join(" ")}`);
+      assert.ok(controls.length <= CONTROLS, `${controls.length} controls: ${controls.join(" ")}`);
+      assert.ok(share >= SHARE, `${share} of the window`);
     }
-    // As in `look.test.js`: no column is wider than the window. The pictures are loaded as they come into view.
-    assert.ok(await live.page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
-    await live.seesAllCards();
-    assert.match(await live.text("#story"), /^A box lies flat on the floor .*\.$/);
+    assert.deepEqual(await layoutFaults(live), []);
+    assert.match(await live.text("#story"), /^A heavy box is dragged .*\.$/);
     assert.ok(await live.page.locator("#demonstration").isVisible());
-  });
+    await live.page.click("#scenes-open");
+    await live.seesAllCards();
+    // What was opened is open again.
+    await live.page.reload();
+    await live.page.locator("#cards").waitFor();
+  }, []);
 }
+
+liveTest("a scene that is chosen moves as its story promises", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  await live.page.click("#scenes-open");
+  for (const name of ["ladder", "hook"]) {
+    await live.scene(name);
+    await shown(live, 0.3);
+    const { pose } = (await live.frame()).frame;
+    await live.until(([x, y, theta]) => {
+      const now = window.stiction.frame?.frame.pose ?? [x, y, theta];
+      return Math.hypot(now[0] - x, now[1] - y) > 1e-3 || Math.abs(now[2] - theta) > 0.02;
+    }, pose);
+  }
+}, []);
+
+liveTest("the opening slips by some 6 mm twice in a second, and the chart shows two seconds", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  await shown(live, 4);
+  const { frame, slips } = await live.frame();
+  const late = slips.filter(({ t }) => t > frame.t - 2);
+  assert.ok(late.length >= 3 && late.length <= 5, `${late.length} slips in two seconds`);
+  for (const { length } of late) assert.ok(Math.abs(length - 0.006) < 1e-3, `${length} m`);
+  await picture(live, "opening");
+}, []);
+
+liveTest("a cone is dragged to change its friction, and a slider only interrupts the demonstration", async (bench) => {
+  const live = await bench.openFirst({ reducedMotion: "no-preference" });
+  const { page } = live;
+  await shown(live, 0.5);
+  await page.focus("#slide-static");
+  await page.keyboard.press("ArrowRight");
+  await live.until(() => (window.stiction.state?.parameters.static ?? 0) > 0.6);
+  await shown(live, 1);
+
+  // The dot at the end of the left side of the left cone: the pointer takes the whole cone with it.
+  await page.keyboard.press("Shift");
+  await live.until(() => window.stiction.state?.replay === null);
+  for (const [kind, mu, wanted] of /** @type {const} */ ([["static", 0.601, 0.9], ["dynamic", 0.3, 0.15]])) {
+    await live.steady();
+    const contacts = (await live.frame()).frame.contacts;
+    const [x, y] = contacts.reduce((left, contact) => (contact.point[0] < left.point[0] ? contact : left)).point;
+    const foot = await live.pixel(x, y);
+    const end = (/** @type {number} */ friction) => {
+      const size = CONE / Math.hypot(1, friction);
+      return [foot.x - size * friction, foot.y - size];
+    };
+    const now = (await live.state()).parameters[kind];
+    assert.ok(Math.abs(now - mu) < 0.01, `${now}`);
+    await page.mouse.move(end(now)[0], end(now)[1]);
+    await live.until((over) => /** @type {HTMLElement} */ (document.querySelector("#stage")).dataset.over === over, kind);
+    await page.mouse.down();
+    await page.mouse.move(end(wanted)[0], end(wanted)[1], { steps: 8 });
+    await page.mouse.up();
+    await live.until(([name, friction]) => Math.abs((window.stiction.state?.parameters[name] ?? 0) - friction) < 0.03,
+      /** @type {const} */ ([kind, wanted]));
+    assert.equal((await live.frame()).frame.held, true);
+  }
+}, []);
+
+liveTest("an object that is let go on one corner stays tilted, and the page says why", async (bench) => {
+  const live = await bench.open();
+  await live.scene("vertex-stick-slip");
+  await live.page.selectOption("#replay", "scene");
+  await live.until(() => window.stiction.frame?.frame.contacts.length === 1);
+  await live.page.selectOption("#replay", "live");
+  await live.grab();
+  await live.page.mouse.up();
+  const released = live.page.locator("#released");
+  await released.waitFor({ state: "visible" });
+  assert.match(await released.innerText(), /^Released on one corner: it stays tilted, because/);
+});
 
 liveTest("the demonstration moves until it is touched, and the object is taken where it is", async (bench) => {
   const live = await bench.open({ reducedMotion: "no-preference" });
@@ -97,7 +207,7 @@ liveTest("the demonstration moves until it is touched, and the object is taken w
   const second = await bench.open({ reducedMotion: "no-preference" });
   await second.fresh();
   assert.equal((await second.state()).replay, null);
-});
+}, []);
 
 liveTest("who wants no motion, or another path, sees no demonstration", async (bench) => {
   const live = await bench.open();

@@ -184,17 +184,17 @@ liveTest("a hand that is let go is free for another page at once, by pointer and
     await giver.page.mouse.up();
     // Less than the 10 s after which a silent holder would lose it.
     const released = performance.now();
-    await taker.reads("#holder", /^Hand: nobody$/);
+    await taker.reads("#holder", /^Hand: at rest$/);
     await taker.grab();
     await taker.reads("#holder", /^Hand: this page$/);
     assert.ok(performance.now() - released < 9000);
     await taker.page.mouse.up();
-    await giver.reads("#holder", /^Hand: nobody$/);
+    await giver.reads("#holder", /^Hand: at rest$/);
   }
   await first.page.focus("#stage");
   await first.page.keyboard.press("Space");
   await second.reads("#holder", /^Hand: page \d+$/);
   await first.until(() => window.stiction.frame?.holding);
   await first.page.keyboard.press("Space");
-  await second.reads("#holder", /^Hand: nobody$/);
+  await second.reads("#holder", /^Hand: at rest$/);
 });

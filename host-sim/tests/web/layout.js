@@ -76,6 +76,7 @@ export function layoutFaults(live) {
       });
 
       for (const canvas of document.querySelectorAll("canvas")) {
+        if (!shown(canvas)) continue;
         const { width, height } = canvas.getBoundingClientRect();
         const [across, down] = [width, height].map((size) => size * window.devicePixelRatio);
         if (Math.abs(canvas.width - across) > 1 || Math.abs(canvas.height - down) > 1) {

@@ -87,8 +87,8 @@ export class Program {
     this.port = port;
   }
 
-  /** @param {string[]} [args] @param {number} [port] by default a free one */
-  static async start(args = [], port = 0) {
+  /** @param {string[]} [args] by default the scene of most tests @param {number} [port] by default a free one */
+  static async start(args = ["box-flat"], port = 0) {
     const program = new Program(args, port);
     const lines = createInterface(program.child.stdout);
     const line = await Promise.race([
@@ -420,6 +420,12 @@ export class Live {
   }
 }
 
+/** Opens the gallery and the details, as in a browser that remembers them. @param {import("playwright-core").Page} page */
+export const openParts = (page) =>
+  page.addInitScript(() => {
+    for (const name of ["details", "scenes"]) localStorage.setItem(`stiction-${name}`, "open");
+  });
+
 /** The environment of a test. */
 export class Bench {
   /** @param {import("playwright-core").Browser} browser @param {Program} program */
@@ -439,15 +445,22 @@ export class Bench {
     return this.openBy(options, async () => {});
   }
 
+  /** Opens a page as somebody sees it who has never seen it before. @param {import("playwright-core").BrowserContextOptions} [options] */
+  async openFirst(options) {
+    return this.openBy(options, async () => {}, true);
+  }
+
   /**
    * Opens a page after preparing it, before it requests anything.
    * @param {import("playwright-core").BrowserContextOptions | undefined} options
    * @param {(page: import("playwright-core").Page) => Promise<void>} before
+   * @param {boolean} isFirst whether this browser has never shown the page: the gallery and the details are closed
    */
-  async openBy(options, before) {
+  async openBy(options, before, isFirst = false) {
     const context = await this.browser.newContext({ viewport: WINDOW, colorScheme: "light", reducedMotion: "reduce", ...options });
     const live = new Live(await context.newPage(), this.program.origin);
     this.pages.push(live);
+    if (!isFirst) await openParts(live.page);
     await before(live.page);
     await live.page.goto(`${this.program.origin}/`);
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0 && document.querySelector("#chart-steps canvas"));
@@ -495,7 +508,7 @@ export function shared() {
  * Defines a test in the browser, with a program of its own.
  * @param {string} name @param {(bench: Bench) => Promise<void>} work @param {string[]} [args] of `stiction view`
  */
-export function liveTest(name, work, args = []) {
+export function liveTest(name, work, args = ["box-flat"]) {
   shareBrowser();
   test(name, { skip: missing }, async () => {
     assert.ok(browser);

@@ -60,7 +60,7 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
 
   // After a release, the other page takes the hand; and when a page is closed, its hand is free.
   await first.page.click("#let-go");
-  await second.reads("#holder", /^Hand: nobody$/);
+  await second.reads("#holder", /^Hand: at rest$/);
   await second.grab();
   await second.reads("#holder", /^Hand: this page$/);
   const now = (await second.state()).hand.client;
@@ -72,7 +72,7 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
     [hand[0] + 0.01, 2 * (await first.metresPerPixel())],
   );
   await second.page.close();
-  await first.reads("#holder", /^Hand: nobody$/);
+  await first.reads("#holder", /^Hand: at rest$/);
   await first.reads("#clients", /^1 page$/);
 });
 
@@ -95,12 +95,12 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
     await page.click("#pause");
     await live.reads("#note", /no connection/i);
 
-    bench.program = await Program.start([], bench.program.port);
+    bench.program = await Program.start(["box-flat"], bench.program.port);
     await lost.waitFor({ state: "hidden" });
-    await live.reads("#source", /^core/);
+    await live.reads("#source", /^this computer/);
     await live.until(() => window.stiction.connected && window.stiction.state?.clients === 1);
     // The complete initial state of the new program: nobody holds the hand, and it runs.
-    await live.reads("#holder", /^Hand: nobody$/);
+    await live.reads("#holder", /^Hand: at rest$/);
     assert.equal((await live.state()).paused, false);
     await live.fresh();
     const { frame, counts } = await live.frame();
@@ -110,7 +110,7 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
     await live.until(() => window.stiction.frame?.frame.state === "edge");
     await page.mouse.up();
     await page.click("#let-go");
-    await live.reads("#holder", /^Hand: nobody$/);
+    await live.reads("#holder", /^Hand: at rest$/);
     await page.click("#reset");
     await live.until(() => window.stiction.frame?.frame.state === "non-contact" && window.stiction.frame.holding);
   }

@@ -17,7 +17,7 @@ use stiction_scene::SceneFile;
 use wasm_bindgen::prelude::*;
 use web_time::{Duration, Instant};
 
-const SCENE: &str = "box-flat";
+const SCENE: &str = "drag";
 const CLIENT: u32 = 1;
 /// Frames per second, unless the page requests another rate.
 const RATE: f64 = 60.0;
