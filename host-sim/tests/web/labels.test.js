@@ -23,7 +23,7 @@ const record = (live) =>
     const { prototype } = CanvasRenderingContext2D;
     const { fillText, fillRect, beginPath, moveTo, lineTo, closePath, stroke } = prototype;
     /** @typedef {{text: string, box: number[]}} Text */
-    /** @typedef {{ends: number[], half: number, color: string}} Line */
+    /** @typedef {{ends: number[], half: number, width: number, color: string}} Line */
     /** @type {{texts: Text[], lines: Line[]}} */
     let drawn = { texts: [], lines: [] };
     /** @type {number[][]} */
@@ -60,7 +60,7 @@ const record = (live) =>
       for (let k = 1; k < path.length; k++) {
         const ends = [...placed(this, path[k - 1][0], path[k - 1][1]), ...placed(this, path[k][0], path[k][1])];
         const half = (this.lineWidth / 2) * this.getTransform().a / devicePixelRatio;
-        if (!ends.some(Number.isNaN)) drawn.lines.push({ ends, half, color: String(this.strokeStyle) });
+        if (!ends.some(Number.isNaN)) drawn.lines.push({ ends, half, width: this.lineWidth, color: String(this.strokeStyle) });
       }
     };
     prototype.fillText = function (text, x, y) {
@@ -77,7 +77,7 @@ const record = (live) =>
 /** Returns what is wrong with the texts of the newest drawing, and the largest distance of a text from what it names. @param {Live} live */
 const look = (live) =>
   live.page.evaluate((farthest) => {
-    /** @type {{texts: {text: string, box: number[]}[], lines: {ends: number[], half: number, color: string}[]}} */
+    /** @type {{texts: {text: string, box: number[]}[], lines: {ends: number[], half: number, width: number, color: string}[]}} */
     const { texts, lines } = /** @type {any} */ (window).drawn;
     const { scene } = /** @type {StateMessage} */ (window.stiction.state);
     const color = (/** @type {string} */ role) => {
@@ -119,8 +119,8 @@ const look = (live) =>
         ].map((part) => gap(box, part)));
       worst = Math.max(worst, distance);
       if (distance > farthest) faults.push(`“${text}” is ${distance.toFixed(0)} px from what it names`);
-      // Not the grid, not the trails and the cross of the body.
-      const crossed = lines.find((line) => ![grid, trail].includes(line.color) && (line.half > 1 || line.color !== body) && touches(box, line));
+      // Not the grid, not the trails and the cross of the body, which is thinner than its outline.
+      const crossed = lines.find((line) => ![grid, trail].includes(line.color) && (line.width > 2 || line.color !== body) && touches(box, line));
       if (crossed) faults.push(`“${text}” at ${box.map(Math.round)} is on a line of ${crossed.color}, ${crossed.ends.map(Math.round)}`);
       for (const other of texts) {
         if (other.box !== box && gap(box, other.box) === 0) faults.push(`“${text}” is on “${other.text}”`);
