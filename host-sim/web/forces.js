@@ -8,6 +8,8 @@ import { step125 } from "./ground.js";
 /** Length of the bar of the largest recent force, and width of a bar (px). */
 const LONGEST = 110;
 const WIDTH = 7;
+/** Half the width of the head of the reaction's arrow (px). */
+const HEAD = 4.5;
 /** Length of the cones' sides (px). */
 const CONE = 92;
 /** Size of the arrows of a slide, and their distance below the contact (px). */
@@ -171,7 +173,8 @@ export function linesOfContact(view, contact, surface, parameters, perNewton) {
     coneEnds(view, contact, surface, surface[kind] ?? parameters[kind])
       .flatMap((end) => [...linesThrough([[x, y], [end.x, end.y]], 1), ...linesThrough([[end.x, end.y], [end.x, end.y]], DOT)]));
   return [...sides, ...bar(n * nx, n * ny, WIDTH / 2 + 1), ...bar(t * tx, t * ty, WIDTH / 2 + 1),
-    ...bar(n * nx + t * tx, n * ny + t * ty, 2), ...bar(0, 0, 5),
+    // The reaction is as wide as its head.
+    ...bar(n * nx + t * tx, n * ny + t * ty, HEAD), ...bar(0, 0, 5),
     ...contact.sliding ? linesThrough([[x, y], [x - BELOW * nx, y - BELOW * ny]], 2 * CHEVRON + 2) : []];
 }
 
@@ -244,8 +247,8 @@ function drawArrow(ctx, x, y, dx, dy) {
   ctx.stroke();
   ctx.beginPath();
   ctx.moveTo(x + dx, y + dy);
-  ctx.lineTo(x + dx - head * ux - 4.5 * uy, y + dy - head * uy + 4.5 * ux);
-  ctx.lineTo(x + dx - head * ux + 4.5 * uy, y + dy - head * uy - 4.5 * ux);
+  ctx.lineTo(x + dx - head * ux - HEAD * uy, y + dy - head * uy + HEAD * ux);
+  ctx.lineTo(x + dx - head * ux + HEAD * uy, y + dy - head * uy - HEAD * ux);
   ctx.closePath();
   ctx.fillStyle = colors.reaction;
   ctx.fill();

@@ -5,6 +5,9 @@ import { colors } from "./theme.js";
 
 /** Size of the hand's ring and of the coil (px). */
 export const HAND_RADIUS = 9;
+/** How far the marks of its angle reach beyond that, ahead and back (px). */
+const AHEAD = 10;
+const BACK = 4;
 const COIL_RADIUS = 5.5;
 const COIL_TURNS = 8;
 /** Radii between which the spiral winds (px). */
@@ -43,9 +46,12 @@ export function linesOfBody(view, body, [x, y, theta]) {
  */
 export function linesOfHand(view, hand, holding) {
   const x = view.px(hand[0]), y = view.py(hand[1]);
-  if (!holding) return linesThrough([[x, y], [x, y]], HAND_RADIUS);
+  const c = Math.cos(hand[2]), s = -Math.sin(hand[2]);
+  const at = (/** @type {number} */ r) => /** @type {Vec} */ ([x + r * c, y + r * s]);
+  const own = [...linesThrough([[x, y], [x, y]], HAND_RADIUS), ...linesThrough([at(-HAND_RADIUS - BACK), at(HAND_RADIUS + AHEAD)], 1.1)];
+  if (!holding) return own;
   const [hx, hy] = [view.px(holding[0]), view.py(holding[1])];
-  return [...linesThrough([[hx, hy], [x, y]], HAND_RADIUS), ...linesThrough([[hx, hy], [hx, hy]], OUTER)];
+  return [...own, ...linesThrough([[hx, hy], [x, y]], HAND_RADIUS), ...linesThrough([[hx, hy], [hx, hy]], OUTER)];
 }
 
 /**
@@ -168,9 +174,9 @@ export function drawHand(ctx, view, hand, holds) {
   ctx.setLineDash([]);
   ctx.beginPath();
   ctx.moveTo(x + HAND_RADIUS * c, y + HAND_RADIUS * s);
-  ctx.lineTo(x + (HAND_RADIUS + 10) * c, y + (HAND_RADIUS + 10) * s);
+  ctx.lineTo(x + (HAND_RADIUS + AHEAD) * c, y + (HAND_RADIUS + AHEAD) * s);
   ctx.moveTo(x - HAND_RADIUS * c, y - HAND_RADIUS * s);
-  ctx.lineTo(x - (HAND_RADIUS + 4) * c, y - (HAND_RADIUS + 4) * s);
+  ctx.lineTo(x - (HAND_RADIUS + BACK) * c, y - (HAND_RADIUS + BACK) * s);
   ctx.stroke();
   ctx.beginPath();
   ctx.arc(x, y, holds ? 3 : 1.5, 0, 2 * Math.PI);
