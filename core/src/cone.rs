@@ -154,10 +154,9 @@ impl<R: Real> Facet<'_, R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// The cone of the reactions of a body's contacts, in place, as it is large.
+    /// The cone of the reactions of a body's contacts, in place, as it is large: into an empty one.
     #[inline(never)]
     pub(crate) fn cone(&self, body: &Body<R>, cone: &mut WrenchCone<R>) {
-        cone.edges.clear();
         for (contact, c) in body.contacts.iter().enumerate() {
             let frame = self.frame_inlined(c, body.rotation, body.holding);
             let friction = self.friction(c).cone(body.stiction);
