@@ -127,7 +127,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// borne a face does not decide.
     fn bears_within_limit(&self, body: &Body<R>, load: Wrench<R>) -> bool {
         let (mut rest, mut sum) = (load, R::ZERO);
-        for (contact, [n, t]) in body.contacts.iter().zip(self.fixed_shares(body)) {
+        let shares = self.fixed_shares(body);
+        for (contact, &[n, t]) in body.contacts.iter().zip(&shares) {
             let frame = self.frame(contact, body.rotation, body.holding);
             rest = rest + Wrench::at(frame.r, frame.n * n + frame.t * t);
             sum = sum.max(n);
