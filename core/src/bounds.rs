@@ -48,6 +48,18 @@ pub(crate) struct Bound<R> {
     pub(crate) way: R,
 }
 
+impl<R: Real> Bound<R> {
+    /// Of a body that stands still.
+    pub(crate) const ZERO: Self = Self {
+        pivot: R::ZERO,
+        theta: R::ZERO,
+        turn: R::ZERO,
+        holding: R::ZERO,
+        foot: [R::ZERO; 2],
+        way: R::ZERO,
+    };
+}
+
 /// Bounds of a function and of its first and second derivative by u, on a strip; of the third only where that is asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sup<R, const THIRD: bool = false> {
@@ -186,12 +198,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (h_p, r) = (m.hand_p.at.length_bound() * way, i.r.length_bound());
         let turn = rate * rate + pace.bent;
         let none = Bound {
-            pivot: R::ZERO,
             theta: rate,
             turn,
-            holding: R::ZERO,
-            foot: [R::ZERO; 2],
             way: rate,
+            ..Bound::ZERO
         };
         match m.kind {
             Kind::Line => {
@@ -223,6 +233,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 };
                 self.about(m, none, (r, foot), rate)
             }
+            // [`Self::bound`] has those of a pair.
             Kind::Pair => none,
         }
     }

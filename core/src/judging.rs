@@ -36,14 +36,7 @@ impl<R: Real> Judging<R> {
             strip: R::ZERO,
         };
         Self {
-            bound: Bound {
-                pivot: R::ZERO,
-                theta: R::ZERO,
-                turn: R::ZERO,
-                holding: R::ZERO,
-                foot: [R::ZERO; 2],
-                way: R::ZERO,
-            },
+            bound: Bound::ZERO,
             pace: Pace {
                 rate: R::ZERO,
                 bent: R::ZERO,

@@ -212,8 +212,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let foot = self.foot(body.contacts.first(), body.rotation, body.foot);
         body.holding = foot.c - foot.r;
     }
-    /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn. It is no larger than
-    /// the root of the gap: over that a gap's second order, at most 1, is as large as the gap.
+    /// The pose exactly on all contacts: the least correction of foot and angle that closes each gap, three times in turn. It is none
+    /// straight across a slot, and no larger than the root of the gap: over that a gap's second order, at most 1, is as large as the gap.
     pub(crate) fn seat(&self, body: &mut Body<R>) {
         if body.contacts.is_empty() {
             return;

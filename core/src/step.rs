@@ -30,8 +30,8 @@ pub(crate) struct Step<'a, R, const V: usize, const S: usize, const C: usize> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// Follows the hand to a pose where it is not yet, as far as `more` and the budget permit: between two pieces. What is under way goes on with the next step.
-    /// Returns whether it is done.
+    /// Follows the hand to a pose where it is not yet, as far as `more` and the budget permit: between two pieces. What is under way goes on
+    /// with the next step. Returns whether it is done.
     pub(crate) fn follow_to(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) -> bool {
         let mut is_done = false;
         // A new sample turns the path from where it is certain; an event or a motion under way is finished first.
