@@ -3,7 +3,7 @@
 /// A processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Processor {
-    /// The cycles of a piece of work, on average over random drags (host-sim/README.md): the ticks of a board interrupt its steps, so that a
+    /// The cycles of a piece of work, on average over random drags (host-sim/TRADE.md): the ticks of a board interrupt its steps, so that a
     /// longer piece costs the pose a tick, but no force. A budget by the longest piece would leave the body behind for half a second.
     piece: u32,
 }

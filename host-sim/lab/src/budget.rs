@@ -171,5 +171,5 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
          average / on average of the most expensive step. The budget is what fits into seven eighths of a tick at the first of these costs.\n\n{table}",
         drags.len()
     );
-    Ok(output.put("host-sim/README.md", "budget", &text)?)
+    Ok(output.put("host-sim/TRADE.md", "budget", &text)?)
 }

@@ -95,7 +95,7 @@ pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dy
         "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table}"
     );
     let write = output.write && args.scene.is_none() && args.evolution.is_none();
-    Ok(Destination { write }.put("host-sim/README.md", "footprint", &text)?)
+    Ok(Destination { write }.put("host-sim/TRADE.md", "footprint", &text)?)
 }
 
 /// A scene's model, and why.

@@ -96,5 +96,5 @@ pub fn obstacles(output: Destination) -> Result<(), Box<dyn Error>> {
          {table}\nBoxes in addition to the obstacles of `{AROUND}`, which are never touched: instructions per step, on average, and the increase per box.\n\n\
          {boxes}"
     );
-    Ok(output.put("host-sim/README.md", "obstacles", &text)?)
+    Ok(output.put("host-sim/TRADE.md", "obstacles", &text)?)
 }

@@ -17,7 +17,7 @@ pub use count::{Build, count};
 
 /// The folder of the results, and the document beside it that shows them.
 const FOLDER: &str = "host-sim/trade";
-const DOCUMENT: &str = "host-sim/README.md";
+const DOCUMENT: &str = "host-sim/TRADE.md";
 
 /// Counts and measures everything.
 ///
