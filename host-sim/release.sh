@@ -21,7 +21,9 @@ target=${CARGO_TARGET_DIR:-$here/target}
 shipped=$target/shipped
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 system=$(rustc -vV | sed -n 's/^host: //p')
-program=$shipped/release/stiction
+exe=
+case $system in *-windows-*) exe=.exe ;; esac
+program=$shipped/release/stiction$exe
 
 # The compiler takes the last prefix that fits. A profile has no such setting in stable Rust (`trim-paths`), and .cargo/config.toml
 # knows neither the folder of the user nor this one.

@@ -40,14 +40,17 @@ export class Gallery {
     this.title = "";
   }
 
-  /** Adds cards for new scenes, in front, and removes those of deleted scenes. @param {string[]} names */
-  list(names) {
+  /**
+   * Adds cards for new scenes, in front, and removes those of deleted scenes.
+   * @param {string[]} names @param {boolean} drawn whether there are pictures of them
+   */
+  list(names, drawn) {
     for (const [name, { input }] of this.scenes) {
       if (names.includes(name)) continue;
       input.closest("label")?.remove();
       this.scenes.delete(name);
     }
-    for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, false));
+    for (const name of names.filter((name) => !this.scenes.has(name))) this.cards.prepend(this.add(name, null, drawn));
   }
 
   /** Makes a card. @param {string} name @param {string | null} story @param {boolean} drawn whether there is a picture of it */
@@ -72,13 +75,14 @@ export class Gallery {
   /** Shows a state. Adds a card for its scene if it has none. @param {StateMessage} state */
   show({ scene, scenes }) {
     const { title, story } = scene;
-    this.list([...new Set([...(scenes ?? this.scenes.keys()), title])]);
+    // Only a program that lists its scenes has pictures of those added later.
+    const drawsAll = scenes !== undefined && document.body.dataset.alone === undefined;
+    this.list([...new Set([...(scenes ?? this.scenes.keys()), title])], drawsAll);
     const card = /** @type {Card} */ (this.scenes.get(title));
     if (story !== undefined) card.story = story;
     card.input.title = card.story ?? "";
     this.title = title;
-    // Only a program that lists its scenes has pictures of those added later.
-    if (scenes && document.body.dataset.alone === undefined) redraw(card, scene);
+    if (drawsAll) redraw(card, scene);
     this.select(title);
   }
 

@@ -135,7 +135,7 @@ function handRefusal() {
   if (board) return null;
   const { hello, state } = server;
   if (state?.replay?.demonstration) return null;
-  if (state?.replay) return "A replay moves the hand. Choose “live” to move it yourself.";
+  if (state?.replay) return "The hand follows a path. Choose “live” to move it yourself.";
   const other = state?.hand.by != null && state.hand.client !== hello?.you;
   if (!other) return null;
   const { by, client } = state.hand;
@@ -257,9 +257,19 @@ byId("zoom-in").addEventListener("click", () => stage.zoom(ZOOM));
 byId("zoom-out").addEventListener("click", () => stage.zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
 byId("sound").addEventListener("click", () => toggleSound());
-byId("picture").addEventListener("click", async () => (await import("./shown.js")).takePicture(stage, note));
+const wholePage = byId("whole-page");
+wholePage.hidden = !navigator.mediaDevices?.getDisplayMedia;
+wholePage.addEventListener("click", () => wholePage.setAttribute("aria-pressed", String(wholePage.ariaPressed !== "true")));
 byId("film").hidden = typeof MediaRecorder === "undefined";
-byId("film").addEventListener("click", async () => (await import("./shown.js")).toggleFilm(stage, byId("film"), note));
+for (const id of ["picture", "film", "animation"]) byId(id).addEventListener("click", async () => {
+  const { animate, film, takePicture, toggle } = await import("./shown.js");
+  const shown = { stage, button: byId(id), tell: note }, ofPage = wholePage.ariaPressed === "true";
+  try {
+    await (id === "picture" ? takePicture(shown, ofPage) : toggle(shown, id === "film" ? film(ofPage) : animate));
+  } catch (why) {
+    note(`The browser does not give the picture. ${/** @type {Error} */ (why).message}`);
+  }
+});
 byId("help-open").addEventListener("click", () => help.showModal());
 byId("help-close").addEventListener("click", () => help.close());
 for (const id of ["edit", "open-scene", "save-scene"]) byId(id).addEventListener("click", () => useFiles(id));

@@ -1,13 +1,33 @@
-// The visible scene as a file: a picture as PNG, a film as WebM.
+// The scene, or the whole page, as a file: a picture as PNG, a film as WebM, an animation as GIF.
 
+/** Size of a picture or a film (px): 1080p. */
+const SIZE = { width: 1920, height: 1080 };
 /** Kinds of films, in order of preference; not every browser makes WebM. */
 const KINDS = [["video/webm;codecs=vp9", "webm"], ["video/webm", "webm"], ["video/mp4", "mp4"]];
 /** Bit rate of a film (bit/s): lines and texts stay sharp. */
 const RATE = 8e6;
-/** Interval of drawings of a scene at rest (ms), so that the film has its real duration. */
-const REST = 100;
+/** Interval of the images of a film (ms): a slip is seen in the one after it. */
+const INTERVAL = 1000 / 30;
+/**
+ * Size of an animation (px), the interval of its images and its longest duration (ms). An image takes some 40 ms to compute, and a
+ * minute of them as much memory as a browser gives.
+ */
+const SMALL = { width: 960, height: 540 };
+const STEP = 100;
+const LONGEST = 30_000;
+/** Colours of an image of a GIF. */
+const COLORS = 256;
 /** Lifetime of a file offered to the browser (ms). */
 const LIFETIME = 60_000;
+
+/**
+ * What is shown to the reader, and the button that was pressed.
+ * @typedef {{stage: Stage, button: HTMLElement, tell: (text: string) => void}} Shown
+ * @typedef {{end: () => void}} Running
+ */
+
+/** What is being recorded, by its button. @type {Map<HTMLElement, Running>} */
+const running = new Map();
 
 /** Offers a file to the reader. @param {Blob} file @param {string} name */
 function give(file, name) {
@@ -20,58 +40,113 @@ function give(file, name) {
 
 /**
  * Returns a file's name from the scene and the local time: box-flat-20260131-235959.png.
- * @param {Stage} stage @param {string} ending @param {Date} time
+ * @param {Stage} stage @param {string} ending
  */
-function nameOf(stage, ending, time) {
+function namer(stage, ending) {
+  const time = new Date();
   const scene = (stage.state?.scene.title ?? "scene").replace(/[^\p{L}\p{N}._-]+/gu, "-");
   const parts = [time.getMonth() + 1, time.getDate(), time.getHours(), time.getMinutes(), time.getSeconds()];
   const [month, day, ...clock] = parts.map((part) => String(part).padStart(2, "0"));
   return `${scene}-${time.getFullYear()}${month}${day}-${clock.join("")}.${ending}`;
 }
 
-/** Saves a picture of the scene, with the pixels of the screen. @param {Stage} stage @param {(text: string) => void} tell */
-export function takePicture(stage, tell) {
-  const time = new Date();
-  stage.draw();
-  stage.canvas.toBlob((file) => {
-    if (file) give(file, nameOf(stage, "png", time));
-    else tell("The browser makes no picture of a scene of this size.");
+/** A canvas of its own. @param {{width: number, height: number}} size */
+function newCanvas(size) {
+  const canvas = Object.assign(document.createElement("canvas"), size);
+  return { canvas, ctx: /** @type {Ink} */ (canvas.getContext("2d", { alpha: false, willReadFrequently: true })) };
+}
+
+/** The page as a stream of images, after the browser has asked the reader. */
+const streamOfPage = () => navigator.mediaDevices.getDisplayMedia(/** @type {DisplayMediaStreamOptions} */ (
+  { video: { ...SIZE, frameRate: 1000 / INTERVAL }, preferCurrentTab: true }));
+
+/** Saves a picture of the scene, or of the page. @param {Shown} shown @param {boolean} ofPage */
+export async function takePicture({ stage, tell }, ofPage) {
+  const name = namer(stage, "png");
+  const { canvas, ctx } = newCanvas(SIZE);
+  if (ofPage) {
+    const stream = await streamOfPage();
+    const video = Object.assign(document.createElement("video"), { srcObject: stream, muted: true });
+    await video.play();
+    Object.assign(canvas, { width: video.videoWidth, height: video.videoHeight });
+    ctx.drawImage(video, 0, 0);
+    stream.getTracks().forEach((track) => track.stop());
+  } else {
+    stage.paint(ctx);
+  }
+  canvas.toBlob((file) => {
+    if (file) give(file, name);
+    else tell("The browser makes no picture of this size.");
   }, "image/png");
 }
 
-/** The film being recorded. @type {MediaRecorder | null} */
-let film = null;
-
 /**
- * Begins a film, or ends it and offers its file to the reader; the button shows which.
- * @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell
+ * Begins a film or an animation, or ends it and offers its file to the reader; the button shows which.
+ * @param {Shown} shown @param {(shown: Shown, ended: () => void) => Running | Promise<Running>} begin
  */
-export function toggleFilm(stage, button, tell) {
-  if (!film) film = begun(stage, button, tell);
-  else if (film.state !== "inactive") film.stop();
-  button.setAttribute("aria-pressed", String(film.state === "recording"));
+export async function toggle(shown, begin) {
+  const { button } = shown;
+  const now = running.get(button);
+  if (now) {
+    now.end();
+    return;
+  }
+  const show = (/** @type {boolean} */ on) => button.setAttribute("aria-pressed", String(on));
+  running.set(button, await begin(shown, () => {
+    running.delete(button);
+    show(false);
+  }));
+  show(true);
 }
 
-/** Starts a film. @param {Stage} stage @param {HTMLElement} button @param {(text: string) => void} tell */
-function begun(stage, button, tell) {
-  const time = new Date();
+/** Films the scene, or the page. @param {boolean} ofPage */
+export const film = (ofPage) => async (/** @type {Shown} */ { stage, tell }, /** @type {() => void} */ ended) => {
   const [mimeType, ending] = KINDS.find(([kind]) => MediaRecorder.isTypeSupported(kind)) ?? ["", "webm"];
+  const name = namer(stage, ending);
+  const { canvas, ctx } = newCanvas(SIZE);
+  const stream = ofPage ? await streamOfPage() : canvas.captureStream();
+  const timer = window.setInterval(() => { if (!ofPage) stage.paint(ctx); }, INTERVAL);
   /** @type {Blob[]} */
   const parts = [];
-  const stream = stage.canvas.captureStream();
   const recorder = new MediaRecorder(stream, { mimeType, videoBitsPerSecond: RATE });
-  const timer = window.setInterval(() => stage.ask(), REST);
   recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
   recorder.addEventListener("error", () => tell("The browser cannot go on with the film."));
   recorder.addEventListener("stop", () => {
     clearInterval(timer);
     stream.getTracks().forEach((track) => track.stop());
-    film = null;
-    button.setAttribute("aria-pressed", "false");
+    ended();
     const file = new Blob(parts, { type: mimeType.split(";")[0] });
-    if (file.size > 0) give(file, nameOf(stage, ending, time));
+    if (file.size > 0) give(file, name);
   });
   recorder.start();
-  stage.ask();
-  return recorder;
+  return { end: () => { if (recorder.state !== "inactive") recorder.stop(); } };
+};
+
+/** Animates the scene. @param {Shown} shown @param {() => void} ended */
+export async function animate({ stage, tell }, ended) {
+  const { GIFEncoder, quantize, applyPalette } = await import("./gifenc/gifenc.js");
+  const name = namer(stage, "gif");
+  const { ctx } = newCanvas(SMALL);
+  const gif = GIFEncoder();
+  const begin = performance.now();
+  let shown = begin;
+  const timer = window.setInterval(() => {
+    stage.paint(ctx);
+    const { data } = ctx.getImageData(0, 0, SMALL.width, SMALL.height);
+    const palette = quantize(data, COLORS, { format: "rgb444" });
+    const now = performance.now();
+    // Where the images take longer than their interval, the animation still has its real duration.
+    gif.writeFrame(applyPalette(data, palette, "rgb444"), SMALL.width, SMALL.height, { palette, delay: Math.max(STEP, now - shown) });
+    shown = now;
+    if (now - begin < LONGEST) return;
+    tell(`The animation ends after ${LONGEST / 1000} s.`);
+    end();
+  }, STEP);
+  const end = () => {
+    clearInterval(timer);
+    ended();
+    gif.finish();
+    give(new Blob([gif.bytes()], { type: "image/gif" }), name);
+  };
+  return { end };
 }

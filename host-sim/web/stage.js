@@ -180,7 +180,7 @@ export class Stage {
     this.ctx.fillRect(0, 0, this.view.width, this.view.height);
     if (!state || !message) return;
     this.aim(state.scene, message.frame);
-    this.drawScene(state, message);
+    this.drawScene(this.ctx, this.view, this.buttons, state, message);
     for (const work of this.also) work();
     const end = performance.now();
     this.framesDrawn++;
@@ -239,13 +239,30 @@ export class Stage {
     }
   }
 
-  /** Draws the layers from back to front. @param {StateMessage} state @param {FrameMessage} message */
-  drawScene({ scene, parameters }, { frame, holding, ghost }) {
-    const { ctx, view, layers, trails, obstacles } = this;
+  /** Draws what is visible into a canvas of another size, without the buttons over it. @param {Ink} ctx */
+  paint(ctx) {
+    const { state, message, view } = this;
+    if (!state || !message) return;
+    const { width, height } = ctx.canvas;
+    const ratio = Math.min(width / view.width, height / (view.height - view.top));
+    const [across, up] = [width / ratio, height / ratio];
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.fillStyle = colors.paper;
+    ctx.fillRect(0, 0, across, up);
+    this.drawScene(ctx, Object.assign(new View(), view, { width: across, height: up, top: 0 }), [], state, message);
+  }
+
+  /**
+   * Draws the layers from back to front.
+   * @param {Ink} ctx @param {View} view @param {import("./labels.js").Label[]} buttons places that texts avoid
+   * @param {StateMessage} state @param {FrameMessage} message
+   */
+  drawScene(ctx, view, buttons, { scene, parameters }, { frame, holding, ghost }) {
+    const { layers, trails, obstacles } = this;
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     /** @type {import("./labels.js").Label[]} */
-    const labels = [...this.buttons];
+    const labels = [...buttons];
     drawGrid(ctx, view);
     obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces, labels);

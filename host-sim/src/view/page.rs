@@ -44,7 +44,7 @@ static FILES: LazyLock<Vec<File>> = LazyLock::new(|| {
         "address.js" "alone.js" "away.js" "board-model.js" "board.js" "charts.js" "controls.js"
         "demonstration.js" "diagram.js" "dom.js" "editor-card.js" "editor-handles.js"
         "editor-model.js" "editor-pen.js" "editor.css" "editor.js" "events.js" "felt.js" "files.js"
-        "first.css" "forces.js" "frame.js" "gallery.js" "grip.js" "ground.js" "handle.js" "icon.svg"
+        "first.css" "forces.js" "frame.js" "gallery.js" "gifenc/LICENSE" "gifenc/gifenc.js" "grip.js" "ground.js" "handle.js" "icon.svg"
         "index.html" "insertion.css" "insertion.js" "keys.js" "labels.js" "link.js" "main.js"
         "object.js" "obstacles.js" "panels.css" "panels.js" "pointer.js" "reach.js" "readout.js" "samples.js"
         "shown.js" "sizes.js" "stage.js" "strip.js" "style.css" "talk.js" "theme.js" "tips.js"
@@ -83,7 +83,8 @@ pub(super) fn find(path: &str, takes_gzip: bool) -> Option<Found> {
 impl File {
     fn serve(&self) -> PageContent {
         let plain = match str::from_utf8(self.source) {
-            Ok(script) if self.path.ends_with(".js") && !self.path.starts_with("/uplot/") => {
+            // A library, which has a folder of its own, is served as it came.
+            Ok(script) if self.path.ends_with(".js") && self.path.rfind('/') == Some(0) => {
                 without_comments(script).into_bytes().into()
             }
             _ => Cow::Borrowed(self.source),

@@ -168,6 +168,13 @@ liveTest("a scene is drawn, changed, undone, saved, opened and run", async (benc
   const folder = newFolder();
   writeFileSync(join(folder, "saved.toml"), text);
   await runProgram(["run", "saved.toml", "--quiet"], folder);
+  // A scene of the reader has its picture after the page is loaded again, also while another one is shown.
+  const own = (await live.state()).scene.title;
+  await live.scene("box-flat");
+  await live.page.reload();
+  await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+  await live.page.waitForSelector(`[data-scene="${own}"] svg`, { state: "attached" });
+  await live.scene(own);
   // Changes by the sliders are undone by a reset, and by the button without one.
   await live.page.fill("#type-static", "0.2");
   await live.page.press("#type-static", "Enter");

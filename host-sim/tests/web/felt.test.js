@@ -124,12 +124,8 @@ liveTest("slips are heard and felt while that is wanted, and not before", async 
   assert.deepEqual(await counts(), felt);
 });
 
-/** Returns the size of the stage, in pixels of the screen. @param {Live} live */
-const stageSize = (live) =>
-  live.page.evaluate(() => {
-    const { width, height } = /** @type {HTMLCanvasElement} */ (document.querySelector("#stage"));
-    return { width, height };
-  });
+/** Size of pictures and films: 1080p. */
+const SIZE = { width: 1920, height: 1080 };
 
 /**
  * Presses a button, by mouse or by finger, and returns the downloaded file.
@@ -153,13 +149,12 @@ for (const [by, options] of /** @type {const} */ ([
     await page.selectOption("#replay", "scene");
     await live.until(() => (window.stiction.frame?.counts.slips ?? 0) > 1);
     await page.evaluate(() => window.scrollTo(0, 0));
-    const size = await stageSize(live);
 
     const picture = await fileOf(live, "#picture", touches);
     assert.match(picture.name, /^box-flat-\d{8}-\d{6}\.png$/);
     assert.deepEqual([...picture.bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
     // Width and height in the first chunk, as in the specification of PNG.
-    assert.deepEqual({ width: picture.bytes.readUInt32BE(16), height: picture.bytes.readUInt32BE(20) }, size);
+    assert.deepEqual({ width: picture.bytes.readUInt32BE(16), height: picture.bytes.readUInt32BE(20) }, SIZE);
 
     await (touches ? page.tap("#film") : page.click("#film"));
     await live.until(() => document.querySelector("#film")?.getAttribute("aria-pressed") === "true");
@@ -171,7 +166,7 @@ for (const [by, options] of /** @type {const} */ ([
     // EBML, and more than a single still picture.
     assert.deepEqual([...film.bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
     assert.ok(film.bytes.length > 10_000, `${film.bytes.length} bytes`);
-    // A player shows it in the size of the stage, and for its real duration.
+    // A player shows it in its size, and for its real duration.
     const player = await page.context().newPage();
     const shown = await player.evaluate(async (data) => {
       const video = document.createElement("video");
@@ -181,7 +176,47 @@ for (const [by, options] of /** @type {const} */ ([
       return { width: video.videoWidth, height: video.videoHeight, seconds: video.currentTime };
     }, film.bytes.toString("base64"));
     await player.close();
-    assert.deepEqual({ width: shown.width, height: shown.height }, size);
+    assert.deepEqual({ width: shown.width, height: shown.height }, SIZE);
     assert.ok(shown.seconds > 1 && shown.seconds < 20, `${shown.seconds} s`);
   });
 }
+
+liveTest("an animation of the scene is saved, which shows its slips in real time", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.selectOption("#replay", "scene");
+  await live.until(() => (window.stiction.frame?.counts.slips ?? 0) > 1);
+  await page.click("#animation");
+  const from = await page.evaluate(() => performance.now());
+  await live.until((begun) => performance.now() - begun > 1500, from);
+  const { name, bytes } = await fileOf(live, "#animation", false);
+  assert.match(name, /^box-flat-\d{8}-\d{6}\.gif$/);
+  const { count, seconds, differ, width, height } = await page.evaluate(async (data) => {
+    const decoder = new ImageDecoder({ data: Uint8Array.from(atob(data), (c) => c.charCodeAt(0)), type: "image/gif" });
+    await decoder.completed;
+    const { frameCount } = decoder.tracks.selectedTrack ?? { frameCount: 0 };
+    const images = await Promise.all(Array.from({ length: frameCount }, (_, frameIndex) => decoder.decode({ frameIndex })));
+    const pixels = await Promise.all([images[0], images[frameCount - 1]].map(async ({ image }) => {
+      const rgba = new Uint8Array(image.allocationSize({ format: "RGBA" }));
+      await image.copyTo(rgba, { format: "RGBA" });
+      return rgba;
+    }));
+    return {
+      count: frameCount, seconds: images.reduce((sum, { image }) => sum + (image.duration ?? 0), 0) / 1e6,
+      differ: pixels[0].filter((value, i) => value !== pixels[1][i]).length,
+      width: images[0].image.displayWidth, height: images[0].image.displayHeight,
+    };
+  }, bytes.toString("base64"));
+  assert.deepEqual({ width, height }, { width: 960, height: 540 });
+  assert.ok(count >= 5, `${count} images`);
+  assert.ok(seconds > 1 && seconds < 10, `${seconds} s`);
+  assert.ok(differ > 1000, `${differ} bytes differ`);
+});
+
+liveTest("a picture of the whole page is saved", async (bench) => {
+  const live = await bench.open();
+  await live.page.click("#whole-page");
+  const { bytes } = await fileOf(live, "#picture", false);
+  assert.deepEqual([...bytes.subarray(1, 4)], [0x50, 0x4e, 0x47]);
+  assert.ok(bytes.readUInt32BE(16) > 300 && bytes.length > 10_000, `${bytes.length} bytes`);
+});

@@ -65,7 +65,7 @@ export function newFolder() {
 
 /** Starts Chromium. */
 export function startBrowser() {
-  return chromium.launch({ executablePath: browserFile, args: ["--no-sandbox"] });
+  return chromium.launch({ executablePath: browserFile, args: ["--no-sandbox", "--auto-accept-this-tab-capture"] });
 }
 
 /** A running `stiction view`. */

@@ -97,7 +97,7 @@ fn scripts(
 fn modules(files: &[File]) -> Built<BTreeMap<String, String>> {
     let scripts = files
         .iter()
-        .filter(|(name, _)| name.ends_with(".js") && !name.contains('/'));
+        .filter(|(name, _)| name.ends_with(".js") && !name.starts_with("uplot/"));
     scripts
         .map(|(name, _)| {
             let code = text(files, name)?;
