@@ -1,7 +1,10 @@
 // The address of a page without a server: scene, parameters and window, so that a link shows what its sender saw. Values equal
-// to those of the scene's file are left out.
+// to those of the scene's file are left out. A scene of the reader is in it as its file, compressed (gzip, base64 for addresses).
 //
 //     #scene=ladder&k_h=800&mu_s=0.4&number=fixed&evolution=frame&view=0.1,0.2,0.5&hide=ghost,trails
+//     #scene=mine&file=H4sIAAAA...
+
+import { bytes } from "./alone.js";
 
 /** Names in the address of the parameters of `set`. */
 const PARAMETERS = /** @type {const} */ ({
@@ -16,18 +19,21 @@ const PAUSE = 250;
 
 export class Address {
   /**
-   * @param {Stage} stage @param {Ask} ask
+   * @param {Stage} stage @param {Ask} ask @param {Files} files
    * @param {(layer: string, shown: boolean) => void} showLayer @param {(text: string) => void} tell
    */
-  constructor(stage, ask, showLayer, tell) {
+  constructor(stage, ask, files, showLayer, tell) {
     this.stage = stage;
     this.ask = ask;
+    this.files = files;
     this.showLayer = showLayer;
     this.tell = tell;
     /** Initial parameters of every scene, by its name. @type {Map<string, SceneParameters>} */
     this.own = new Map();
-    /** Scenes that every page has; a user's own scene is in no address. @type {string[] | null} */
+    /** Scenes that every page has. @type {string[] | null} */
     this.bundled = null;
+    /** The file of a scene of the reader as the address has it, and what identifies its content. */
+    this.file = { of: "", packed: "" };
     /** Requested window: its middle and its width (m). @type {number[] | null} */
     this.view = null;
     /**
@@ -65,14 +71,26 @@ export class Address {
   /** Applies one address. @param {string} hash @param {StateMessage} state */
   async obey(hash, state) {
     const wanted = new URLSearchParams(hash.slice(1));
-    const name = wanted.get("scene") ?? state.scene.title;
-    if (!await this.ask({ type: "scene", name })) return;
+    const name = wanted.get("scene") ?? state.scene.title, file = wanted.get("file");
+    if (!await (file === null ? this.ask({ type: "scene", name }) : this.open(name, file))) return;
     await this.ask({ type: "number", value: wanted.get("number") ?? NUMBER });
     await this.ask({ type: "evolution", value: wanted.get("evolution") ?? EVOLUTION });
     const parameters = this.parameters(wanted);
     if (Object.keys(parameters).length > 0) await this.ask({ type: "set", parameters });
     this.layers((wanted.get("hide") ?? "").split(","));
     this.view = this.numbers(wanted, "view", 3);
+  }
+
+  /** Opens the scene of a file in the address; returns false if it cannot be used. @param {string} name @param {string} packed */
+  async open(name, packed) {
+    try {
+      const text = new TextDecoder().decode(await bytes(packed.replaceAll("-", "+").replaceAll("_", "/")));
+      await this.files.file("scene", `${name}.toml`, text);
+      return true;
+    } catch (why) {
+      this.tell(`The scene of the address cannot be used. ${/** @type {Error} */ (why).message}`);
+      return false;
+    }
   }
 
   /** Returns the parameters for `set`. @param {URLSearchParams} wanted */
@@ -122,9 +140,23 @@ export class Address {
     if (!this.timer) this.timer = window.setTimeout(() => this.write(), PAUSE);
   }
 
+  /** Whether a scene is the reader's own. @param {StateMessage} state */
+  isOwn({ scene }) {
+    return this.bundled?.includes(scene.title) === false;
+  }
+
+  /** Packs the file of a scene of the reader, if the address has another one. @param {StateMessage} state */
+  async pack({ scene, parameters }) {
+    const of = JSON.stringify([scene, parameters]);
+    if (of === this.file.of) return;
+    const text = await this.files.file("scene.toml", "", null);
+    this.file = { of, packed: await compressed(text) };
+  }
+
   /** Writes the address, unless it is being followed or is about to be. */
-  write() {
+  async write() {
     this.timer = 0;
+    if (this.stage.state && this.isOwn(this.stage.state)) await this.pack(this.stage.state).catch((why) => this.tell(why.message));
     const { state } = this.stage;
     if (this.busy || this.view || !state || location.hash !== this.known) return;
     const text = this.text(state);
@@ -135,10 +167,12 @@ export class Address {
   }
 
   /** Returns the address of what the page shows. @param {StateMessage} state */
-  text({ scene, parameters, number, evolution }) {
+  text(state) {
     const { stage } = this;
-    const isOwn = this.bundled?.includes(scene.title) === false;
-    const parts = isOwn ? [] : [`scene=${encodeURIComponent(scene.title)}`];
+    const { scene, parameters, number, evolution } = state;
+    const isOwn = this.isOwn(state);
+    const parts = [`scene=${encodeURIComponent(scene.title)}`];
+    if (isOwn) parts.push(`file=${this.file.packed}`);
     for (const [key, name] of Object.entries(PARAMETERS)) {
       const value = parameters[name];
       if (!isOwn && value !== null && value !== this.own.get(scene.title)?.[name]) parts.push(`${key}=${value}`);
@@ -153,4 +187,11 @@ export class Address {
     if (hidden.length > 0) parts.push(`hide=${hidden.map(([layer]) => layer).join(",")}`);
     return parts.join("&");
   }
+}
+
+/** Compresses a text for an address. @param {string} text */
+async function compressed(text) {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("gzip"));
+  const letters = Array.from(new Uint8Array(await new Response(stream).arrayBuffer()), (byte) => String.fromCharCode(byte));
+  return btoa(letters.join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }

@@ -93,8 +93,8 @@ async function unpacked(packed) {
   return { script: URL.createObjectURL(script), wasm: await bytes(wasm) };
 }
 
-/** Unpacks bytes that were compressed and encoded as text. @param {string} text */
-function bytes(text) {
+/** Unpacks bytes that were compressed and encoded as text, in base64. @param {string} text */
+export function bytes(text) {
   const raw = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([raw]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();

@@ -311,10 +311,11 @@ const source = isAlone ? await startAlone() : new Link(eventsFor(false));
 /** Starts the solver in the page itself, and the address that describes what it shows. */
 async function startAlone() {
   const [{ Alone }, { Address }] = await Promise.all([import("./alone.js"), import("./address.js")]);
-  address = new Address(stage, (message) => controls.ask(message), (layer, shown) => {
+  const alone = new Alone(eventsFor(false));
+  address = new Address(stage, (message) => controls.ask(message), alone, (layer, shown) => {
     const box = /** @type {HTMLInputElement} */ (document.querySelector(`input[data-layer="${layer}"]`));
     box.checked = shown;
     showLayer(box);
   }, note);
-  return new Alone(eventsFor(false));
+  return alone;
 }

@@ -219,6 +219,19 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
     await live.scene("box-flat");
     await edits(live);
+    // A link shows the scene that was drawn to everyone who opens it, in a browser that has never seen it.
+    await live.until(() => /file=/.test(location.hash));
+    const { scene, parameters } = await live.state();
+    await live.until(() => !/file=$/.test(location.hash));
+    const link = await live.page.evaluate(() => location.href);
+    const elsewhere = await shared().get().newContext();
+    const other = new Live(await elsewhere.newPage(), host.origin);
+    await other.page.goto(link);
+    await other.until((title) => window.stiction?.state?.scene.title === title, scene.title);
+    assert.deepEqual((await other.state()).scene, scene);
+    assert.deepEqual((await other.state()).parameters, parameters);
+    other.check();
+    await elsewhere.close();
     live.check();
   } finally {
     await context.close();
