@@ -1,7 +1,7 @@
 // The editor of the scene: handles over the stage, a panel next to the selection, undo and redo. Every change is sent to the
 // solver's side as an edit, which reports what is wrong with it or restarts the edited scene.
 
-import { setText } from "./dom.js";
+import { byId, setText } from "./dom.js";
 import { button, Card } from "./editor-card.js";
 import { Handles } from "./editor-handles.js";
 import { addObstacle, addSurface, editOf, modelOf, same, withBody, withCorner } from "./editor-model.js";
@@ -86,6 +86,7 @@ export class Editor {
       button("Draw", "Draw the object's polygon", () => this.draw("body")),
       button("+ Surface", "Add a surface", () => this.change(addSurface)),
       button("+ Obstacle", "Add an obstacle", () => this.draw("obstacle")),
+      button("Save", "Save the scene as a file", () => this.save()),
       Object.assign(button("Try it", "Try it", () => this.tryIt()), { className: "main" }));
     this.stage.canvas.parentElement?.append(this.bar, this.hint, this.wrong, this.card.root);
     this.stage.canvas.parentElement?.classList.add("editing");
@@ -112,6 +113,14 @@ export class Editor {
     this.timer = 0;
     await this.send();
     if (this.problem === "") this.close();
+  }
+
+  /** Sends the scene to the solver immediately, and saves it as a file. */
+  async save() {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    await this.send();
+    if (this.problem === "") byId("save-scene").click();
   }
 
   /** @param {KeyboardEvent} event */

@@ -19,7 +19,7 @@ const WINDOWS = [
 ];
 /** Elements that are visible at the top without scrolling. */
 const AT_ONCE = [
-  "#what", "#story", "#scenes-open", "#details-open", "#help-open",
+  "#what", "#story", "#scenes-open", "#edit", "#details-open", "#help-open",
   ...["static", "dynamic", "stiffness_translation", "weight"].map((name) => `#slide-${name}`),
 ];
 /** Most words and controls before the first action, and least share of the scene in the window. */
