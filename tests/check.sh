@@ -2,7 +2,7 @@
 # Checks the tree.
 #   tests/check.sh           what a change has to pass
 #   tests/check.sh --all     adds all chips and feature sets, emulated boards at length, C, Python, all of the page, fuzzing, the oldest
-#                            compiler, and dependencies with known vulnerabilities
+#                            compiler, the compilers of other systems, and dependencies with known vulnerabilities
 #   tests/check.sh --quick   format, shapes, and lints and tests of core
 # It installs what it needs where it may. Where an optional tool is missing and cannot be installed, its part is skipped and the command that
 # installs it is printed; with CI=true, a missing tool is a failure. The times of all parts and test programs are printed at the end.
@@ -192,6 +192,10 @@ others() {
   ! has_fuzz || tests/fuzz/run.sh build
   ! rust_needs "$oldest" ||
     cargo "+$oldest" check -p stiction-core -p stiction-wire -p stiction-host-sim --locked --target-dir "target/rust-$oldest"
+  # The program's other systems: what it is built of compiles there.
+  for system in x86_64-pc-windows-msvc aarch64-apple-darwin; do
+    ! target_needs $system || cargo check -p stiction-host-sim --locked --target $system --target-dir target/systems
+  done
   "$built/examples/walk" 10000000
 }
 if is_all; then
@@ -226,7 +230,7 @@ if is_all; then
     target/python/bin/python -m pytest -q host-sim/python
   fi
 
-  part "the oldest compiler, $oldest, and ten million steps of the hand"
+  part "the oldest compiler, $oldest, Windows and macOS, and ten million steps of the hand"
   shown others $others
   tail -n 5 $logs/others.log
 fi
