@@ -1,14 +1,18 @@
-//! The moments worth a snapshot: the ends of the run, the first frame of every other state, frames with events, and otherwise those
-//! that look different from all others.
+//! The moments worth a snapshot: the ends of the run, the first frame of every other state, and otherwise those that look most different
+//! from all others.
 
-use stiction_core::{Event, StateKind};
-use stiction_live::drawing::placed;
-use stiction_live::record::{Frame, Run};
+use stiction_core::StateKind;
+use stiction_live::drawing::{Window, placed};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// What two snapshots differ by at least, in parts of the body's size: less is hardly seen.
 const DIFFERENCE: f64 = 0.1;
 /// Length of the largest force's bar in a snapshot, in parts of the body's size.
 const BAR: f64 = 0.45;
+/// A run over more than this, in sizes of the body, is shown by pictures that follow the body: its place shows in what is around it, of
+/// which this part counts.
+const FOLLOWED: f64 = 1.2;
+const AROUND: f64 = 0.3;
 /// Number of frames that are compared, spread evenly over the run.
 const MOST: usize = 4000;
 
@@ -24,33 +28,18 @@ pub(super) fn nearest<'a>(frames: &'a [Frame], at: &[f64]) -> impl Iterator<Item
 pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
     let frames = &run.frames;
     let looks = Looks::of(run);
-    let new_state = |&index: &usize| index > 0 && frames[index].state != frames[index - 1].state;
+    let ends = [frames.len().saturating_sub(1), 0];
+    let all: Vec<usize> = (0..frames.len()).collect();
     let mut chosen: Vec<usize> = Vec::new();
-    looks.add(
-        &mut chosen,
-        &[frames.len().saturating_sub(1), 0],
-        count,
-        0.0,
-    );
+    looks.add(&mut chosen, &ends, count, 0.0);
     let seen: Vec<StateKind> = chosen.iter().map(|&index| frames[index].state).collect();
     let first = |state: &StateKind| frames.iter().position(|frame| frame.state == *state);
     let states = StateKind::ALL.iter().filter(|state| !seen.contains(state));
     let states: Vec<usize> = states.filter_map(first).collect();
     looks.add(&mut chosen, &states, count, 0.0);
-    let events = (0..frames.len()).filter(|index| eventful(&frames[*index]) || new_state(index));
-    looks.add(&mut chosen, &events.collect::<Vec<_>>(), count, DIFFERENCE);
-    looks.add(
-        &mut chosen,
-        &(0..frames.len()).collect::<Vec<_>>(),
-        count,
-        DIFFERENCE,
-    );
+    looks.add(&mut chosen, &all, count, DIFFERENCE);
     chosen.sort_unstable();
     chosen
-}
-
-fn eventful(frame: &Frame) -> bool {
-    frame.events.iter().any(|&event| event != Event::Slip)
 }
 
 /// How frames look.
@@ -59,6 +48,8 @@ struct Looks<'a> {
     /// Size of the body [m], and the largest force [N].
     size: f64,
     force: f64,
+    /// The part of the body's place that counts.
+    place: f64,
 }
 
 impl<'a> Looks<'a> {
@@ -70,11 +61,17 @@ impl<'a> Looks<'a> {
             .iter()
             .map(|frame| frame.wrench[0].hypot(frame.wrench[1]));
         let force = springs.fold(0.0, f64::max);
+        let places = run
+            .frames
+            .iter()
+            .map(|frame| (frame.pose[0], frame.pose[1]));
+        let range = Window::around(places).map_or(0.0, |all| all.width().max(all.height()));
         let or_one = |value: f64| if value > 0.0 { value } else { 1.0 };
         Self {
             run,
             size: or_one(size),
             force: or_one(force),
+            place: if range > FOLLOWED * size { AROUND } else { 1.0 },
         }
     }
 
@@ -82,11 +79,12 @@ impl<'a> Looks<'a> {
     fn look(&self, index: usize) -> Vec<f64> {
         let frame = &self.run.frames[index];
         let hand = (frame.hand[0], frame.hand[1]);
+        let [x0, y0, _] = frame.pose;
+        let less = 1.0 - self.place;
         let places = placed(&self.run.scene.vertices, frame.pose);
         let places = places.into_iter().chain([hand]);
-        let sum = |force: fn(&stiction_live::record::ContactRecord) -> f64| {
-            frame.contacts.iter().map(force).sum::<f64>()
-        };
+        let places = places.map(|(x, y)| (x - less * x0, y - less * y0));
+        let sum = |force: fn(&ContactRecord) -> f64| frame.contacts.iter().map(force).sum::<f64>();
         let forces = [
             sum(|contact| contact.normal),
             sum(|contact| contact.friction),

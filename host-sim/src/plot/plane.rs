@@ -114,25 +114,31 @@ impl<'a> View<'a> {
         self.fill(&arrow.head, color)
     }
 
-    /// The direction of a path: heads of arrows on it, [`HEADS`] apart, the first after half of that.
+    /// The direction of a path: heads of arrows on it, [`HEADS`] apart, the first after half of that or in the middle of a short path.
     pub(super) fn direction(&self, points: &[Point], color: RGBColor) -> Drawn {
-        let [Some(&first), Some(&end)] = [points.first(), points.last()] else {
+        let Some(&end) = points.last() else {
             return Ok(());
         };
         let distance = |a: Point, b: Point| (b.0 - a.0).hypot(b.1 - a.1) / self.pixel;
-        let (mut from, mut left) = (first, 0.5 * HEADS);
-        for &to in points {
-            let length = distance(from, to);
-            if length < TURNS {
-                continue;
+        let mut steps: Vec<Point> = Vec::new();
+        for &point in points {
+            if steps
+                .last()
+                .is_none_or(|last| distance(*last, point) >= TURNS)
+            {
+                steps.push(point);
             }
-            left -= length;
-            // A mark at the end would cover it.
-            if left <= 0.0 && distance(to, end) > 2.0 * HEAD {
+        }
+        let pairs = || steps.windows(2).map(|ends| (ends[0], ends[1]));
+        let length: f64 = pairs().map(|(from, to)| distance(from, to)).sum();
+        let mut left = 0.5 * HEADS.min(length);
+        for (from, to) in pairs() {
+            left -= distance(from, to);
+            // The nearest step; a mark at the end would cover it.
+            if left <= 0.5 * TURNS && distance(to, end) > 2.0 * HEAD {
                 self.head(from, to, color)?;
                 left = HEADS;
             }
-            from = to;
         }
         Ok(())
     }

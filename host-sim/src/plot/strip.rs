@@ -25,6 +25,9 @@ const COMMON: f64 = 2.2;
 /// The part of a snapshot's sides that body and hand fill at most.
 const FILLED: f64 = 1.0 / 1.4;
 
+/// Height of a cone of friction relative to the normal force, so that it shows beside a reaction at its edge.
+const CONE: f64 = 1.3;
+
 struct Scales {
     /// Width and height of a snapshot [px], and metres per pixel.
     size: (f64, f64),
@@ -228,10 +231,11 @@ fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;
         let ends = [1.0, -1.0].map(|side| {
-            let across = side * cone(run, contact) * normal;
+            let along = CONE * normal;
+            let across = side * cone(run, contact) * along;
             (
-                point.0 + nx * normal + ny * across,
-                point.1 + ny * normal - nx * across,
+                point.0 + nx * along + ny * across,
+                point.1 + ny * along - nx * across,
             )
         });
         for end in ends {
