@@ -269,7 +269,9 @@ fn a_thinned_path_keeps_its_ends() {
 fn snapshots_show_the_ends_and_every_state() {
     let run = drag(2000);
     let chosen = instants::choose(&run, 8);
-    assert_eq!((chosen.len(), chosen[0], chosen[7]), (8, 0, 1999));
+    let ends = (chosen.first(), chosen.last());
+    assert_eq!(ends, (Some(&0), Some(&1999)));
+    assert!((4..=8).contains(&chosen.len()), "{chosen:?}");
     assert!(chosen.is_sorted());
     for state in [StateKind::NonContact, StateKind::Edge] {
         assert!(chosen.iter().any(|&index| run.frames[index].state == state));
