@@ -10,6 +10,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crate::board::{BoardArgs, InfoArgs, board, info};
 use crate::check::{CheckArgs, check};
 use crate::code::{CodeArgs, code};
+use crate::figures::{FiguresArgs, figures};
 use crate::image::{ImageArgs, image};
 use crate::list::{ScenesArgs, scenes};
 use crate::new::{NewArgs, new};
@@ -43,6 +44,8 @@ pub enum Command {
     View(Box<ViewArgs>),
     /// Run a scene: a trace, a summary, plots
     Run(RunArgs),
+    /// Draw the figures of the paper that the method is from
+    Figures(FiguresArgs),
     /// List the bundled scenes, or write their files
     Scenes(ScenesArgs),
     /// Write a scene file to start from, with a comment on every key
@@ -122,6 +125,7 @@ fn done(command: Command) -> ExitCode {
     // False if the command ran but its result is bad.
     let result: Result<bool, Box<dyn Error>> = match command {
         Command::Run(args) => run(&args).map(|()| true),
+        Command::Figures(args) => figures(&args).map(|()| true),
         Command::Replay(args) => replay(&args),
         Command::Check(args) => check(&args),
         Command::Trade(args) => trade(&args).map(|()| true),

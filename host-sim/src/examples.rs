@@ -15,6 +15,9 @@ view: stiction view --headless --osc 127.0.0.1:9000
 run: stiction run ladder
 run: stiction run ladder --out ladder.jsonl --plot plots
 run: stiction run box-flat --number fixed --rate 250 --record box.jsonl
+run: stiction run ladder --plot ladder.pdf --picture strip --at 0.5,1.5 --width 85mm
+figures: stiction figures --paper figures
+figures: stiction figures --paper figures --format svg --width 180mm
 scenes: stiction scenes
 scenes: stiction scenes --out scenes
 new: stiction new mine

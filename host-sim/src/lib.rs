@@ -19,6 +19,8 @@ mod code;
 pub mod columns;
 pub mod command;
 mod examples;
+mod figure_options;
+mod figures;
 mod files;
 pub mod firmware;
 mod image;

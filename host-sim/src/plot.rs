@@ -1,7 +1,8 @@
 //! The pictures of a run, each as SVG and PNG: the paths in the plane, the forces over time, the motion over time, a strip of
-//! snapshots, and the insertion of a peg. From a recorded run in SI units, world frame, to files that need no font on the
-//! machine.
+//! snapshots, and the insertion of a peg; or one of them as a figure for a paper, also as PDF. From a recorded run in SI units, world
+//! frame, to files that need no font on the machine.
 
+pub(crate) mod figure;
 mod forces;
 pub(crate) mod fronts;
 mod insertion;
@@ -10,6 +11,8 @@ mod legend;
 mod motion;
 mod notes;
 mod obstacles;
+mod page;
+mod pdf;
 mod plane;
 mod series;
 mod sheet;
@@ -29,6 +32,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::whole as files;
 
+use page::Page;
 use stiction_live::record::Run;
 
 /// The reason why the pictures of a run could not be written.
@@ -64,7 +68,7 @@ pub enum PlotError {
 }
 
 /// A picture: from a run to the text of an SVG.
-type Picture = fn(&Run) -> sheet::Drawn<String>;
+type Picture = fn(&Run, &Page) -> sheet::Drawn<String>;
 
 /// The pictures of any run by the stems of their file names.
 const PICTURES: [(&str, Picture); 4] = [
@@ -101,7 +105,7 @@ pub(crate) fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
     let mut files = Vec::new();
     for (name, picture) in pictures(run) {
         let drawing = |reason| PlotError::Drawing { name, reason };
-        let svg = picture(run).map_err(|error| drawing(error.to_string()))?;
+        let svg = picture(run, &Page::screen()).map_err(|error| drawing(error.to_string()))?;
         files.push(save(dir.join(name).with_extension("svg"), svg.as_bytes())?);
         let png = rasterizer.png(&svg).map_err(drawing)?;
         files.push(save(dir.join(name).with_extension("png"), &png)?);
@@ -117,7 +121,7 @@ pub fn svgs(run: &Run) -> Result<Vec<(String, String)>, PlotError> {
     if run.frames.is_empty() {
         return Err(PlotError::Empty);
     }
-    let drawn = |(name, picture): (&'static str, Picture)| match picture(run) {
+    let drawn = |(name, picture): (&'static str, Picture)| match picture(run, &Page::screen()) {
         Ok(svg) => Ok((name.to_owned(), svg)),
         Err(error) => Err(PlotError::Drawing {
             name,

@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::ProgressBar;
 
+use crate::figure_options::FigureOptions;
 use crate::files::{self, Files};
 use crate::input::{self, open_scene};
 use crate::options::trace_parser;
-use crate::plot;
 use crate::progress;
 use crate::recording::Head;
 use crate::report;
@@ -36,9 +36,9 @@ pub struct RunArgs {
     /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
     #[arg(long, value_name = "FILE")]
     pub(crate) record: Option<PathBuf>,
-    /// Folder for plots
-    #[arg(long, value_name = "DIR")]
-    pub(crate) plot: Option<PathBuf>,
+    /// Its pictures.
+    #[command(flatten)]
+    pub(crate) figure: FigureOptions,
     /// Print neither summary nor progress
     #[arg(long)]
     pub(crate) quiet: bool,
@@ -52,15 +52,15 @@ pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
     let mut record = Run::of(&scene, settings.number, settings.evolution);
-    let plots = args.plot.as_deref();
-    let plots = plots.map_or_else(Vec::new, |folder| plot::places(&record, folder));
-    let plots = plots.into_iter().map(|file| ("--plot", file));
+    let pictures = args.figure.pictures()?;
+    let plots = pictures.places(&record);
     files::check(
         input::files(&args.scene, &scene, settings.hand.as_deref()),
         files::written(args.out.as_ref(), args.record.as_ref()).chain(plots),
     )?;
     let given = settings.rate.map(|rate| ("--rate", rate));
     let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;
+    pictures.check(&record, path.frames(rate).map(|sample| sample.t))?;
     let mut summary = Summary::new(&record);
     let head = Head::new(&scene, settings);
     let mut files = Files::trace(args.out.as_ref(), &record)?.with_recording(
@@ -76,17 +76,14 @@ pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
         if let Some(sample) = samples.next() {
             files.write(&sample, Some(&frame))?;
         }
-        if args.plot.is_some() {
+        if pictures.any() {
             record.frames.push(frame);
         }
         Ok::<_, Box<dyn Error>>(())
     })?;
     summary.set_solver_time(time);
     let mut text = summary.to_string();
-    let plots = match &args.plot {
-        Some(folder) => report::plots(folder, &plot::write(&record, folder)?),
-        None => String::new(),
-    };
+    let plots = pictures.write(&record)?;
     files.finish()?;
     let written = [
         ("trace", args.out.as_ref().map(|(file, _)| file)),

@@ -2,6 +2,7 @@
 //! between the limits of sticking and of slipping; and the force of the hand's spring.
 
 use super::legend::{Entry, Mark};
+use super::page::Page;
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Curve, TimePanel, Timeline};
@@ -10,7 +11,7 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;
 
-pub(super) fn svg(run: &Run) -> Drawn<String> {
+pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
     let touched = touched(run);
     let mut legend = Vec::new();
     if !touched.is_empty() {
@@ -41,6 +42,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     panels.push(hand(run));
     Timeline {
         run,
+        page,
         title: format!("{}: forces on the body", run.scene.title),
         legend,
         panels,
@@ -119,7 +121,7 @@ fn reactions(run: &Run, solid: &Solid<'_>) -> TimePanel {
 fn hand(run: &Run) -> TimePanel {
     let force = |axis: usize| run.frames.iter().map(|frame| frame.wrench[axis]).collect();
     TimePanel {
-        label: "hand force [N]".to_owned(),
+        label: "hand [N]".to_owned(),
         height: 120.0,
         lines: vec![
             Curve::new(HAND_FORCE, 1.8, force(0)),

@@ -2,10 +2,9 @@
 //! those that no other one beats in both. From points in any unit to an SVG.
 
 use super::legend::{Entry, Heading, Mark};
+use super::page::Page;
 use super::sheet::{self, Area, Drawn, px, stroke};
-use super::style::{
-    AXIS, FAINT, GRID, INK, LEFT, RIGHT, SMALL, TEXT, WIDTH, centred, font, text_width,
-};
+use super::style::{AXIS, FAINT, GRID, INK, SMALL, TEXT, centred, font, text_width};
 use plotters::prelude::*;
 use std::ops::Range;
 
@@ -53,22 +52,24 @@ pub(crate) struct Fronts {
 
 impl Fronts {
     pub(super) fn svg(&self) -> Drawn<String> {
+        let page = Page::screen();
         let heading = Heading {
+            page: &page,
             title: self.title.clone(),
             entries: self.entries(),
-            margin: LEFT,
+            margin: page.left,
         };
         let (top, count) = (heading.height(), self.panels.len().max(1) as f64);
         let points = self.panels.iter().flat_map(|panel| &panel.points);
         let highest = extent(points.map(|point| point.y.max(self.floor))).end;
         let y = self.floor.log10()..highest.max(self.floor.log10() + 1.0);
-        let width = (WIDTH - LEFT - RIGHT - GAP * (count - 1.0)) / count;
-        sheet::svg((WIDTH, top + HEIGHT + AXIS + 6.0), |area| {
+        let width = (page.inner() - GAP * (count - 1.0)) / count;
+        sheet::svg(&page, top + HEIGHT + AXIS + 6.0, |area| {
             heading.draw(area)?;
             for (k, panel) in self.panels.iter().enumerate() {
                 let axes = Axes {
                     area,
-                    corner: (LEFT + k as f64 * (width + GAP), top),
+                    corner: (page.left + k as f64 * (width + GAP), top),
                     width,
                     x: extent(panel.points.iter().map(|point| point.x)),
                     y: y.clone(),

@@ -2,6 +2,7 @@
 //! for small angles. Loads in the peg's frame.
 
 use super::legend::{Entry, Heading, Mark};
+use super::page::{Page, labels};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::style::*;
@@ -24,21 +25,26 @@ const ONE_POINT_FORMULA: RGBColor = HAND_FORCE;
 const TWO_POINT_FORMULA: RGBColor = NORMAL;
 
 /// The picture as SVG; without a reading its panels are empty.
-pub(super) fn svg(run: &Run) -> Drawn<String> {
+pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
     let readings: Vec<(&Frame, Insertion)> = run.readings().collect();
     let heading = Heading {
+        page,
         title: format!("{}: the peg in its hole", run.scene.title),
         entries: entries(&readings),
-        margin: LEFT,
+        margin: page.margin,
     };
     let top = heading.height();
-    let width = (WIDTH - GAP) / 2.0;
-    sheet::svg((WIDTH, top + HEIGHT + AXIS + 6.0), |area| {
+    let panel_height = page.tall * HEIGHT + AXIS;
+    let (width, [across, down]) = match page.is_narrow() {
+        true => (page.width, [0.0, panel_height + GAP]),
+        false => ((page.width - GAP) / 2.0, [(page.width + GAP) / 2.0, 0.0]),
+    };
+    sheet::svg(page, top + down + panel_height + 6.0, |area| {
         heading.draw(area)?;
-        let panel = |k: f64| part(area, (k * (width + GAP), top), (width, HEIGHT + AXIS));
+        let panel = |k: f64| part(area, (k * across, top + k * down), (width, panel_height));
         if let Some(meter) = &run.meter {
-            jamming(&panel(0.0), meter, &readings)?;
-            forces(&panel(1.0), run, meter, &readings)?;
+            jamming(&panel(0.0), page, meter, &readings)?;
+            forces(&panel(1.0), page, run, &readings)?;
         }
         Ok(())
     })
@@ -83,18 +89,18 @@ struct DiagramAxes<'a> {
 }
 
 impl DiagramAxes<'_> {
-    fn draw<'b>(&self, area: &Area<'b>) -> Drawn<Plane<'b>> {
+    fn draw<'b>(&self, area: &Area<'b>, page: &Page) -> Drawn<Plane<'b>> {
         let ((x, x_label), (y, y_label)) = (&self.x, &self.y);
         let extents = [x, y].map(|range| range.end - range.start);
         let mut chart = ChartBuilder::on(area)
-            .margin_left(px(EDGE))
-            .margin_right(px(RIGHT))
-            .set_label_area_size(LabelAreaPosition::Left, px(LEFT - EDGE))
+            .margin_left(px(page.edge))
+            .margin_right(px(Page::RIGHT))
+            .set_label_area_size(LabelAreaPosition::Left, px(page.left - page.edge))
             .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
             .build_cartesian_2d(x.clone(), y.clone())?;
         chart
             .configure_mesh()
-            .x_labels(9)
+            .x_labels(labels(sheet::size(area).0))
             .y_labels(10)
             .bold_line_style(stroke(GRID, 1.0))
             .light_line_style(TRANSPARENT)
@@ -187,7 +193,7 @@ fn diagrams(meter: &Meter, readings: &[(&Frame, Insertion)]) -> Vec<(f64, Diagra
 }
 
 /// The parallelograms where two points are touched first and where the load has a place at last, and the path of the load.
-fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+fn jamming(area: &Area<'_>, page: &Page, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
     let diagrams = diagrams(meter, readings);
     let lambda = diagrams
         .iter()
@@ -198,7 +204,7 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
         x: (-across..across, "Fx / Fz"),
         y: (-up..up, "M / (r Fz)"),
     };
-    let plane = axes.draw(area)?;
+    let plane = axes.draw(area, page)?;
     for (k, (depth, diagram)) in diagrams.iter().enumerate() {
         let width = if k + 1 == diagrams.len() { 2.4 } else { 1.4 };
         let corners = diagram.corners().map(|[x, y]| (x, y));
@@ -225,7 +231,10 @@ fn jamming(area: &Area<'_>, meter: &Meter, readings: &[(&Frame, Insertion)]) -> 
 }
 
 /// F_z over depth, and the values of the formulas while the peg moves in.
-fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insertion)]) -> Drawn {
+fn forces(area: &Area<'_>, page: &Page, run: &Run, readings: &[(&Frame, Insertion)]) -> Drawn {
+    let Some(meter) = &run.meter else {
+        return Ok(());
+    };
     let forces = || readings.iter().map(|(_, found)| found.fz);
     let deepest = readings
         .iter()
@@ -238,7 +247,7 @@ fn forces(area: &Area<'_>, run: &Run, meter: &Meter, readings: &[(&Frame, Insert
         x: (0.0..end, "depth l [mm]"),
         y: (low - room..high + room, "Fz [N]"),
     };
-    let plane = axes.draw(area)?;
+    let plane = axes.draw(area, page)?;
     let (inwards, outwards) = readings.split_at(turn(readings));
     let springs = [
         run.scene.stiffness_translation,

@@ -1,8 +1,9 @@
 //! Headings and legends: rows of marks with their meaning, set from left to right and broken at the width of the sheet.
 //! Lengths in px.
 
+use super::page::Page;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
-use super::style::{INK, TEXT, TITLE, WIDTH, font, text_width};
+use super::style::{INK, TEXT, font, text_width};
 use plotters::prelude::*;
 
 /// Height of a row.
@@ -11,8 +12,9 @@ const ROW: f64 = 19.0;
 const MARK: f64 = 24.0;
 /// Room right of a heading.
 const MARGIN: f64 = 14.0;
-/// Height of the title.
-const HEADER: f64 = 34.0;
+/// Room around the title, and height of its lines relative to its type.
+const HEADER: f64 = 10.0;
+const LEADING: f64 = 1.5;
 const GAP: f64 = 6.0;
 const SPACE: f64 = 14.0;
 
@@ -88,29 +90,42 @@ pub(super) fn draw(area: &Area, entries: &[Entry]) -> Drawn {
     Ok(())
 }
 
-/// The title of a picture above its legend.
-pub(super) struct Heading {
+/// The title of a picture, if it has one, above its legend.
+pub(super) struct Heading<'a> {
+    pub(super) page: &'a Page,
+    /// On a screen.
     pub(super) title: String,
     pub(super) entries: Vec<Entry>,
     /// Room left of it.
     pub(super) margin: f64,
 }
 
-impl Heading {
+impl Heading<'_> {
     fn width(&self) -> f64 {
-        WIDTH - self.margin - MARGIN
+        self.page.width - self.margin - MARGIN
+    }
+
+    fn header(&self) -> f64 {
+        match self.page.title(&self.title) {
+            (lines, _) if lines.is_empty() => 2.0,
+            (lines, size) => HEADER + LEADING * size * lines.len() as f64,
+        }
     }
 
     /// The height, with some room below.
     pub(super) fn height(&self) -> f64 {
-        HEADER + height(&self.entries, self.width()) + 9.0
+        self.header() + height(&self.entries, self.width()) + 9.0
     }
 
     pub(super) fn draw(&self, sheet: &Area) -> Drawn {
-        let start = (px(self.margin), px(HEADER / 2.0));
-        sheet.draw_text(&self.title, &font(TITLE), start)?;
-        let size = (self.width(), self.height() - HEADER);
-        draw(&part(sheet, (self.margin, HEADER), size), &self.entries)
+        let (lines, size) = self.page.title(&self.title);
+        for (index, line) in lines.iter().enumerate() {
+            let middle = HEADER / 2.0 + LEADING * size * (index as f64 + 0.5);
+            sheet.draw_text(line, &font(size), (px(self.margin), px(middle)))?;
+        }
+        let header = self.header();
+        let size = (self.width(), self.height() - header);
+        draw(&part(sheet, (self.margin, header), size), &self.entries)
     }
 }
 

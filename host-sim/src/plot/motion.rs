@@ -2,6 +2,7 @@
 //! and corners in contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
 
 use super::legend::{Entry, Mark};
+use super::page::Page;
 use super::plane::hand_angle;
 use super::sheet::Drawn;
 use super::style::*;
@@ -11,7 +12,7 @@ use stiction_live::record::{ContactRecord, Frame, Run};
 /// The smallest offset of the hand's angle that is mentioned [rad].
 const LEAST_OFFSET: f64 = 0.01;
 
-pub(super) fn svg(run: &Run) -> Drawn<String> {
+pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
     let offset = |frame: &Frame| (hand_angle(run, frame) - frame.hand[2]).abs() > LEAST_OFFSET;
     let hand_text = if run.frames.iter().any(offset) {
         "hand (angle less its offset in the grip)"
@@ -35,6 +36,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     }
     Timeline {
         run,
+        page,
         title: format!("{}: motion of hand and body", run.scene.title),
         legend,
         panels: vec![

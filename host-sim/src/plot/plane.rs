@@ -9,6 +9,11 @@ use stiction_live::record::{Frame, Run};
 
 /// Distance between two hatches (px).
 const SPACING: f64 = 9.0;
+/// Distance along a path between two heads that show its direction, and their length (px). Turns within `TURNS`, as of stick-slip, do not
+/// count: a head shows where they lead.
+const HEADS: f64 = 90.0;
+const HEAD: f64 = 9.0;
+const TURNS: f64 = 14.0;
 
 /// A drawing to scale of a part of the plane.
 pub(super) struct View<'a> {
@@ -107,6 +112,46 @@ impl<'a> View<'a> {
         };
         self.line(&arrow.shaft, color, width)?;
         self.fill(&arrow.head, color)
+    }
+
+    /// The direction of a path: heads of arrows on it, [`HEADS`] apart, the first after half of that or in the middle of a short path.
+    pub(super) fn direction(&self, points: &[Point], color: RGBColor) -> Drawn {
+        let Some(&end) = points.last() else {
+            return Ok(());
+        };
+        let distance = |a: Point, b: Point| (b.0 - a.0).hypot(b.1 - a.1) / self.pixel;
+        let mut steps: Vec<Point> = Vec::new();
+        for &point in points {
+            if steps
+                .last()
+                .is_none_or(|last| distance(*last, point) >= TURNS)
+            {
+                steps.push(point);
+            }
+        }
+        let pairs = || steps.windows(2).map(|ends| (ends[0], ends[1]));
+        let length: f64 = pairs().map(|(from, to)| distance(from, to)).sum();
+        let mut left = 0.5 * HEADS.min(length);
+        for (from, to) in pairs() {
+            left -= distance(from, to);
+            // The nearest step; a mark at the end would cover it.
+            if left <= 0.5 * TURNS && distance(to, end) > 2.0 * HEAD {
+                self.head(from, to, color)?;
+                left = HEADS;
+            }
+        }
+        Ok(())
+    }
+
+    /// The head of an arrow from one point to another.
+    fn head(&self, from: Point, to: Point, color: RGBColor) -> Drawn {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let length = x.hypot(y);
+        let (ex, ey) = (x / length, y / length);
+        let (long, half) = (HEAD * self.pixel, 0.4 * HEAD * self.pixel);
+        let back = (to.0 - long * ex, to.1 - long * ey);
+        let side = |s: f64| (back.0 - s * ey, back.1 + s * ex);
+        self.fill(&[to, side(half), side(-half)], color)
     }
 
     pub(super) fn spring(&self, from: Point, to: Point, color: RGBColor) -> Drawn {

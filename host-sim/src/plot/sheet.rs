@@ -1,7 +1,8 @@
 //! A sheet of drawing paper: from drawing commands to the text of an SVG, and from there to a PNG. Lengths are pixels of the
 //! SVG; plotters draws on integers, so the sheet is divided into finer steps and scaled back by its view box.
 
-use super::style::{DASHES, PAPER, SUBSCRIPT};
+use super::page::Page;
+use super::style::{DASHES, PAPER, SUBSCRIPT, number};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -18,8 +19,12 @@ pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 
 /// Steps per pixel.
 const STEPS: f64 = 10.0;
-/// Pixels of the PNG per pixel of the SVG.
+/// Pixels of the PNG per pixel of the SVG on a screen.
 pub(super) const PNG_SCALE: u32 = 2;
+/// Pixels per inch of the PNG in a paper: what printers of papers ask of drawings with text.
+const PRINTED: f32 = 600.0;
+/// Pixels per inch of an SVG.
+const PER_INCH: f32 = 96.0;
 
 /// A length in pixels as steps.
 pub(super) fn px(length: f64) -> i32 {
@@ -47,9 +52,10 @@ pub(super) fn part<'a>(area: &Area<'a>, corner: (f64, f64), size: (f64, f64)) ->
         .shrink((px(corner.0), px(corner.1)), (px(size.0), px(size.1)))
 }
 
-/// The SVG of what `draw` draws on a white sheet of `width` × `height` pixels.
-pub(super) fn svg((width, height): (f64, f64), draw: impl FnOnce(&Area) -> Drawn) -> Drawn<String> {
-    let steps = (px(width) as u32, px(height) as u32);
+/// The SVG of what `draw` draws on a white sheet, `height` pixels high.
+pub(super) fn svg(page: &Page, height: f64, draw: impl FnOnce(&Area) -> Drawn) -> Drawn<String> {
+    let height = height.ceil();
+    let steps = (px(page.width) as u32, px(height) as u32);
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, steps).into_drawing_area();
@@ -58,7 +64,10 @@ pub(super) fn svg((width, height): (f64, f64), draw: impl FnOnce(&Area) -> Drawn
         area.present()?;
     }
     let fine = format!(r#"<svg width="{}" height="{}""#, steps.0, steps.1);
-    let scaled = format!(r#"<svg width="{width}" height="{height}" stroke-linejoin="round""#);
+    let (unit, name) = page.unit();
+    let [width, height] = [page.width, height].map(|length| number(unit * length));
+    let scaled =
+        format!(r#"<svg width="{width}{name}" height="{height}{name}" stroke-linejoin="round""#);
     Ok(lowered(&dash(text.replacen(&fine, &scaled, 1))))
 }
 
@@ -75,9 +84,10 @@ fn dash(svg: String) -> String {
 
 /// Sets every letter after [`SUBSCRIPT`] smaller and lower; plotters has one size and one line for a text. Unicode has no subscript d.
 fn lowered(svg: &str) -> String {
-    /// In parts of the type's size; `DOWN` in that of the small letter, `UP` in that of the line.
-    const SMALL: f64 = 0.7;
-    const UP: f64 = 0.2;
+    /// In parts of the type's size; `DOWN` in that of the small letter, `UP` in that of the line. The letter has 7 points in a paper,
+    /// the least that can be read.
+    const SMALL: f64 = 0.85;
+    const UP: f64 = 0.22;
     const DOWN: f64 = UP / SMALL;
     let (first, marked) = svg.split_once(SUBSCRIPT).unwrap_or((svg, ""));
     let mut text = first.to_owned();
@@ -106,17 +116,49 @@ impl Rasterizer {
         Self { options }
     }
 
-    /// The PNG of an SVG, [`PNG_SCALE`] times as large.
+    /// An SVG with its texts laid out.
+    pub(super) fn tree(&self, svg: &str) -> Result<usvg::Tree, String> {
+        usvg::Tree::from_str(svg, &self.options).map_err(|error| error.to_string())
+    }
+
+    /// The PNG of an SVG for a screen, [`PNG_SCALE`] times as large.
     pub(super) fn png(&self, svg: &str) -> Result<Vec<u8>, String> {
-        let tree = usvg::Tree::from_str(svg, &self.options).map_err(|error| error.to_string())?;
-        let size = tree.size().to_int_size();
-        let (width, height) = (size.width() * PNG_SCALE, size.height() * PNG_SCALE);
-        let mut pixels = tiny_skia::Pixmap::new(width, height)
-            .ok_or_else(|| format!("a picture of {width} x {height} pixels is not possible"))?;
-        let scale = tiny_skia::Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32);
-        resvg::render(&tree, scale, &mut pixels.as_mut());
+        let pixels = pixels(&self.tree(svg)?, PNG_SCALE as f32)?;
         pixels.encode_png().map_err(|error| error.to_string())
     }
+
+    /// The PNG of an SVG for a paper, which states its size in print.
+    pub(super) fn printed(&self, svg: &str) -> Result<Vec<u8>, String> {
+        const INCH: f32 = 0.0254;
+        let pixels = pixels(&self.tree(svg)?, PRINTED / PER_INCH)?;
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+        encoder.set_color(png::ColorType::Rgba);
+        let per_metre = (PRINTED / INCH).round() as u32;
+        encoder.set_pixel_dims(Some(png::PixelDimensions {
+            xppu: per_metre,
+            yppu: per_metre,
+            unit: png::Unit::Meter,
+        }));
+        // The sheet is opaque: what is multiplied by the opacity is as it was.
+        let written = encoder.write_header().and_then(|mut writer| {
+            writer.write_image_data(pixels.data())?;
+            writer.finish()
+        });
+        written.map_err(|error| error.to_string())?;
+        Ok(bytes)
+    }
+}
+
+/// A picture with `scale` pixels per pixel of its SVG.
+fn pixels(tree: &usvg::Tree, scale: f32) -> Result<tiny_skia::Pixmap, String> {
+    let side = |length: f32| (length * scale).ceil() as u32;
+    let (width, height) = (side(tree.size().width()), side(tree.size().height()));
+    let mut pixels = tiny_skia::Pixmap::new(width, height)
+        .ok_or_else(|| format!("a picture of {width} x {height} pixels is not possible"))?;
+    let scale = tiny_skia::Transform::from_scale(scale, scale);
+    resvg::render(tree, scale, &mut pixels.as_mut());
+    Ok(pixels)
 }
 
 #[cfg(test)]
@@ -125,10 +167,17 @@ mod tests {
     use super::super::style::symbol;
     use super::*;
 
+    fn page() -> Page {
+        Page {
+            width: 100.0,
+            ..Page::screen()
+        }
+    }
+
     /// A subscript is smaller than the letters of its line and stands lower, and the line continues at its own height.
     #[test]
     fn subscripts_stand_lower() {
-        let drawn = svg((100.0, 20.0), |area| {
+        let drawn = svg(&page(), 20.0, |area| {
             let text = format!("{} N, {}", symbol("μ", 's'), symbol("μ", 'd'));
             legend::draw(area, &[Entry::new(Mark::Dot(PAPER), text)])
         })
@@ -138,7 +187,7 @@ mod tests {
         let whole: String = nodes.filter_map(|node| node.text()).collect();
         assert_eq!(whole.trim(), "μs N, μd");
         let lowest = |text: String| {
-            let svg = svg((100.0, 20.0), |area| {
+            let svg = svg(&page(), 20.0, |area| {
                 legend::draw(area, &[Entry::new(Mark::Dot(PAPER), text)])
             });
             let png = Rasterizer::new()

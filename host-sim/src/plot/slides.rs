@@ -1,6 +1,7 @@
 //! The times of slides, as bars above a time axis: distinct from the marks of slips, which have lengths.
 
 use super::legend::{Entry, Mark};
+use super::page::Page;
 use super::sheet::{Area, Drawn, px};
 use super::style::{SLIDE, TEXT, font, number, round};
 use plotters::prelude::*;
@@ -52,7 +53,7 @@ impl Slides {
     }
 
     /// Draws the bars; `place` maps time to the axis [px].
-    pub(super) fn draw(&self, area: &Area, place: impl Fn(f64) -> f64) -> Drawn {
+    pub(super) fn draw(&self, area: &Area, page: &Page, place: impl Fn(f64) -> f64) -> Drawn {
         if self.spans.is_empty() {
             return Ok(());
         }
@@ -61,6 +62,6 @@ impl Slides {
             let corners = [(begin, 0), (end.max(begin + px(1.0)), px(BAR))];
             area.draw(&Rectangle::new(corners, SLIDE.filled()))?;
         }
-        area.draw_text("slide", &font(TEXT), (px(24.0), px(BAR / 2.0)))
+        area.draw_text("slide", &font(TEXT), (px(page.edge + 10.0), px(BAR / 2.0)))
     }
 }

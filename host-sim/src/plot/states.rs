@@ -9,9 +9,11 @@ use stiction_live::record::Frame;
 /// Maximum number of distinguished spans.
 const COLUMNS: usize = 900;
 
-pub(super) fn legend() -> Vec<Entry> {
+/// The states that occur.
+pub(super) fn legend(frames: &[Frame]) -> Vec<Entry> {
     StateKind::ALL
         .iter()
+        .filter(|state| frames.iter().any(|frame| frame.state == **state))
         .map(|&state| Entry::new(Mark::Box(state_color(state)), state.name()))
         .collect()
 }

@@ -1,55 +1,81 @@
 //! A strip of snapshots: body, hand and spring at some moments of the run, with the forces at the contacts and of the hand
 //! as bars. All snapshots have one scale of lengths and one of forces.
 
-use super::instants::choose;
+use super::instants::{choose, nearest};
 use super::legend::{Entry, Heading, Mark};
 use super::notes::tally;
+use super::page::{Page, wrapped};
 use super::plane::{View, hand_angle, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use plotters::prelude::*;
 use stiction_live::drawing::{Turn, Window, placed};
-use stiction_live::record::{Frame, Run};
+use stiction_live::record::{ContactRecord, Frame, Run};
 
-/// Room left and right of the snapshots [px].
+/// Room left and right of the snapshots on a screen, and between them [px].
 const MARGIN: f64 = 14.0;
-const COLUMNS: usize = 4;
-const SNAPSHOTS: usize = 8;
-/// Side of a snapshot and the room below it for its caption [px].
-const SIDE: f64 = 234.0;
-const CAPTION: f64 = 56.0;
-const GAP: f64 = (WIDTH - 2.0 * MARGIN - COLUMNS as f64 * SIDE) / (COLUMNS - 1) as f64;
+const GAP: f64 = 12.0;
+/// Height of a line of a caption, and room around its lines [px].
+const LINE: f64 = 14.5;
+const AROUND: f64 = 12.5;
+/// Height of a snapshot relative to its width.
+const HEIGHTS: (f64, f64) = (0.55, 1.0);
+/// All snapshots show one part of the plane if it is at most this many times as large as the largest of theirs.
+const COMMON: f64 = 2.2;
+/// The part of a snapshot's sides that body and hand fill at most.
+const FILLED: f64 = 1.0 / 1.4;
+
+/// Height of a cone of friction relative to the normal force, so that it shows beside a reaction at its edge.
+const CONE: f64 = 1.3;
 
 struct Scales {
-    /// Side of a snapshot [m].
-    window: f64,
+    /// Width and height of a snapshot [px], and metres per pixel.
+    size: (f64, f64),
+    pixel: f64,
+    /// The centre of all snapshots, if it is common.
+    centre: Option<(f64, f64)>,
     /// Length of a force bar [m/N].
     per_newton: f64,
     /// Largest moment of the hand [N·m].
     moment: f64,
 }
 
-pub(super) fn svg(run: &Run) -> Drawn<String> {
-    let frames: Vec<&Frame> = choose(run, SNAPSHOTS)
-        .into_iter()
-        .map(|index| &run.frames[index])
-        .collect();
-    let scale = scale(run, &frames);
+pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
+    let frames: Vec<&Frame> = match page.at.is_empty() {
+        true => choose(run, page.snapshots)
+            .into_iter()
+            .map(|index| &run.frames[index])
+            .collect(),
+        false => nearest(&run.frames, &page.at).collect(),
+    };
+    let margin = MARGIN.min(page.margin);
+    let columns = page.columns.min(frames.len()).max(1);
+    let gaps = (columns - 1) as f64 * GAP;
+    let side = (page.width - 2.0 * margin - gaps) / columns as f64;
+    let scale = scale(run, &frames, side);
+    let (width, height) = scale.size;
+    let captions: Vec<Vec<CaptionLine>> = frames.iter().map(|f| caption(f, &scale)).collect();
+    let lines = captions.iter().map(Vec::len).max().unwrap_or(0);
+    let below = AROUND + LINE * lines as f64;
     let heading = Heading {
+        page,
         title: format!("{}: snapshots", run.scene.title),
-        entries: entries(&scale),
-        margin: MARGIN,
+        entries: entries(run, &frames, &scale),
+        margin,
     };
     let top = heading.height();
-    let rows = frames.len().div_ceil(COLUMNS);
-    let height = top + rows as f64 * (SIDE + CAPTION) + 4.0;
-    sheet::svg((WIDTH, height), |area| {
+    let rows = frames.len().div_ceil(columns);
+    sheet::svg(page, top + rows as f64 * (height + below) + 4.0, |area| {
         heading.draw(area)?;
-        for (index, frame) in frames.iter().enumerate() {
-            let x = MARGIN + (index % COLUMNS) as f64 * (SIDE + GAP);
-            let y = top + (index / COLUMNS) as f64 * (SIDE + CAPTION);
-            snapshot(&part(area, (x, y), (SIDE, SIDE)), run, frame, &scale)?;
-            caption(&part(area, (x, y + SIDE), (SIDE, CAPTION)), frame, &scale)?;
+        for (index, (frame, caption)) in frames.iter().zip(&captions).enumerate() {
+            let x = margin + (index % columns) as f64 * (width + GAP);
+            let y = top + (index / columns) as f64 * (height + below);
+            let before = index.checked_sub(1).map(|before| frames[before]);
+            snapshot(&part(area, (x, y), scale.size), run, frame, before, &scale)?;
+            for (k, (style, line)) in caption.iter().enumerate() {
+                let place = (px(x + width / 2.0), px(y + height + 11.0 + LINE * k as f64));
+                area.draw_text(line, &centred(style), place)?;
+            }
         }
         Ok(())
     })
@@ -65,15 +91,32 @@ fn extent(run: &Run, frame: &Frame) -> Window {
     .unwrap_or_else(|| Window::centred((frame.pose[0], frame.pose[1]), 0.0, 0.0))
 }
 
-fn scale(run: &Run, frames: &[&Frame]) -> Scales {
+/// The part of the plane that snapshots show: the width and height that hold each, and their centre, if they have one part.
+fn shown(run: &Run, frames: &[&Frame]) -> ((f64, f64), Option<(f64, f64)>) {
+    let extents: Vec<Window> = frames.iter().map(|frame| extent(run, frame)).collect();
+    let most = |side: fn(&Window) -> f64| extents.iter().map(side).fold(0.0, f64::max);
+    let largest = (most(Window::width), most(Window::height));
+    let corners = extents.iter().flat_map(|extent| extent.corners());
+    match Window::around(corners) {
+        Some(all) if all.width().max(all.height()) <= COMMON * largest.0.max(largest.1) => {
+            ((all.width(), all.height()), Some(all.centre()))
+        }
+        _ => (largest, None),
+    }
+}
+
+fn scale(run: &Run, frames: &[&Frame], side: f64) -> Scales {
     let largest =
         |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, b| a.max(b.abs()));
-    let side = |frame: &&Frame| {
-        let extent = extent(run, frame);
-        extent.width().max(extent.height())
+    let ((width, height), centre) = shown(run, frames);
+    // The room of the forces is as large in both directions.
+    let room = (1.0 / FILLED - 1.0) * width.max(height);
+    let (width, height) = match width.max(height) > 0.0 {
+        true => (width + room, height + room),
+        false => (1.0, 1.0),
     };
-    let extent = largest(&mut frames.iter().map(side));
-    let window = if extent > 0.0 { 1.4 * extent } else { 1.0 };
+    let aspect = (height / width).clamp(HEIGHTS.0, HEIGHTS.1);
+    let pixel = (width / side).max(height / (aspect * side));
     let contacts = frames.iter().flat_map(|frame| &frame.contacts);
     let reactions = largest(&mut contacts.flat_map(|contact| [contact.normal, contact.friction]));
     let springs = largest(
@@ -83,9 +126,11 @@ fn scale(run: &Run, frames: &[&Frame]) -> Scales {
     );
     let force = reactions.max(springs);
     Scales {
-        window,
+        size: (side, aspect * side),
+        pixel,
+        centre,
         per_newton: if force > 0.0 {
-            0.32 * window / force
+            0.32 * pixel * aspect * side / force
         } else {
             0.0
         },
@@ -94,17 +139,28 @@ fn scale(run: &Run, frames: &[&Frame]) -> Scales {
 }
 
 /// The meaning of the marks, and a bar for each scale.
-fn entries(scale: &Scales) -> Vec<Entry> {
-    let (unit, per_metre) = length_unit(scale.window);
-    let pixel = scale.window / SIDE;
+fn entries(run: &Run, frames: &[&Frame], scale: &Scales) -> Vec<Entry> {
+    let (unit, per_metre) = scale.unit();
+    let pixel = scale.pixel;
     let mut entries = vec![
         Entry::new(Mark::Line(NORMAL, 3.2), "normal force"),
         Entry::new(Mark::Line(FRICTION, 3.2), "friction"),
+    ];
+    let contacts = || frames.iter().flat_map(|frame| &frame.contacts);
+    if contacts().any(|contact| cone(run, contact) > 0.0) {
+        entries.push(Entry::new(Mark::Line(INK, 1.3), "reaction"));
+        entries.push(Entry::new(Mark::Line(STATIC_LIMIT, 1.3), "static cone"));
+    }
+    entries.extend([
         Entry::new(Mark::Line(HAND_FORCE, 3.2), "hand force, moment (arc)"),
         Entry::new(Mark::Ring(HAND), "hand and spring"),
         Entry::new(Mark::Dot(BODY), "holding point"),
         scale_bar(1.0 / (per_metre * pixel), unit),
-    ];
+    ]);
+    if scale.centre.is_some() && frames.len() > 1 {
+        let text = "body in the picture before";
+        entries.push(Entry::new(Mark::Line(BODY_THEN, 1.2), text));
+    }
     if scale.per_newton > 0.0 {
         entries.push(scale_bar(scale.per_newton / pixel, "N"));
     }
@@ -123,26 +179,70 @@ fn scale_bar(one: f64, unit: &str) -> Entry {
     )
 }
 
-fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
-    let centre = extent(run, frame).centre();
-    let view = View::new(area, Window::centred(centre, scale.window, scale.window))?;
+/// A frame, over the outline of the body in the frame before if all show one part of the plane.
+fn snapshot(
+    area: &Area,
+    run: &Run,
+    frame: &Frame,
+    before: Option<&Frame>,
+    scale: &Scales,
+) -> Drawn {
+    let (width, height) = scale.size;
+    let centre = scale.centre.unwrap_or_else(|| extent(run, frame).centre());
+    let window = Window::centred(centre, width * scale.pixel, height * scale.pixel);
+    let view = View::new(area, window)?;
     view.solids(run)?;
     view.names(&run.scene.obstacles, false)?;
+    if let (Some(before), Some(_)) = (before, scale.centre) {
+        view.outline(&placed(&run.scene.vertices, before.pose), BODY_THEN, 1.2)?;
+    }
     let body = placed(&run.scene.vertices, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
-    forces(&view, frame, scale)?;
+    forces(&view, run, frame, scale)?;
     hand(&view, run, frame, scale)?;
-    let edge = Rectangle::new([(0, 0), (px(SIDE) - 1, px(SIDE) - 1)], stroke(FAINT, 1.0));
+    let edge = Rectangle::new(
+        [(0, 0), (px(width) - 1, px(height) - 1)],
+        stroke(FAINT, 1.0),
+    );
     area.draw(&edge)
 }
 
-fn forces(view: &View, frame: &Frame, scale: &Scales) -> Drawn {
+/// mu_s of a contact.
+fn cone(run: &Run, contact: &ContactRecord) -> f64 {
+    let surface = contact
+        .touch
+        .surface()
+        .and_then(|k| run.scene.surfaces.get(k));
+    let obstacle = contact
+        .touch
+        .obstacle()
+        .and_then(|k| run.scene.obstacles.get(k));
+    let surface = surface.map(|surface| surface.friction_static);
+    let obstacle = obstacle.map(|obstacle| obstacle.friction_static);
+    surface.or(obstacle).unwrap_or(0.0)
+}
+
+/// The forces of the contacts, each in its cone of static friction.
+fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scales) -> Drawn {
     for contact in &frame.contacts {
         let [nx, ny] = contact.direction;
-        let point = contact.point.into();
+        let point: (f64, f64) = contact.point.into();
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;
+        let ends = [1.0, -1.0].map(|side| {
+            let along = CONE * normal;
+            let across = side * cone(run, contact) * along;
+            (
+                point.0 + nx * along + ny * across,
+                point.1 + ny * along - nx * across,
+            )
+        });
+        for end in ends {
+            view.line(&[point, end], STATIC_LIMIT, 1.3)?;
+        }
+        let reaction = (nx * normal + ny * friction, ny * normal - nx * friction);
+        view.arrow(point, reaction, INK, 1.3)?;
         view.arrow(point, (nx * normal, ny * normal), NORMAL, 3.2)?;
         view.arrow(point, (ny * friction, -nx * friction), FRICTION, 3.2)?;
         view.dot(point, 3.0, INK)?;
@@ -193,32 +293,53 @@ fn arc(view: &View, place: (f64, f64), share: f64) -> Drawn {
     view.arrow(turn.tip, turn.along, HAND_FORCE, 2.4)
 }
 
-fn caption(area: &Area, frame: &Frame, scale: &Scales) -> Drawn {
-    let (unit, per_metre) = length_unit(scale.window);
+/// A line of a caption.
+type CaptionLine = (TextStyle<'static>, String);
+
+impl Scales {
+    /// The unit of lengths, and how many of it make a metre.
+    fn unit(&self) -> (&'static str, f64) {
+        length_unit(self.pixel * self.size.0)
+    }
+}
+
+fn caption(frame: &Frame, scale: &Scales) -> Vec<CaptionLine> {
+    let (unit, per_metre) = scale.unit();
     let [x, y, theta] = frame.pose;
-    let decimals = |value: f64| format!("{value:.1}").replace('-', "−");
-    let lines = [
+    // Without a zero that has a sign.
+    let decimals = |value: f64| {
+        let rounded = (10.0 * value).round() / 10.0 + 0.0;
+        format!("{rounded:.1}").replace('-', "−")
+    };
+    // A space that no line is broken at.
+    const SPACE: char = '\u{a0}';
+    let texts: [(f64, &'static RGBColor, String); 3] = [
         (
-            font(TEXT),
+            TEXT,
+            &INK,
             format!("t = {:.3} s: {}", frame.t, frame.state.name()),
         ),
         (
-            font(SMALL),
+            SMALL,
+            &INK,
             format!(
-                "x {} {unit}, y {} {unit}, θ {}°",
+                "x{SPACE}{}{SPACE}{unit}, y{SPACE}{}{SPACE}{unit}, θ{SPACE}{}°",
                 decimals(x * per_metre),
                 decimals(y * per_metre),
                 decimals(theta.to_degrees())
             ),
         ),
         (
-            font(SMALL).color(&FRICTION),
+            SMALL,
+            &FRICTION,
             tally(frame.events.iter().map(|event| event.name())),
         ),
     ];
-    let (width, _) = sheet::size(area);
-    for ((style, text), y) in lines.iter().zip([11.0, 26.0, 40.0]) {
-        area.draw_text(text, &centred(style), (px(width / 2.0), px(y)))?;
+    let mut lines = Vec::new();
+    for (size, color, text) in texts {
+        let style = font(size).color(color);
+        let broken = wrapped(&text, size, scale.size.0);
+        lines.extend(broken.into_iter().map(|line| (style.clone(), line)));
     }
-    Ok(())
+    lines
 }

@@ -50,15 +50,8 @@ pub(crate) fn number_color(number: Number) -> RGBColor {
     }
 }
 
-/// Width of a picture [px].
-pub(super) const WIDTH: f64 = 1000.0;
-/// Room around a plot for its axes: left with `EDGE` free of labels, right, and below [px].
-pub(super) const LEFT: f64 = 70.0;
-pub(super) const EDGE: f64 = 14.0;
-pub(super) const RIGHT: f64 = 16.0;
+/// Room below a plot for its axis [px].
 pub(super) const AXIS: f64 = 40.0;
-/// Width of a plot [px].
-pub(super) const INNER: f64 = WIDTH - LEFT - RIGHT;
 
 /// Sizes of type [px].
 pub(super) const TITLE: f64 = 16.0;

@@ -3,6 +3,7 @@
 
 use super::legend::{self, Entry, Heading, Mark};
 use super::notes::Notes;
+use super::page::{Page, labels};
 use super::series::{envelope, outline};
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
 use super::slides::Slides;
@@ -13,7 +14,7 @@ use std::ops::Range;
 use stiction_live::record::{Frame, Run};
 
 /// Heights [px].
-const GAP: f64 = 10.0;
+const GAP: f64 = 12.0;
 const SLIPS: f64 = 70.0;
 const BAND: f64 = 16.0;
 /// Number of columns to which a line is thinned: one per pixel.
@@ -56,6 +57,7 @@ pub(super) struct TimePanel {
 
 pub(super) struct Timeline<'a> {
     pub(super) run: &'a Run,
+    pub(super) page: &'a Page,
     pub(super) title: String,
     pub(super) legend: Vec<Entry>,
     pub(super) panels: Vec<TimePanel>,
@@ -63,29 +65,36 @@ pub(super) struct Timeline<'a> {
 
 impl Timeline<'_> {
     pub(super) fn svg(mut self) -> Drawn<String> {
+        let page = self.page;
         let times: Vec<f64> = self.run.frames.iter().map(|frame| frame.t).collect();
         let slips = Slips::of(self.run, &times);
         self.legend.extend(slips.legend());
         let time = span(&times);
         let slides = Slides::of(&self.run.frames, time.end);
         self.legend.extend(slides.legend());
-        let place = |t| LEFT + INNER * (t - time.start) / (time.end - time.start);
-        let notes = Notes::new(&self.run.frames, place, WIDTH - 4.0);
-        let states = states::legend();
+        let place = |t| page.left + page.inner() * (t - time.start) / (time.end - time.start);
+        let notes = Notes::new(&self.run.frames, place, page.width - 4.0);
+        let states = states::legend(&self.run.frames);
+        let legend_width = page.width - page.margin - Page::RIGHT;
+        for panel in &mut self.panels {
+            panel.height *= page.tall;
+        }
         let heading = Heading {
+            page,
             title: self.title,
             entries: self.legend,
-            margin: LEFT,
+            margin: page.margin,
         };
         let top = heading.height();
         let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
         let marks = slips.height() + slides.height() + notes.height();
         let bottom = top + panels + marks + BAND + AXIS + GAP;
-        let height = bottom + legend::height(&states, INNER) + 6.0;
-        sheet::svg((WIDTH, height), |area| {
+        let height = bottom + legend::height(&states, legend_width) + 6.0;
+        sheet::svg(page, height, |area| {
             heading.draw(area)?;
             let mut column = Column {
                 area,
+                page,
                 times: &times,
                 time: time.clone(),
                 top,
@@ -94,13 +103,11 @@ impl Timeline<'_> {
                 column.panel(panel, &notes)?;
             }
             column.slips(&slips)?;
-            slides.draw(&column.block(slides.height(), 0.0), place)?;
+            slides.draw(&column.block(slides.height(), 0.0), page, place)?;
             notes.draw(&column.block(notes.height(), 0.0))?;
             column.band(&self.run.frames)?;
-            legend::draw(
-                &part(area, (LEFT, bottom), (INNER, height - bottom)),
-                &states,
-            )
+            let size = (legend_width, height - bottom);
+            legend::draw(&part(area, (page.margin, bottom), size), &states)
         })
     }
 }
@@ -171,6 +178,7 @@ impl Slips {
 
 struct Column<'a, 'b> {
     area: &'a Area<'b>,
+    page: &'a Page,
     times: &'a [f64],
     /// The time axis [s].
     time: Range<f64>,
@@ -181,7 +189,7 @@ struct Column<'a, 'b> {
 impl<'b> Column<'_, 'b> {
     /// The next block of the sheet, of this height and a gap below it.
     fn block(&mut self, height: f64, gap: f64) -> Area<'b> {
-        let block = part(self.area, (0.0, self.top), (WIDTH, height));
+        let block = part(self.area, (0.0, self.top), (self.page.width, height));
         self.top += height + gap;
         block
     }
@@ -191,13 +199,13 @@ impl<'b> Column<'_, 'b> {
         let block = self.block(height, GAP);
         let extent = values.end - values.start;
         let mut chart = ChartBuilder::on(&block)
-            .margin_left(px(EDGE))
-            .set_label_area_size(LabelAreaPosition::Left, px(LEFT - EDGE))
-            .margin_right(px(RIGHT))
+            .margin_left(px(self.page.edge))
+            .set_label_area_size(LabelAreaPosition::Left, px(self.page.left - self.page.edge))
+            .margin_right(px(Page::RIGHT))
             .build_cartesian_2d(self.time.clone(), values)?;
         chart
             .configure_mesh()
-            .x_labels(12)
+            .x_labels(labels(self.page.inner()))
             .y_labels((height / 24.0).max(4.0) as usize)
             .disable_x_axis()
             .bold_line_style(stroke(GRID, 1.0))
@@ -262,8 +270,8 @@ impl<'b> Column<'_, 'b> {
         };
         let mut chart = ChartBuilder::on(&block)
             .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
-            .margin_left(px(LEFT))
-            .margin_right(px(RIGHT))
+            .margin_left(px(self.page.left))
+            .margin_right(px(Page::RIGHT))
             .build_cartesian_2d(self.time.clone(), 0.0..1.0)?;
         for (range, state) in states::spans(frames, self.time.end) {
             let corners = [(range.start, 0.0), (range.end, 1.0)];
@@ -275,7 +283,7 @@ impl<'b> Column<'_, 'b> {
             .configure_mesh()
             .disable_mesh()
             .disable_y_axis()
-            .x_labels(12)
+            .x_labels(labels(self.page.inner()))
             .axis_style(stroke(INK, 1.0))
             .label_style(font(SMALL))
             .axis_desc_style(font(TEXT))
@@ -283,7 +291,8 @@ impl<'b> Column<'_, 'b> {
             .x_desc(description)
             .set_all_tick_mark_size(px(4.0))
             .draw()?;
-        block.draw_text("state", &font(TEXT), (px(24.0), px(BAND / 2.0)))
+        let place = (px(self.page.edge + 10.0), px(BAND / 2.0));
+        block.draw_text("state", &font(TEXT), place)
     }
 }
 

@@ -1,7 +1,9 @@
 //! The paths in the plane, to scale: the hand, the holding point, the vertices in contact, the body at the start and at
 //! the end, and the surfaces.
 
+use super::instants::nearest;
 use super::legend::{Entry, Heading, Mark};
+use super::page::{Page, labels};
 use super::plane::{View, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
@@ -16,40 +18,68 @@ const HEIGHTS: (f64, f64) = (240.0, 760.0);
 const MOST_POINTS: usize = 12_000;
 const MOST_DOTS: usize = 4000;
 
-pub(super) fn svg(run: &Run) -> Drawn<String> {
-    let bounds = bounds(run);
-    let height = (INNER * bounds.height() / bounds.width())
-        .clamp(HEIGHTS.0, HEIGHTS.1)
+pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
+    let shown = shown(run, page);
+    let bounds = bounds(run, &shown);
+    let inner = page.inner();
+    let height = (inner * bounds.height() / bounds.width())
+        .clamp(page.tall * HEIGHTS.0, page.tall * HEIGHTS.1)
         .round();
-    let pixel = (bounds.width() / INNER).max(bounds.height() / height);
-    let bounds = Window::centred(bounds.centre(), INNER * pixel, height * pixel);
+    let pixel = (bounds.width() / inner).max(bounds.height() / height);
+    let bounds = Window::centred(bounds.centre(), inner * pixel, height * pixel);
     let heading = Heading {
+        page,
         title: format!("{}: paths in the plane", run.scene.title),
-        entries: entries(run),
-        margin: LEFT,
+        entries: entries(run, page, &shown),
+        margin: page.margin,
     };
     let top = heading.height();
-    sheet::svg((WIDTH, top + height + AXIS + 6.0), |area| {
+    sheet::svg(page, top + height + AXIS + 6.0, |area| {
         heading.draw(area)?;
-        let inner = part(area, (LEFT, top), (INNER, height));
-        let view = View::new(&inner, bounds.clone())?;
+        let plot = part(area, (page.left, top), (inner, height));
+        let view = View::new(&plot, bounds.clone())?;
         view.solids(run)?;
-        axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
+        let plot = part(area, (0.0, top), (page.width, height + AXIS));
+        axes(&plot, page, &bounds)?;
         view.names(&run.scene.obstacles, true)?;
-        bodies(&view, run)?;
+        bodies(&view, run, &shown)?;
         paths(&view, run)
     })
 }
 
-fn entries(run: &Run) -> Vec<Entry> {
+/// The frames in which the body is shown: at the instants of the page, or else at both ends.
+fn shown<'a>(run: &'a Run, page: &Page) -> Vec<&'a Frame> {
+    let ends = [run.frames.first(), run.frames.last()];
+    match page.at.is_empty() {
+        true => ends.into_iter().flatten().collect(),
+        false => nearest(&run.frames, &page.at).collect(),
+    }
+}
+
+fn entries(run: &Run, page: &Page, shown: &[&Frame]) -> Vec<Entry> {
+    let times = |frames: &[&Frame]| {
+        let times = frames.iter().map(|frame| number(frame.t));
+        format!("body at {} s", times.collect::<Vec<_>>().join(", "))
+    };
     let mut entries = vec![
         Entry::new(Mark::Line(HAND, 1.4), "hand, holding"),
         Entry::new(Mark::Ring(HAND), "at start"),
         Entry::new(Mark::Dot(HAND), "at end"),
         Entry::new(Mark::Line(BODY, 3.2), "holding point"),
-        Entry::new(Mark::Line(BODY_THEN, 1.6), "body at start"),
-        Entry::new(Mark::Box(BODY_END), "body at end"),
     ];
+    match shown {
+        _ if page.at.is_empty() => entries.extend([
+            Entry::new(Mark::Line(BODY_THEN, 1.6), "body at start"),
+            Entry::new(Mark::Box(BODY_END), "body at end"),
+        ]),
+        [before @ .., last] => {
+            if !before.is_empty() {
+                entries.push(Entry::new(Mark::Line(BODY_THEN, 1.6), times(before)));
+            }
+            entries.push(Entry::new(Mark::Box(BODY_END), times(&[last])));
+        }
+        [] => {}
+    }
     if run.frames.iter().any(|frame| !frame.held) {
         entries.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
     }
@@ -67,11 +97,9 @@ fn contacts(run: &Run) -> impl Iterator<Item = &ContactRecord> {
 }
 
 /// Everything that is drawn, with a margin for the surfaces.
-fn bounds(run: &Run) -> Window {
-    let ends = [run.frames.first(), run.frames.last()];
-    let bodies = ends
-        .into_iter()
-        .flatten()
+fn bounds(run: &Run, shown: &[&Frame]) -> Window {
+    let bodies = shown
+        .iter()
         .flat_map(|frame| placed(&run.scene.vertices, frame.pose));
     let hands = run
         .frames
@@ -106,18 +134,18 @@ fn with_corners_near(run: &Run, bounds: Window) -> Window {
     Window::around(bounds.corners().into_iter().chain(corners)).unwrap_or(bounds)
 }
 
-fn axes(area: &Area, bounds: &Window) -> Drawn {
+fn axes(area: &Area, page: &Page, bounds: &Window) -> Drawn {
     let (unit, per_metre) = length_unit(bounds.width().max(bounds.height()));
     let label = |metres: &f64| tick(metres * per_metre, bounds.width() * per_metre);
     let (_, height) = sheet::size(area);
     ChartBuilder::on(area)
-        .margin_left(px(EDGE))
-        .set_label_area_size(LabelAreaPosition::Left, px(LEFT - EDGE))
+        .margin_left(px(page.edge))
+        .set_label_area_size(LabelAreaPosition::Left, px(page.left - page.edge))
         .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
-        .margin_right(px(RIGHT))
+        .margin_right(px(Page::RIGHT))
         .build_cartesian_2d(bounds.x.clone(), bounds.y.clone())?
         .configure_mesh()
-        .x_labels(12)
+        .x_labels(labels(page.inner()))
         .y_labels((height / 50.0) as usize)
         .bold_line_style(stroke(INK.mix(0.1), 1.0))
         .light_line_style(TRANSPARENT)
@@ -132,12 +160,14 @@ fn axes(area: &Area, bounds: &Window) -> Drawn {
         .draw()
 }
 
-fn bodies(view: &View, run: &Run) -> Drawn {
-    let [Some(first), Some(last)] = [run.frames.first(), run.frames.last()] else {
+fn bodies(view: &View, run: &Run, shown: &[&Frame]) -> Drawn {
+    let Some((last, before)) = shown.split_last() else {
         return Ok(());
     };
+    for frame in before {
+        view.outline(&placed(&run.scene.vertices, frame.pose), BODY_THEN, 1.6)?;
+    }
     let end = placed(&run.scene.vertices, last.pose);
-    view.outline(&placed(&run.scene.vertices, first.pose), BODY_THEN, 1.6)?;
     view.fill(&end, BODY_END.mix(0.4))?;
     view.outline(&end, BODY, 1.6)
 }
@@ -177,9 +207,7 @@ fn paths(view: &View, run: &Run) -> Drawn {
 }
 
 fn path(view: &View, points: Vec<(f64, f64)>, color: RGBColor, width: f64) -> Drawn {
-    view.line(
-        &sparse(&points, 0.3 * view.pixel, MOST_POINTS),
-        color,
-        width,
-    )
+    let points = sparse(&points, 0.3 * view.pixel, MOST_POINTS);
+    view.line(&points, color, width)?;
+    view.direction(&points, color)
 }

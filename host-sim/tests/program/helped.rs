@@ -6,8 +6,9 @@ use crate::common::{Folder, text};
 use stiction_host_sim::command::{described, parsed};
 
 /// Commands whose examples take no board, no build and no time.
-const CHEAP: [&str; 8] = [
+const CHEAP: [&str; 9] = [
     "run",
+    "figures",
     "scenes",
     "new",
     "replay",

@@ -30,7 +30,7 @@ const COMMANDS: &[(&str, &[&str])] = &[
     ("run ladder --budget -1", &["'-1'", "--budget", "from 1 to"]),
     ("run ladder --number f16", &["'f16'", "f32, f64, fixed"]),
     ("run ladder --evolution Path", &["'Path'", "path, frame"]),
-    ("run ladder --plot", &["--plot <DIR>", "a value is required"]),
+    ("run ladder --plot", &["--plot <DIR|FILE>", "a value is required"]),
     ("run ladder --out trace.txt", &["'trace.txt'", "ends in .jsonl or .csv"]),
     ("run ladder --output t.csv", &["'--output'", "'--out'"]),
     ("run ladder --hand missing.csv", &["missing.csv: cannot be read: no such file"]),
