@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::{InputError, SceneFile, Source};
+use stiction_scene::{InputError, SceneFile, Source, fitted};
 
 use stiction_live::input::path_file;
 
@@ -21,6 +21,16 @@ pub(crate) fn source(name: &Path) -> Result<Source, InputError> {
     }
     let unknown = || InputError::of_file(name, scenes::unknown(name));
     scenes::find(name).ok_or_else(unknown)
+}
+
+/// Places the path of a file over a scene, instead of where its keys place it. Returns what was done: the keys that do the same.
+pub(crate) fn fit(scene: &mut SceneFile, hand: &Path) -> Result<String, InputError> {
+    let (placement, keys) = fitted(scene, hand)?;
+    scene.hand.placement = placement;
+    Ok(format!(
+        "{}: placed over the scene, as by these keys:\n[hand]\n{keys}",
+        hand.display()
+    ))
 }
 
 /// Checks that a board supports a scene: errors are reported with the key and the line, which the board does not know.
