@@ -49,12 +49,11 @@ use std::time::Duration;
 use clap::Args;
 use stiction_core::Evolution;
 use stiction_live::body::{Setting, without_obstacles};
-use stiction_live::input::remarks;
 use stiction_live::number::Number;
 use stiction_live::replay::Way;
 use stiction_live::scenes;
 use stiction_live::stage::Stage;
-use stiction_scene::{HandPath, InputError, SceneFile};
+use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
@@ -275,7 +274,7 @@ fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewE
     engine.is_led =
         [args.osc_in, args.opentrack_in].iter().any(Option::is_some) || args.hand.is_some();
     if let Some(file) = &args.hand {
-        let (path, notes) = hand_path(&scene, file, args.fit)?;
+        let (path, notes) = input::hand_path(&scene, file, args.fit)?;
         report::notes(notes);
         let (name, way) = (file.file_name(), Way::Path(Arc::new(path)));
         way.check()
@@ -288,21 +287,6 @@ fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewE
         follow.map_err(ViewError::Scene)?;
     }
     Ok(engine)
-}
-
-/// The path of a file in a scene, and what is to be said about it.
-fn hand_path(
-    scene: &SceneFile,
-    file: &Path,
-    fits: bool,
-) -> Result<(HandPath, Vec<String>), InputError> {
-    let (mut scene, mut notes) = (scene.clone(), Vec::new());
-    if fits {
-        notes.push(input::fit(&mut scene, file)?);
-    }
-    let path = HandPath::read(file, &scene.hand.placement)?;
-    notes.extend(remarks(&scene, Some(file), &path));
-    Ok((path, notes))
 }
 
 /// The file of a scene that is not a bundled one.

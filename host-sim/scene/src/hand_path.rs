@@ -4,6 +4,7 @@ mod doubt;
 mod header;
 mod placement;
 mod recorded;
+mod seen;
 
 pub use doubt::{doubts, fitted};
 pub(crate) use placement::Placed;
@@ -89,7 +90,7 @@ impl HandPath {
         let (lost, count) = (placed.lost, placed.samples.len());
         if lost > 0 {
             notes.push(format!(
-                "{lost} of {count} records have no pose: the hand keeps the one before (status `held-last`)"
+                "records without a pose: {lost} of {count}; the hand keeps the pose before them (status `held-last`)"
             ));
         }
         Ok(Self {

@@ -122,7 +122,11 @@ impl WrittenScene {
             return self.source.error_at(offset, problem);
         }
         if let Some((key, offset, fault)) = self.fault(error.parameter) {
-            return self.source.error_at(offset, fault.message(&key));
+            let mend = match error.parameter {
+                Parameter::Vertex(_) => ", or set `body.repair = true`",
+                _ => "",
+            };
+            return self.source.error_at(offset, fault.message(&key) + mend);
         }
         match self.place(error.parameter) {
             Some((key, offset, _)) if matches!(error.parameter, Parameter::Side { .. }) => {

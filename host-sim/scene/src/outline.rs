@@ -7,7 +7,7 @@ use std::fmt;
 /// refuses an outline.
 const FLAT: f64 = 3.1e-5;
 
-type Corner = [f64; 2];
+type Point = [f64; 2];
 
 /// The first fault of an outline, with the indices of its corners or of the corners at which its sides begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,21 +54,21 @@ impl Fault {
     }
 }
 
-fn cross([ax, ay]: Corner, [bx, by]: Corner) -> f64 {
+fn cross([ax, ay]: Point, [bx, by]: Point) -> f64 {
     ax * by - ay * bx
 }
 
-fn from_to([ax, ay]: Corner, [bx, by]: Corner) -> Corner {
+fn from_to([ax, ay]: Point, [bx, by]: Point) -> Point {
     [bx - ax, by - ay]
 }
 
-fn distance(a: Corner, b: Corner) -> f64 {
+fn distance(a: Point, b: Point) -> f64 {
     let [x, y] = from_to(a, b);
     x.hypot(y)
 }
 
 /// The largest distance of two corners.
-fn size(corners: &[Corner]) -> f64 {
+fn size(corners: &[Point]) -> f64 {
     let distances = corners
         .iter()
         .flat_map(|&a| corners.iter().map(move |&b| distance(a, b)));
@@ -77,7 +77,7 @@ fn size(corners: &[Corner]) -> f64 {
 
 /// How far corner `i` is on the right of the line from the corner before it to the one after it: positive in a convex polygon that is
 /// counter-clockwise.
-fn height(corners: &[Corner], i: usize) -> f64 {
+fn height(corners: &[Point], i: usize) -> f64 {
     let count = corners.len();
     let [before, at, after] = [count - 1, 0, 1].map(|step| corners[(i + step) % count]);
     match distance(before, after) {
@@ -87,7 +87,7 @@ fn height(corners: &[Corner], i: usize) -> f64 {
 }
 
 /// Whether two sides without a common corner have a common point.
-fn do_cross(corners: &[Corner], i: usize, k: usize) -> bool {
+fn do_cross(corners: &[Point], i: usize, k: usize) -> bool {
     let count = corners.len();
     let side = |i: usize| (corners[i], corners[(i + 1) % count]);
     let ((a, b), (c, d)) = (side(i), side(k));
@@ -97,7 +97,7 @@ fn do_cross(corners: &[Corner], i: usize, k: usize) -> bool {
 }
 
 /// The first fault of an outline of finite corners; `None` if it has none that has a name.
-pub(crate) fn fault(corners: &[Corner]) -> Option<Fault> {
+pub(crate) fn fault(corners: &[Point]) -> Option<Fault> {
     let count = corners.len();
     let flat = FLAT * size(corners);
     let pairs = || (0..count).flat_map(|i| (i + 1..count).map(move |k| (i, k)));
@@ -155,7 +155,7 @@ impl fmt::Display for Change {
 
 /// The convex polygon of a list of finite corners, and what was changed for it: its hull, counter-clockwise, from the first corner that remains.
 /// Corners in one line are a rod, corners at one place a point.
-pub(crate) fn repaired(corners: &[Corner]) -> (Vec<Corner>, Vec<Change>) {
+pub(crate) fn repaired(corners: &[Point]) -> (Vec<Point>, Vec<Change>) {
     let flat = FLAT * size(corners);
     let (mut rest, mut changes) = (Vec::new(), Vec::new());
     for (i, corner) in corners.iter().enumerate() {
@@ -204,7 +204,7 @@ fn follows(hull: &[usize], list: &[usize]) -> bool {
 }
 
 /// The corners of the hull, counter-clockwise, without those on its sides.
-fn hull(corners: &[Corner], among: &[usize], flat: f64) -> Vec<usize> {
+fn hull(corners: &[Point], among: &[usize], flat: f64) -> Vec<usize> {
     let mut sorted = among.to_vec();
     sorted.sort_by(|&a, &b| {
         corners[a]
@@ -221,7 +221,7 @@ fn hull(corners: &[Corner], among: &[usize], flat: f64) -> Vec<usize> {
     chain.extend(&upper[..upper.len() - 1]);
     // The flattest corner first: leaving it out changes its neighbours.
     while chain.len() > 2 {
-        let outline: Vec<Corner> = chain.iter().map(|&i| corners[i]).collect();
+        let outline: Vec<Point> = chain.iter().map(|&i| corners[i]).collect();
         let heights = (0..chain.len()).map(|i| (i, height(&outline, i)));
         let flattest = heights.min_by(|(_, a), (_, b)| a.total_cmp(b));
         match flattest {
@@ -233,7 +233,7 @@ fn hull(corners: &[Corner], among: &[usize], flat: f64) -> Vec<usize> {
 }
 
 /// The lower half of the hull of corners in the order of x, by Andrew's monotone chain; in the opposite order, the upper half.
-fn half(corners: &[Corner], order: impl Iterator<Item = usize>) -> Vec<usize> {
+fn half(corners: &[Point], order: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut chain: Vec<usize> = Vec::new();
     for i in order {
         while let [.., a, b] = chain[..]
@@ -253,9 +253,9 @@ fn half(corners: &[Corner], order: impl Iterator<Item = usize>) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    const SQUARE: [Corner; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    const SQUARE: [Point; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 
-    fn with(at: usize, corner: Corner) -> Vec<Corner> {
+    fn with(at: usize, corner: Point) -> Vec<Point> {
         let mut corners = SQUARE.to_vec();
         corners.insert(at, corner);
         corners
@@ -264,7 +264,7 @@ mod tests {
     /// Each kind of fault in a square, and the square that comes of it.
     #[test]
     fn each_fault_has_its_name_and_is_mended() {
-        let clockwise: Vec<Corner> = SQUARE.into_iter().rev().collect();
+        let clockwise: Vec<Point> = SQUARE.into_iter().rev().collect();
         let [a, b, c, d] = SQUARE;
         for (corners, expected) in [
             (SQUARE.to_vec(), None),

@@ -20,10 +20,10 @@ const ROUNDINGS_OF_ANGLE: f64 = 4.0;
 const SAME: f64 = 1e-6;
 
 /// The hand for the comparison, or why there is none.
-pub(super) type Given = Result<Comparison, String>;
+pub(super) type Given = Result<HandComparison, String>;
 
 /// A trace beside the path of its hand.
-pub(super) struct Comparison {
+pub(super) struct HandComparison {
     path: HandPath,
     /// The rate (Hz) of the path's frames; `None`: its samples.
     rate: Option<f64>,
@@ -63,7 +63,7 @@ pub(super) fn given(args: &CheckArgs) -> Result<Given, InputError> {
         _ => open_path(&scene, hand, args.rate.map(|rate| ("--rate", rate)))?,
     };
     let (path, rate) = path;
-    Ok(Ok(Comparison {
+    Ok(Ok(HandComparison {
         path,
         rate,
         is_given: args.rate.is_some(),
@@ -73,7 +73,7 @@ pub(super) fn given(args: &CheckArgs) -> Result<Given, InputError> {
     }))
 }
 
-impl Comparison {
+impl HandComparison {
     /// The law for the next frame.
     pub(super) fn finding(&mut self, frame: &Frame, bounds: &Bounds) -> Finding {
         let bound = ROUNDINGS * bounds.rounding;

@@ -9,6 +9,7 @@ mod common;
 mod emulated_board;
 #[cfg(unix)]
 mod ended;
+mod hand_files;
 mod hand_paths;
 mod helped;
 #[cfg(unix)]

@@ -4,16 +4,14 @@
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use stiction_core::{Axis, Hand, Projection};
+use stiction_core::{Axis, Projection};
 
+use super::HandPath;
 use super::placement::{AngleUnit, Placement};
-use super::{HandPath, Sample};
+use super::seen::{STEPS_IN_A_TURN, Seen, Turning, pose};
 use crate::scene_file::SceneFile;
 use crate::source::InputError;
-use crate::written::WrittenScene;
 
-/// The size (m) of a body that is a point: as wide as the hand that holds it.
-const HAND_BREADTH: f64 = 0.1;
 /// A hand that is farther than this (body sizes) from the body's start in every sample holds nothing.
 const FAR: f64 = 5.0;
 /// No path of a hand is longer (m) than a person with outstretched arms is wide, twice; or, around a large body, than these body sizes.
@@ -24,8 +22,6 @@ const FARTHEST: (f64, f64) = (30.0, 150.0);
 const FASTEST: f64 = 10.0;
 /// Nobody turns an object by more than a turn, and by a turn in each second on average (rad/s).
 const FASTEST_TURN: f64 = TAU;
-/// An angle that is wrapped jumps once a turn, so seldom in a path that is sampled densely enough to be followed: at most once in so many samples.
-const STEPS_IN_A_TURN: usize = 4;
 /// The depth changes more than one of the coordinates by this factor if the plane is another one.
 const DEEPER: f64 = 4.0;
 /// A time between two samples (s) that no tracker takes: a time in milliseconds that is read in seconds is longer.
@@ -63,11 +59,12 @@ pub fn doubts(scene: &SceneFile, path: &HandPath) -> Vec<String> {
     found.map(|(_, text)| text).collect()
 }
 
-/// The placement with which a recorded path lies over a scene: it mends all doubts, and the first pose is where the body is held at its start.
+/// The placement with which a recorded path lies over a scene, and the lines of `[hand]` that it takes: it mends all doubts, and the path begins
+/// where the body is held at its start. A path that begins within a body size of it stays where it is.
 ///
 /// # Errors
 /// As for [`HandPath::read`].
-pub fn fitted(scene: &SceneFile, file: &Path) -> Result<(Placement, String), InputError> {
+pub fn fitted(scene: &SceneFile, file: &Path) -> Result<(Placement, Vec<String>), InputError> {
     let mut placement = scene.hand.placement;
     // One doubt may hide another one: each is mended once at most, and the path read again.
     for _ in 0..4 {
@@ -82,8 +79,10 @@ pub fn fitted(scene: &SceneFile, file: &Path) -> Result<(Placement, String), Inp
     }
     let path = HandPath::read(file, &placement)?;
     let seen = Seen::new(scene, &path);
-    Mend::Origin(seen.origin(&placement)).apply(&mut placement);
-    let keys = keys(&placement, &scene.hand.placement).join("\n");
+    if !seen.is_in_place() {
+        Mend::Origin(seen.origin(&placement)).apply(&mut placement);
+    }
+    let keys = keys(&placement, &scene.hand.placement);
     Ok((placement, keys))
 }
 
@@ -102,7 +101,9 @@ fn keys(placement: &Placement, before: &Placement) -> Vec<String> {
     if placement.unwrap != before.unwrap {
         lines.push("unwrap = true".to_owned());
     }
-    lines.push(format!("origin = {:?}", placement.origin));
+    if placement.origin != before.origin {
+        lines.push(format!("origin = {:?}", placement.origin));
+    }
     lines
 }
 
@@ -116,98 +117,7 @@ fn plane(axes: [Axis; 2]) -> String {
     axes.map(name).concat()
 }
 
-/// Changes of the angle from sample to sample.
-#[derive(Clone, Copy, Debug, Default)]
-struct Turning {
-    /// The sum of the changes that are no jumps (rad), and the difference of the largest angle and the least one.
-    way: f64,
-    span: f64,
-    jumps: usize,
-    /// The first jump: the times before and after it (s), and its size.
-    first: Option<(f64, f64, f64)>,
-}
-
-impl Turning {
-    /// Jumps are changes by more than half a turn.
-    fn of(samples: &[Sample], half: f64) -> Self {
-        let mut all = Self::default();
-        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for sample in samples {
-            let phi = sample.hand.angle.radians();
-            (least, most) = (least.min(phi), most.max(phi));
-        }
-        all.span = (most - least).max(0.0);
-        for (from, to) in samples.iter().zip(samples.iter().skip(1)) {
-            let change = to.hand.angle.minus(from.hand.angle);
-            if change.abs() <= half {
-                all.way += change.abs();
-                continue;
-            }
-            all.jumps += 1;
-            all.first.get_or_insert((from.t, to.t, change));
-        }
-        all
-    }
-}
-
-/// What a path looks like from the scene. Lengths in m.
-struct Seen {
-    /// The samples with a pose.
-    samples: Vec<Sample>,
-    is_spatial: bool,
-    /// The hand that holds the body at its start, with the angle of the body.
-    home: [f64; 3],
-    /// The largest distance of two vertices.
-    size: f64,
-    /// The least distance from the place where the body is held at its start.
-    nearest: f64,
-    /// The extent along x, y and the depth.
-    spans: [f64; 3],
-    /// The length of the path without lost samples.
-    way: f64,
-    seconds: f64,
-    /// Half of the steps from sample to sample are shorter (s).
-    step: f64,
-}
-
 impl Seen {
-    fn new(scene: &WrittenScene, path: &HandPath) -> Self {
-        let finite = path.samples.iter().filter(|sample| sample.hand.is_finite());
-        let samples: Vec<Sample> = finite.copied().collect();
-        let home = home(scene);
-        let place = |sample: &Sample| {
-            let [x, y] = sample.hand.position;
-            [x, y, sample.hand.depth]
-        };
-        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        let (mut nearest, mut way) = (f64::INFINITY, 0.0);
-        let mut before: Option<[f64; 3]> = None;
-        for at in samples.iter().map(place) {
-            nearest = nearest.min((at[0] - home[0]).hypot(at[1] - home[1]));
-            for axis in 0..3 {
-                least[axis] = least[axis].min(at[axis]);
-                most[axis] = most[axis].max(at[axis]);
-            }
-            way += before.map_or(0.0, |from| (at[0] - from[0]).hypot(at[1] - from[1]));
-            before = Some(at);
-        }
-        let mut steps: Vec<f64> = (samples.iter().zip(samples.iter().skip(1)))
-            .map(|(from, to)| to.t - from.t)
-            .collect();
-        steps.sort_by(f64::total_cmp);
-        Self {
-            is_spatial: path.is_spatial,
-            home,
-            size: size(scene),
-            nearest,
-            spans: [0, 1, 2].map(|axis| (most[axis] - least[axis]).max(0.0)),
-            way,
-            seconds: path.seconds(),
-            step: steps.get(steps.len() / 2).copied().unwrap_or(0.0),
-            samples,
-        }
-    }
-
     /// All doubts in the order in which they are to be mended.
     fn all(&self, placement: &Placement) -> Vec<(Mend, String)> {
         let plane = self.is_spatial.then(|| self.plane(placement)).flatten();
@@ -224,11 +134,6 @@ impl Seen {
         let [degrees, jumps] = angles;
         let all = [self.times(), plane, scale, degrees, jumps, origin];
         all.into_iter().flatten().collect()
-    }
-
-    /// Whether there are so many samples that steps from one to the next mean something: of a few, each is a keyframe.
-    fn is_dense(&self) -> bool {
-        self.samples.len() > 2 * STEPS_IN_A_TURN
     }
 
     fn times(&self) -> Option<(Mend, String)> {
@@ -260,11 +165,6 @@ impl Seen {
         Some((Mend::Plane(axes), text))
     }
 
-    /// The extent of the path in the plane.
-    fn extent(&self) -> f64 {
-        self.spans[0].hypot(self.spans[1])
-    }
-
     fn scale(&self, placement: &Placement) -> Option<(Mend, String)> {
         let beyond = |(metres, sizes): (f64, f64)| metres.max(sizes * self.size);
         let speed = if self.seconds > 0.0 {
@@ -292,21 +192,6 @@ impl Seen {
         let scale = placement.scale * unit;
         let text = format!("the hand {what}: {name}, which need `hand.scale = {scale}`");
         Some((Mend::Scale(scale), text))
-    }
-
-    /// The least distance from the body's start (m) if the path is scaled by another factor.
-    fn nearest_scaled(&self, factor: f64, placement: &Placement) -> f64 {
-        let distance = |sample: &Sample| {
-            let away = [0, 1].map(|axis| {
-                let (at, origin) = (sample.hand.position[axis], placement.origin[axis]);
-                (at - origin) * factor + origin - self.home[axis]
-            });
-            away[0].hypot(away[1])
-        };
-        self.samples
-            .iter()
-            .map(distance)
-            .fold(f64::INFINITY, f64::min)
     }
 
     /// Degrees, and jumps by a turn.
@@ -378,31 +263,5 @@ impl Seen {
             let place = placement.origin[i] + self.home[i] - first[i];
             (place * 1e9).round() / 1e9
         })
-    }
-}
-
-fn pose(hand: &Hand<f64>) -> [f64; 3] {
-    let [x, y] = hand.position;
-    [x, y, hand.angle.radians()]
-}
-
-/// Where the body is held at its start (m), at its centre if nothing else is said, and its angle (rad).
-fn home(scene: &WrittenScene) -> [f64; 3] {
-    let [x, y, theta] = scene.start;
-    let count = scene.vertices.len().max(1) as f64;
-    let centre = [0, 1].map(|axis| scene.vertices.iter().map(|v| v[axis]).sum::<f64>() / count);
-    let [gx, gy] = scene.holding_point.unwrap_or(centre);
-    let (sin, cos) = theta.sin_cos();
-    [x + cos * gx - sin * gy, y + sin * gx + cos * gy, theta]
-}
-
-fn size(scene: &WrittenScene) -> f64 {
-    let distances = scene.vertices.iter().flat_map(|a| {
-        let distance = move |b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-        scene.vertices.iter().map(distance)
-    });
-    match distances.fold(0.0, f64::max) {
-        0.0 => HAND_BREADTH,
-        size => size,
     }
 }

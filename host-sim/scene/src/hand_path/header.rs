@@ -167,7 +167,7 @@ impl Columns {
         });
         let problem = match NAMES.iter().enumerate().any(|(number, _)| has(number)) {
             true => format!("the header has no `{}`", missing.join("`, `")),
-            false => "the header is not known".to_owned(),
+            false => "the header is not known; lines before it, or without names, are to be deleted or begin with #".to_owned(),
         };
         Err(format!(
             "{problem}, allowed: {planar}[,held] or {spatial}[,held], in any order, and other columns, which are skipped"

@@ -81,8 +81,11 @@ impl Format {
     fn header(self, line: &str) -> (Vec<String>, char) {
         let separator = [',', ';', '\t'].into_iter().find(|&c| line.contains(c));
         let separator = separator.unwrap_or(',');
-        // A unit belongs to the name before it.
-        let line = line.replace(" [", "[").replace(" (", "(");
+        let line = match self {
+            Self::Csv => line.to_owned(),
+            // A unit belongs to the name before it.
+            Self::Tum => line.replace(" [", "[").replace(" (", "("),
+        };
         let names = self.fields(line.trim(), separator).into_iter();
         let mut names: Vec<String> = names.map(str::to_owned).collect();
         if names.last().is_some_and(String::is_empty) {
@@ -326,7 +329,7 @@ impl<'a, R: BufRead> Records<'a, R> {
         if let Some((name, per)) = FINER.iter().find(fits) {
             self.per_second = *per;
             self.notes.push(format!(
-                "the times are read as {name}: {first:e} s is no time; to say it, write `t [{name}]` in the header"
+                "the times are read as {name}, for {first:.3e} s is no time; to say so, name the column `t [{name}]`"
             ));
         }
     }
