@@ -2,6 +2,7 @@
 //! scene's, an angle in degrees, or one that is wrapped to a turn. Nothing here refuses a path.
 
 use std::f64::consts::{PI, TAU};
+use std::mem::discriminant;
 use std::path::Path;
 
 use stiction_core::{Axis, Projection};
@@ -65,16 +66,20 @@ pub fn doubts(scene: &SceneFile, path: &HandPath) -> Vec<String> {
 /// # Errors
 /// As for [`HandPath::read`].
 pub fn fitted(scene: &SceneFile, file: &Path) -> Result<(Placement, Vec<String>), InputError> {
-    let mut placement = scene.hand.placement;
+    let (mut placement, mut mended) = (scene.hand.placement, Vec::new());
     // One doubt may hide another one: each is mended once at most, and the path read again.
-    for _ in 0..4 {
+    loop {
         let path = HandPath::read(file, &placement)?;
         let found = Seen::new(scene, &path).all(&placement);
         let mends = found.into_iter().map(|(mend, _)| mend);
-        let is_next = |mend: &Mend| !matches!(mend, Mend::Origin(_) | Mend::Times);
+        let is_next = |mend: &Mend| {
+            let is_other = !matches!(mend, Mend::Origin(_) | Mend::Times);
+            is_other && !mended.contains(&discriminant(mend))
+        };
         let Some(mend) = { mends }.find(is_next) else {
             break;
         };
+        mended.push(discriminant(&mend));
         mend.apply(&mut placement);
     }
     let path = HandPath::read(file, &placement)?;
