@@ -22,7 +22,7 @@ fn pose(k: usize) -> [f64; 3] {
     ]
 }
 
-/// The same with many turns.
+/// That motion with many turns.
 fn turning(k: usize) -> [f64; 3] {
     let [x, y, _] = pose(k);
     [x, y, 0.5 + 0.1 * k as f64]
@@ -153,7 +153,7 @@ fn assert_mended(name: &str, content: &[u8], notes: &[&str], expected: fn(usize)
             expected(k)
         );
     }
-    // The same by the keys that were printed.
+    // A scene with the keys that were printed does it, too.
     let (_, keys) = said.split_once("[hand]\n").expect("the keys");
     let keys: Vec<&str> = keys
         .lines()
