@@ -25,6 +25,7 @@ AT_LEAST_0 = {"type": "number", "minimum": 0}
 POSITIVE = {"type": "number", "exclusiveMinimum": 0}
 INDEX = {"type": "integer", "minimum": 0}
 TEXT = {"type": "string"}
+TRUTH = {"type": "boolean"}
 
 
 def numbers(count, each=NUMBER):
@@ -74,6 +75,7 @@ def shapes(room):
             "rectangle": numbers(2, POSITIVE),
             "start": numbers(3),
             "weight": AT_LEAST_0,
+            "repair": TRUTH,
         },
         "grasp": {"point": numbers(2), "reach": AT_LEAST_0},
         "spring": {"translation": POSITIVE, "rotation": AT_LEAST_0},
@@ -92,6 +94,8 @@ def shapes(room):
             "plane": {"type": "string", "pattern": "^-?(x-?[yz]|y-?[xz]|z-?[xy])$"},
             "scale": POSITIVE,
             "origin": numbers(3),
+            "angle": {"enum": ["radians", "degrees"]},
+            "unwrap": TRUTH,
         },
     }
 

@@ -64,7 +64,7 @@ use message::About;
 use print::Screen;
 use session::{Inbox, Session};
 use setup::Setup;
-use stiction_live::input::open_path;
+use stiction_live::input::{open_path, remarks};
 use stiction_live::number::Number;
 use stiction_live::record::Run;
 use stiction_live::scenes;
@@ -132,6 +132,10 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         true => None,
         false => Some(open_path(&scene, args.hand.as_deref(), rate)?),
     };
+    if let Some((path, _)) = path.as_ref().filter(|_| !args.quiet) {
+        report::notes(&scene.notes);
+        report::notes(remarks(&scene, args.hand.as_deref(), path));
+    }
     let feed = match &path {
         Some((path, rate)) => Feed::path(path.frames(*rate)),
         None => Feed::live(),

@@ -36,7 +36,10 @@ pub struct CheckArgs {
     /// Hand path (csv, tum, txt) that the trace's hand has to be, instead of the one in the scene file; none: it is not compared
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
-    /// Hand frames per second, instead of the rate in the scene file
+    /// Place the path of --hand over the scene, as `run --fit` does
+    #[arg(long, requires = "hand")]
+    fit: bool,
+    /// Hand frames per second of the trace; without it, the hand is compared at the times of the trace
     #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     rate: Option<f64>,
     /// Number of the worst frames to list
@@ -75,8 +78,7 @@ impl Remarks {
 pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
     let scene = Scene::parse(source(&args.scene)?)?;
     let frames = Trace::open(&args.trace, &scene)?;
-    let path = hand::given(&args.scene, args.number, args.hand.as_ref(), args.rate)?;
-    let mut samples = path.as_ref().ok().map(|(path, rate)| path.frames(*rate));
+    let mut given = hand::given(args)?;
     let mut judged = judge(scene, args.number, args.evolution);
     let mut survey = Survey::new(args.worst);
     let mut notes = Remarks::default();
@@ -84,8 +86,8 @@ pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
         let (line, frame) = frame?;
         let t = frame.t;
         notes.add(&frame);
-        let of_hand = (samples.as_mut())
-            .map(|samples| hand::finding(samples.next(), &frame, judged.bounds()));
+        let of_hand = given.as_mut().ok();
+        let of_hand = of_hand.map(|given| given.finding(&frame, judged.bounds()));
         let mut findings = judged.next(frame);
         findings.extend(of_hand);
         survey.add(line, t, &findings);
@@ -94,12 +96,9 @@ pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
         let problem = "there is no record in it, allowed: at least one";
         return Err(InputError::of_file(&args.trace, problem).into());
     }
-    notes.hand = match (&path, samples.map(|samples| samples.len())) {
-        (Err(why), _) => Some(format!("the hand was not compared with a path: {why}")),
-        (Ok(_), Some(left)) if left > 0 => Some(format!(
-            "the hand's path has {left} more samples than the trace"
-        )),
-        _ => None,
+    notes.hand = match given {
+        Err(why) => Some(format!("the hand was not compared with a path: {why}")),
+        Ok(given) => given.remark(),
     };
     if !args.quiet {
         report::print(&verdict(&survey, &notes));

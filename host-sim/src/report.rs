@@ -52,6 +52,13 @@ pub(crate) fn tell(text: impl Display) {
     let _ = writeln!(io::stderr(), "{}", lines.join("\n"));
 }
 
+/// Prints notes about the input to standard error: what was skipped, assumed or mended, and what looks wrong.
+pub(crate) fn notes<T: Display>(notes: impl IntoIterator<Item = T>) {
+    for note in notes {
+        tell(format_args!("note: {note}"));
+    }
+}
+
 /// The longest line is a list of all that is allowed, of keys or scenes (characters).
 const LONGEST_LINE: usize = 2000;
 

@@ -18,8 +18,9 @@ use crate::settings::Settings;
 use crate::shell::scene_completer;
 use crate::summary::Summary;
 use crate::trace::Format;
-use stiction_live::input::open_path;
+use stiction_live::input::{open_path, remarks};
 use stiction_live::record::Run;
+use stiction_scene::{HandPath, InputError, SceneFile};
 
 /// The arguments of `stiction run`.
 #[derive(Args, Clone, Debug)]
@@ -50,7 +51,8 @@ pub struct RunArgs {
 /// Fails if the input cannot be used, or the output cannot be written; there is then no trace.
 pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
     let settings = &args.settings;
-    let scene = open_scene(&args.scene, settings.number)?;
+    let mut scene = open_scene(&args.scene, settings.number)?;
+    let mut notes = scene.notes.clone();
     let mut record = Run::of(&scene, settings.number, settings.evolution);
     let pictures = args.figure.pictures()?;
     let plots = pictures.places(&record);
@@ -58,9 +60,11 @@ pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
         input::files(&args.scene, &scene, settings.hand.as_deref()),
         files::written(args.out.as_ref(), args.record.as_ref()).chain(plots),
     )?;
-    let given = settings.rate.map(|rate| ("--rate", rate));
-    let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;
+    let (path, rate) = opened(&mut scene, settings, &mut notes)?;
     pictures.check(&record, path.frames(rate).map(|sample| sample.t))?;
+    if !args.quiet {
+        report::notes(notes);
+    }
     let mut summary = Summary::new(&record);
     let head = Head::new(&scene, settings);
     let mut files = Files::trace(args.out.as_ref(), &record)?.with_recording(
@@ -100,6 +104,22 @@ pub fn run(args: &RunArgs) -> Result<(), Box<dyn Error>> {
         None => report::print(&text),
     }
     Ok(())
+}
+
+/// The hand's path and the rate to which it is resampled; adds what is to be said about it.
+fn opened(
+    scene: &mut SceneFile,
+    settings: &Settings,
+    notes: &mut Vec<String>,
+) -> Result<(HandPath, Option<f64>), InputError> {
+    let hand = settings.hand.as_deref();
+    if let Some(hand) = hand.filter(|_| settings.fit) {
+        notes.push(input::fit(scene, hand)?);
+    }
+    let given = settings.rate.map(|rate| ("--rate", rate));
+    let (path, rate) = open_path(scene, hand, given)?;
+    notes.extend(remarks(scene, hand, &path));
+    Ok((path, rate))
 }
 
 /// A progress bar that appears after a second, on a terminal.

@@ -19,6 +19,10 @@ pub(crate) struct Settings {
     /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
     #[arg(long, value_name = "FILE")]
     pub(crate) hand: Option<PathBuf>,
+    /// Place the path of --hand over the scene: it begins where the body is held at its start, and units, plane and angles that look wrong
+    /// are mended; the keys that do the same are printed
+    #[arg(long, requires = "hand")]
+    pub(crate) fit: bool,
     /// Number type of the solver
     #[arg(long, value_enum, default_value_t = Number::F32)]
     pub(crate) number: Number,
@@ -39,6 +43,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             hand: None,
+            fit: false,
             number: Number::F32,
             evolution: Evolution::Path,
             rate: None,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! page, programs ═ connections ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
-//! trackers ═ outward ─────────────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
+//! trackers ═ inward ──────────────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
 //!                                                      ├─ stiction-live: the solver, the parallel reference, the hand
 //!                                                      ├─ remote, answers, mirror: a board instead of the solver
 //!                                                      └─ recording, recorder, archive, resume
@@ -18,6 +18,7 @@ mod connections;
 mod endpoints;
 mod engine;
 mod feed;
+mod inward;
 mod mirror;
 mod orders;
 mod osc;
@@ -56,7 +57,7 @@ use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
-use crate::input::open_scene;
+use crate::input::{self, open_scene};
 use crate::options::{evolution_parser, parse_end, parse_listen, parse_rate};
 use crate::report;
 use crate::shell::scene_completer;
@@ -91,6 +92,10 @@ pub struct ViewArgs {
     /// Recorded hand path (csv, tum, txt) that the hand follows from the beginning
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
+    /// Place the path of --hand over the scene: it begins where the body is held at its start, and units, plane and angles that look wrong
+    /// are mended; the keys that do the same are printed
+    #[arg(long, requires = "hand")]
+    fit: bool,
     /// A board instead of the solver in this program.
     #[command(flatten)]
     connect: ConnectArgs,
@@ -114,7 +119,7 @@ pub struct ViewArgs {
     /// Send poses by OSC over UDP
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_end)]
     osc: Option<String>,
-    /// Poses per second sent by OSC and OpenTrack (1 to 1000)
+    /// Poses per second sent by OSC (1 to 1000)
     #[arg(long, value_name = "HZ", default_value = "100", value_parser = parse_pose_rate, allow_negative_numbers = true)]
     osc_rate: f64,
     /// Take the hand by OSC on this UDP port
@@ -123,7 +128,10 @@ pub struct ViewArgs {
     /// Send poses as OpenTrack does, over UDP
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_end)]
     opentrack: Option<String>,
-    /// Take the hand from OpenTrack on this UDP port
+    /// Poses per second sent as OpenTrack does (1 to 1000)
+    #[arg(long, value_name = "HZ", default_value = "100", value_parser = parse_pose_rate, allow_negative_numbers = true)]
+    opentrack_rate: f64,
+    /// Take the hand from OpenTrack on this UDP port; a seventh double of a packet is the switch
     #[arg(long, value_name = "PORT")]
     opentrack_in: Option<u16>,
 }
@@ -258,14 +266,16 @@ fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewE
         evolution: args.evolution,
     };
     let own = own_file(&args.scene).map(|_| stage.clone());
-    let placement = stage.scene.hand.placement;
+    let scene = Arc::clone(&stage.scene);
+    report::notes(&scene.notes);
     let mut engine = Engine::new(stage, &setting, surroundings).map_err(ViewError::Scene)?;
     engine.live.own.extend(own);
     engine.board = board;
     engine.is_led =
         [args.osc_in, args.opentrack_in].iter().any(Option::is_some) || args.hand.is_some();
     if let Some(file) = &args.hand {
-        let path = HandPath::read(file, &placement)?;
+        let (path, notes) = input::hand_path(&scene, file, args.fit)?;
+        report::notes(notes);
         let (name, way) = (file.file_name(), Way::Path(Arc::new(path)));
         way.check()
             .map_err(|problem| HandPath::error_at_end(file, &problem))?;
@@ -313,12 +323,12 @@ async fn serve(
     hub: Arc<Hub>,
     watched: Watched<'_>,
 ) -> Result<(), ViewError> {
-    for (socket, format) in ends.out {
+    for (socket, format, rate) in ends.out {
         let feed = Arc::clone(&hub.feed);
-        tokio::spawn(outward::send(socket, format, feed, args.osc_rate));
+        tokio::spawn(outward::send(socket, format, feed, rate));
     }
     for (socket, format) in ends.inward {
-        tokio::spawn(outward::receive(socket, format, hub.orders.clone()));
+        tokio::spawn(inward::receive(socket, format, hub.orders.clone()));
     }
     let (stop, tidied) = (hub.stop.clone(), Arc::clone(&hub));
     let listener = tokio::net::TcpListener::from_std(listener)?;

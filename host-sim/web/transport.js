@@ -78,7 +78,8 @@ export class Transport {
       const answer = await response.json();
       if (!response.ok) throw new Error(answer.message ?? `The server refused ${file.name}.`);
       this.uploaded = file.name;
-      this.tell(`${file.name}: ${whole(answer.records)} records, ${fixed(answer.seconds, 1)} s.`);
+      const notes = answer.notes.map((/** @type {string} */ note) => ` Note: ${note}.`);
+      this.tell(`${file.name}: ${whole(answer.records)} records, ${fixed(answer.seconds, 1)} s.${notes.join("")}`);
       await this.ask({ type: "replay", what: "upload" });
     } catch (why) {
       this.tell(`${file.name} cannot be used. ${/** @type {Error} */ (why).message}`);

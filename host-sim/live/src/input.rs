@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::{HandPath, InputError, Motion, SceneFile};
+use stiction_scene::{HandPath, InputError, Motion, SceneFile, doubts};
 
 /// Returns the file that [`open_path`] reads, if it reads one.
 pub fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
@@ -10,6 +10,18 @@ pub fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a
         Some(Motion::Recorded(file)) => Some(file),
         Some(Motion::Keyframes(_)) | None => None,
     })
+}
+
+/// Returns what is to be said about a path that was read from a file for this scene: what was skipped or assumed, and what looks wrong. Empty
+/// for keyframes.
+pub fn remarks(scene: &SceneFile, hand: Option<&Path>, path: &HandPath) -> Vec<String> {
+    let Some(file) = path_file(scene, hand) else {
+        return Vec::new();
+    };
+    let notes = path.notes().iter().cloned();
+    let all = notes.chain(doubts(scene, path));
+    all.map(|note| format!("{}: {note}", file.display()))
+        .collect()
 }
 
 /// Returns the hand's path and the rate (Hz) to resample it to: from a file, and a rate with the name of its source; otherwise

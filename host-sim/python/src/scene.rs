@@ -1,8 +1,10 @@
 //! Scenes.
 
+use std::ffi::CString;
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use stiction_core::Hand;
 use stiction_live::drawing::{HATCH, Point, Solids, Window, placed};
@@ -23,8 +25,9 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    fn new(source: Source) -> PyResult<Self> {
+    fn new(py: Python<'_>, source: Source) -> PyResult<Self> {
         let file = SceneFile::parse(source.clone(), Number::F64.limit()).map_err(refused)?;
+        warn(py, &file.notes)?;
         Ok(Self { source, file })
     }
 
@@ -38,23 +41,23 @@ impl Scene {
 impl Scene {
     /// A scene file (TOML).
     #[staticmethod]
-    fn from_toml(path: PathBuf) -> PyResult<Self> {
-        Self::new(Source::read(&path).map_err(refused)?)
+    fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Self::new(py, Source::read(&path).map_err(refused)?)
     }
 
     /// The text of a scene file; `name` is the file's name in messages.
     #[staticmethod]
     #[pyo3(signature = (text, name = "scene.toml"))]
-    fn from_text(text: &str, name: &str) -> PyResult<Self> {
-        Self::new(Source::new(name, text))
+    fn from_text(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
+        Self::new(py, Source::new(name, text))
     }
 
     /// A bundled scene by its name.
     #[staticmethod]
-    fn bundled(name: PathBuf) -> PyResult<Self> {
+    fn bundled(py: Python<'_>, name: PathBuf) -> PyResult<Self> {
         let source = scenes::find(&name);
         let unknown = || refused(format!("{}: {}", name.display(), scenes::unknown(&name)));
-        Self::new(source.ok_or_else(unknown)?)
+        Self::new(py, source.ok_or_else(unknown)?)
     }
 
     /// The text of its file.
@@ -133,7 +136,10 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rate = rate.map(|rate| positive("rate", rate)).transpose()?;
         let given = rate.map(|rate| ("rate", rate));
-        let (path, rate) = input::open_path(&self.file, path.as_deref(), given).map_err(refused)?;
+        let file = path;
+        let opened = input::open_path(&self.file, file.as_deref(), given);
+        let (path, rate) = opened.map_err(refused)?;
+        warn(py, &input::remarks(&self.file, file.as_deref(), &path))?;
         let row = |sample: Sample| {
             let Hand {
                 position: [x, y],
@@ -156,6 +162,15 @@ impl Scene {
             self.source.file().display()
         )
     }
+}
+
+/// Warns of what was skipped, assumed or mended in a file, and of what looks wrong: a `UserWarning` for each.
+fn warn(py: Python<'_>, notes: &[String]) -> PyResult<()> {
+    let category = py.get_type::<PyUserWarning>();
+    for note in notes {
+        PyErr::warn(py, &category, &CString::new(note.as_str())?, 1)?;
+    }
+    Ok(())
 }
 
 fn pair([x, y]: [f64; 2]) -> (f64, f64) {

@@ -32,6 +32,8 @@ pub(crate) struct Body {
     pub(crate) rectangle: Option<Numbers>,
     pub(crate) start: Numbers,
     pub(crate) weight: Option<Number>,
+    /// Whether corners that make no convex polygon are mended.
+    pub(crate) repair: Option<bool>,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -98,4 +100,8 @@ pub(crate) struct Hand {
     pub(crate) scale: Option<Number>,
     /// Added after scaling: x, y (m), phi (rad).
     pub(crate) origin: Option<Numbers>,
+    /// The unit of phi: "radians" or "degrees".
+    pub(crate) angle: Option<Spanned<String>>,
+    /// Whether phi was wrapped to a turn.
+    pub(crate) unwrap: Option<Spanned<bool>>,
 }

@@ -1,11 +1,15 @@
 //! The hand's motion over time: samples from keyframes or from a recorded file, unchanged or resampled.
 
+mod doubt;
+mod header;
 mod placement;
 mod recorded;
+mod seen;
 
+pub use doubt::{doubts, fitted};
 pub(crate) use placement::Placed;
 pub(crate) use placement::parse_plane;
-pub use placement::{LivePlacement, Placement};
+pub use placement::{AngleUnit, LivePlacement, Placement};
 pub(crate) use recorded::{Row, RowPose};
 
 use std::io::{BufRead, BufReader};
@@ -28,6 +32,10 @@ pub struct Sample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandPath {
     samples: Vec<Sample>,
+    /// What was skipped or assumed when it was read from a file.
+    notes: Vec<String>,
+    /// The file has six degrees of freedom.
+    is_spatial: bool,
 }
 
 impl HandPath {
@@ -41,7 +49,11 @@ impl HandPath {
 
     /// A path of samples whose times increase.
     pub fn new(samples: Vec<Sample>) -> Self {
-        Self { samples }
+        Self {
+            samples,
+            notes: Vec::new(),
+            is_spatial: false,
+        }
     }
 
     /// Reads a recorded path line by line: `.csv`, or `.tum` and `.txt` in the TUM format.
@@ -74,7 +86,23 @@ impl HandPath {
             let added = placed.add(&row);
             added.map_err(|problem| InputError::in_line(file, (row.line, line), problem))?;
         }
-        Ok(Self::new(placed.samples))
+        let (is_spatial, mut notes) = (records.is_spatial(), records.notes);
+        let (lost, count) = (placed.lost, placed.samples.len());
+        if lost > 0 {
+            notes.push(format!(
+                "records without a pose: {lost} of {count}; the hand keeps the pose before them (status `held-last`)"
+            ));
+        }
+        Ok(Self {
+            samples: placed.samples,
+            notes,
+            is_spatial,
+        })
+    }
+
+    /// What was skipped or assumed when it was read from a file: sentences for its user.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// A problem with the last record of a recorded path.
@@ -153,8 +181,26 @@ impl HandPath {
         while (self.samples.get(*reached + 1)).is_some_and(|next| next.t <= t + rounding) {
             *reached += 1;
         }
-        let from = self.samples[*reached];
-        let hand = match self.samples.get(*reached + 1) {
+        self.after(*reached, t)
+    }
+
+    /// The hand at a time (s), interpolated as in [`Self::frames`]; `None` before the first sample and after the last one. Times that differ by
+    /// `rounding` (s) are the same.
+    pub fn at(&self, t: f64, rounding: f64) -> Option<Sample> {
+        let (first, last) = (self.samples.first()?, self.samples.last()?);
+        if !(first.t - rounding..=last.t + rounding).contains(&t) {
+            return None;
+        }
+        let reached = self
+            .samples
+            .partition_point(|sample| sample.t <= t + rounding);
+        Some(self.after(reached.saturating_sub(1), t))
+    }
+
+    /// The hand at a time after sample `reached` and not after the next one.
+    fn after(&self, reached: usize, t: f64) -> Sample {
+        let from = self.samples[reached];
+        let hand = match self.samples.get(reached + 1) {
             Some(to) if t > from.t => between(&from.hand, &to.hand, (t - from.t) / (to.t - from.t)),
             _ => from.hand,
         };

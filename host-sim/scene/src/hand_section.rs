@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::check::Check;
 use crate::document::{Hand, Numbers};
-use crate::hand_path::{HandPath, Placed, Placement, Row, RowPose, parse_plane};
+use crate::hand_path::{AngleUnit, HandPath, Placed, Placement, Row, RowPose, parse_plane};
 use crate::source::InputError;
 
 /// The source of the hand's motion.
@@ -114,6 +114,7 @@ fn keyframe(check: Check<'_>, key: &str, given: &Numbers, line: usize) -> Result
         line,
         t,
         pose: RowPose::Planar(pose),
+        unit: None,
         held,
     })
 }
@@ -135,5 +136,14 @@ fn placement(check: Check<'_>, hand: &Hand) -> Result<Placement, InputError> {
     if let Some(origin) = &hand.origin {
         placement.origin = check.numbers("hand.origin", origin, "x, y and phi")?;
     }
+    if let Some(angle) = &hand.angle {
+        let unit = AngleUnit::ALL
+            .iter()
+            .find(|(name, _)| name == angle.get_ref());
+        let (_, unit) =
+            unit.ok_or_else(|| check.error("hand.angle", angle, "\"radians\" or \"degrees\""))?;
+        placement.angle = *unit;
+    }
+    placement.unwrap = hand.unwrap.as_ref().is_some_and(|unwrap| *unwrap.get_ref());
     Ok(placement)
 }

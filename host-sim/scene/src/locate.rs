@@ -4,6 +4,7 @@ use stiction_core::{Parameter, SceneError, SiFloat};
 
 use crate::clip::Indices;
 use crate::document::{Document, Number};
+use crate::outline::{self, Fault};
 use crate::source::{InputError, Source};
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
 
@@ -120,6 +121,13 @@ impl WrittenScene {
             );
             return self.source.error_at(offset, problem);
         }
+        if let Some((key, offset, fault)) = self.fault(error.parameter) {
+            let mend = match error.parameter {
+                Parameter::Vertex(_) => ", or set `body.repair = true`",
+                _ => "",
+            };
+            return self.source.error_at(offset, fault.message(&key) + mend);
+        }
         match self.place(error.parameter) {
             Some((key, offset, _)) if matches!(error.parameter, Parameter::Side { .. }) => {
                 let length = error.value.widen();
@@ -133,6 +141,26 @@ impl WrittenScene {
             }
             None => self.source.error(error),
         }
+    }
+
+    /// The fault of the outline that has a refused corner: the key and the position of the list.
+    fn fault(&self, parameter: Parameter) -> Option<(String, usize, Fault)> {
+        let (key, list, corners) = match parameter {
+            Parameter::Vertex(_) => {
+                let list = self.document.body.vertices.as_ref()?;
+                ("body.vertices".to_owned(), list, &self.vertices)
+            }
+            Parameter::Corner { obstacle, .. } => {
+                let list = &self.document.obstacle.get(obstacle)?.get_ref().vertices;
+                let key = format!("obstacle[{obstacle}].vertices");
+                (key, list, &self.obstacles.get(obstacle)?.vertices)
+            }
+            _ => return None,
+        };
+        let fault = outline::fault(corners)?;
+        let corner = fault.corner().and_then(|k| list.get_ref().get(k));
+        let offset = corner.map_or(list.span(), toml::Spanned::span).start;
+        Some((key, offset, fault))
     }
 
     /// The key that set a parameter; `None` if the file does not contain it.

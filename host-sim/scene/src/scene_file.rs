@@ -64,6 +64,8 @@ impl SceneFile {
             ("path", hand.path.as_ref().map(Spanned::span)),
             ("plane", hand.plane.as_ref().map(Spanned::span)),
             ("scale", hand.scale.as_ref().map(Spanned::span)),
+            ("angle", hand.angle.as_ref().map(Spanned::span)),
+            ("unwrap", hand.unwrap.as_ref().map(Spanned::span)),
         ];
         let mut section = "[hand]\n".to_owned();
         for (key, span) in spans {

@@ -118,11 +118,10 @@ impl<R: BufRead> Lines<R> {
             ));
         }
         const MARK: &[u8] = "\u{feff}".as_bytes();
-        let skipped = match self.number == 1 && self.text.starts_with(MARK) {
-            true => MARK.len(),
-            false => 0,
-        };
-        Ok(Some(&self.text[skipped..]))
+        if self.number == 1 && self.text.starts_with(MARK) {
+            self.text.drain(..MARK.len());
+        }
+        Ok(Some(&self.text))
     }
 
     /// The number of the last line read, counted from 1; at the end, that of the line that would follow.
@@ -135,7 +134,7 @@ impl<R: BufRead> Lines<R> {
         self.is_whole
     }
 
-    /// The last line read, or the beginning of a line that is too long.
+    /// The last line read, without its break and without a byte order mark; or the beginning of a line that is too long.
     pub fn text(&self) -> &[u8] {
         &self.text
     }

@@ -13,6 +13,7 @@ use crate::document::{Body, Document};
 use crate::friction::Fallback;
 use crate::name::Names;
 use crate::obstacle::{ObstacleInfo, obstacles};
+use crate::outline::repaired;
 use crate::scene_file::HostScene;
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
@@ -50,6 +51,8 @@ pub struct WrittenScene {
     pub surfaces: Vec<SurfaceInfo>,
     /// The obstacles.
     pub obstacles: Vec<ObstacleInfo>,
+    /// What was mended on reading because the file asked for it: sentences for its user.
+    pub notes: Vec<String>,
     pub(crate) source: Source,
     pub(crate) document: Document,
 }
@@ -75,9 +78,11 @@ impl WrittenScene {
         let point = |given| check.numbers("grasp.point", given, "x and y");
         let title = source.file().file_stem().unwrap_or_default();
         let (fallback, mut names) = (Fallback::new(check, &document)?, Names::default());
+        let (vertices, notes) = mended(body, vertices(check, body)?);
         Ok(Self {
             title: title.to_string_lossy().into_owned(),
-            vertices: vertices(check, body)?,
+            vertices,
+            notes,
             start: check.numbers("body.start", &body.start, "x, y and theta")?,
             weight: check.number_or("body.weight", body.weight.as_ref(), 0.0)?,
             holding_point: grasp.point.as_ref().map(point).transpose()?,
@@ -202,6 +207,18 @@ const fn is_of_start(parameter: Parameter) -> bool {
         parameter,
         Parameter::Penetration { .. } | Parameter::Overlap(_)
     )
+}
+
+/// The vertices, mended if the file asks for it, and what was changed.
+fn mended(body: &Body, vertices: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Vec<String>) {
+    if body.repair != Some(true) {
+        return (vertices, Vec::new());
+    }
+    let (vertices, changes) = repaired(&vertices);
+    let changes = changes
+        .iter()
+        .map(|change| format!("`body.vertices`: {change}"));
+    (vertices, changes.collect())
 }
 
 fn vertices(check: Check<'_>, body: &Body) -> Result<Vec<[f64; 2]>, InputError> {

@@ -17,7 +17,7 @@ enum Kind {
 }
 
 /// Keys of a scene file; those of a surface follow `surface.NAME.`, those of an obstacle `obstacle.NAME.`.
-const SCENE: [(&str, Kind); 16] = [
+const SCENE: [(&str, Kind); 17] = [
     ("body.vertices", Kind::Numbers),
     ("body.rectangle", Kind::Numbers),
     ("body.start", Kind::Numbers),
@@ -34,6 +34,7 @@ const SCENE: [(&str, Kind); 16] = [
     ("hand.plane", Kind::Text),
     ("hand.scale", Kind::Number),
     ("hand.origin", Kind::Numbers),
+    ("hand.angle", Kind::Text),
 ];
 const SURFACE: [(&str, Kind); 5] = [
     ("normal", Kind::Numbers),

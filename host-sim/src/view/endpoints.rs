@@ -3,6 +3,7 @@
 use std::io;
 use std::net::{SocketAddr, TcpListener, UdpSocket};
 
+use super::inward;
 use super::outward::{self, PoseFormat};
 use super::{ViewArgs, ViewError};
 use crate::report;
@@ -48,7 +49,8 @@ pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
 }
 
 pub(super) struct Endpoints {
-    pub(super) out: Vec<(UdpSocket, PoseFormat)>,
+    /// With their rates (Hz).
+    pub(super) out: Vec<(UdpSocket, PoseFormat, f64)>,
     pub(super) inward: Vec<(UdpSocket, PoseFormat)>,
 }
 
@@ -60,17 +62,21 @@ impl Endpoints {
             inward: Vec::new(),
         };
         let outward = [
-            ("--osc", &args.osc, PoseFormat::Osc),
-            ("--opentrack", &args.opentrack, PoseFormat::OpenTrack),
+            ("--osc", &args.osc, (PoseFormat::Osc, args.osc_rate)),
+            (
+                "--opentrack",
+                &args.opentrack,
+                (PoseFormat::OpenTrack, args.opentrack_rate),
+            ),
         ];
-        for (option, address, format) in outward {
+        for (option, address, (format, rate)) in outward {
             let Some(address) = address else { continue };
             let socket = outward::to(address).map_err(|error| ViewError::Renderer {
                 option,
                 address: address.clone(),
                 error,
             })?;
-            ends.out.push((socket, format));
+            ends.out.push((socket, format, rate));
         }
         let inward = [
             (args.osc_in, PoseFormat::Osc),
@@ -78,7 +84,7 @@ impl Endpoints {
         ];
         for (port, format) in inward {
             let Some(port) = port else { continue };
-            let socket = outward::at(place.ip(), port).map_err(|error| ViewError::Address {
+            let socket = inward::at(place.ip(), port).map_err(|error| ViewError::Address {
                 address: format!("UDP port {port}"),
                 error,
             })?;

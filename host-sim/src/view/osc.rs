@@ -6,6 +6,9 @@
 
 /// The start of a bundle.
 const BUNDLE: &str = "#bundle";
+/// Why a packet cannot be read.
+const MALFORMED: &str = "a packet that is no whole OSC message or bundle";
+const UNTYPED: &str = "an OSC message without the types of its arguments, allowed: a text of a comma and a letter for each, as `,fff`";
 /// The time of a bundle: at once.
 const AT_ONCE: u64 = 1;
 
@@ -14,8 +17,40 @@ pub(super) enum Argument {
     Int(i32),
     Float(f32),
     Text(String),
-    /// Of another type.
-    Other,
+    /// Of 64 bits: the number of a sender that has no other ones.
+    Long(i64),
+    Double(f64),
+    Truth(bool),
+    /// Of another type, with its letter.
+    Other(char),
+}
+
+impl Argument {
+    /// Its letter in a text of types.
+    const fn letter(&self) -> char {
+        match self {
+            Self::Int(_) => 'i',
+            Self::Float(_) => 'f',
+            Self::Text(_) => 's',
+            Self::Long(_) => 'h',
+            Self::Double(_) => 'd',
+            Self::Truth(true) => 'T',
+            Self::Truth(false) => 'F',
+            Self::Other(letter) => *letter,
+        }
+    }
+
+    /// The number that it is, of whatever type; true is 1.
+    pub(super) fn number(&self) -> Option<f64> {
+        Some(match self {
+            Self::Int(value) => f64::from(*value),
+            Self::Float(value) => f64::from(*value),
+            Self::Long(value) => *value as f64,
+            Self::Double(value) => *value,
+            Self::Truth(value) => f64::from(u8::from(*value)),
+            Self::Text(_) | Self::Other(_) => return None,
+        })
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -31,22 +66,23 @@ fn put_text(text: &str, bytes: &mut Vec<u8>) {
 }
 
 impl Message {
+    /// The letters of its arguments.
+    pub(super) fn types(&self) -> String {
+        self.arguments.iter().map(Argument::letter).collect()
+    }
+
     fn encode(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         put_text(&self.address, &mut bytes);
-        let letters = self.arguments.iter().filter_map(|argument| match argument {
-            Argument::Int(_) => Some('i'),
-            Argument::Float(_) => Some('f'),
-            Argument::Text(_) => Some('s'),
-            Argument::Other => None,
-        });
-        put_text(&format!(",{}", letters.collect::<String>()), &mut bytes);
+        put_text(&format!(",{}", self.types()), &mut bytes);
         for argument in &self.arguments {
             match argument {
                 Argument::Int(value) => bytes.extend(value.to_be_bytes()),
                 Argument::Float(value) => bytes.extend(value.to_be_bytes()),
                 Argument::Text(text) => put_text(text, &mut bytes),
-                Argument::Other => {}
+                Argument::Long(value) => bytes.extend(value.to_be_bytes()),
+                Argument::Double(value) => bytes.extend(value.to_be_bytes()),
+                Argument::Truth(_) | Argument::Other(_) => {}
             }
         }
         bytes
@@ -68,22 +104,26 @@ pub(super) fn bundle(messages: &[Message]) -> Vec<u8> {
     bytes
 }
 
-/// The messages of a packet, and of the bundles in it; `None` if a part of it is malformed.
-pub(super) fn messages(packet: &[u8]) -> Option<Vec<Message>> {
+/// The messages of a packet, and of the bundles in it.
+///
+/// # Errors
+/// The reason why a part of it cannot be read.
+pub(super) fn messages(packet: &[u8]) -> Result<Vec<Message>, &'static str> {
     let mut rest = Rest(packet);
-    let address = rest.text()?;
+    let address = rest.text().ok_or(MALFORMED)?;
     if address != BUNDLE {
-        return Some(vec![rest.message(address)?]);
+        return Ok(vec![rest.message(address)?]);
     }
-    rest.bytes::<8>()?;
+    rest.bytes::<8>().ok_or(MALFORMED)?;
     let mut all = Vec::new();
     while !rest.0.is_empty() {
-        let length = usize::try_from(i32::from_be_bytes(rest.bytes()?)).ok()?;
-        let (inner, after) = rest.0.split_at_checked(length)?;
+        let length = rest.bytes().map(i32::from_be_bytes).ok_or(MALFORMED)?;
+        let length = usize::try_from(length).map_err(|_| MALFORMED)?;
+        let (inner, after) = rest.0.split_at_checked(length).ok_or(MALFORMED)?;
         all.extend(messages(inner)?);
         rest = Rest(after);
     }
-    Some(all)
+    Ok(all)
 }
 
 /// What is still to be read of a packet.
@@ -113,17 +153,19 @@ impl Rest<'_> {
     }
 
     /// The message of an address, which has been read. Without arguments, their types may be missing.
-    fn message(&mut self, address: String) -> Option<Message> {
+    fn message(&mut self, address: String) -> Result<Message, &'static str> {
+        if !address.starts_with('/') {
+            return Err(MALFORMED);
+        }
         let types = match self.0.is_empty() {
-            true => ",".to_owned(),
-            false => self.text()?,
+            true => Some(",".to_owned()),
+            false => self.text(),
         };
-        let letters = types.strip_prefix(',')?.chars();
+        let types = types.ok_or(UNTYPED)?;
+        let letters = types.strip_prefix(',').ok_or(UNTYPED)?.chars();
         let arguments: Option<Vec<_>> = letters.map(|letter| self.argument(letter)).collect();
-        let arguments = arguments?;
-        address
-            .starts_with('/')
-            .then_some(Message { address, arguments })
+        let arguments = arguments.ok_or(MALFORMED)?;
+        Ok(Message { address, arguments })
     }
 
     fn argument(&mut self, letter: char) -> Option<Argument> {
@@ -131,14 +173,18 @@ impl Rest<'_> {
             'i' => Argument::Int(i32::from_be_bytes(self.bytes()?)),
             'f' => Argument::Float(f32::from_be_bytes(self.bytes()?)),
             's' => Argument::Text(self.text()?),
-            'S' => self.text().map(|_| Argument::Other)?,
-            'c' | 'r' | 'm' => self.bytes::<4>().map(|_| Argument::Other)?,
-            'h' | 'd' | 't' => self.bytes::<8>().map(|_| Argument::Other)?,
+            'h' => Argument::Long(i64::from_be_bytes(self.bytes()?)),
+            'd' => Argument::Double(f64::from_be_bytes(self.bytes()?)),
+            'T' => Argument::Truth(true),
+            'F' => Argument::Truth(false),
+            'S' => self.text().map(|_| Argument::Other(letter))?,
+            'c' | 'r' | 'm' => self.bytes::<4>().map(|_| Argument::Other(letter))?,
+            't' => self.bytes::<8>().map(|_| Argument::Other(letter))?,
             'b' => {
                 let length = usize::try_from(i32::from_be_bytes(self.bytes()?)).ok()?;
-                self.filled(length).map(|_| Argument::Other)?
+                self.filled(length).map(|_| Argument::Other(letter))?
             }
-            'T' | 'F' | 'N' | 'I' | '[' | ']' => Argument::Other,
+            'N' | 'I' | '[' | ']' => Argument::Other(letter),
             _ => return None,
         })
     }
@@ -180,10 +226,10 @@ mod tests {
             message("/b", &[]),
         ];
         let bytes = bundle(&all);
-        assert_eq!(messages(&bytes).as_deref(), Some(&all[..]));
+        assert_eq!(messages(&bytes).as_deref(), Ok(&all[..]));
         for cut in 1..bytes.len() {
             // Only a bundle without its last messages is whole.
-            let Some(some) = messages(&bytes[..cut]) else {
+            let Ok(some) = messages(&bytes[..cut]) else {
                 continue;
             };
             assert!(all.starts_with(&some) && some.len() < all.len(), "{cut}");
@@ -191,17 +237,24 @@ mod tests {
     }
 
     #[test]
-    fn arguments_of_other_types_are_passed_over() {
-        let packet =
-            b"/x\0\0,hbTfd\0\0\0\0\0\0\0\0\0\x01\0\0\0\x03abc\0\x3F\x80\0\0\0\0\0\0\0\0\0\0";
+    fn numbers_have_any_type() {
+        let packet = b"/x\0\0,hdifTFs\0\0\0\0\0\0\0\0\0\0\0\x02\x3F\xF8\0\0\0\0\0\0\0\0\0\x03\x3F\x80\0\0a\0\0\0";
         let found = messages(packet).expect("a message");
-        let other = Argument::Other;
+        let numbers: Vec<_> = found[0].arguments.iter().map(Argument::number).collect();
+        let expected = [2.0, 1.5, 3.0, 1.0, 1.0, 0.0].map(Some);
+        assert_eq!(numbers, [&expected[..], &[None]].concat());
+        assert_eq!(found[0].types(), "hdifTFs");
+    }
+
+    #[test]
+    fn arguments_of_other_types_are_passed_over() {
+        let packet = b"/x\0\0,tbNf\0\0\0\0\0\0\0\0\0\0\x01\0\0\0\x03abc\0\x3F\x80\0\0";
+        let found = messages(packet).expect("a message");
         let expected = [
-            other.clone(),
-            other.clone(),
-            other.clone(),
+            Argument::Other('t'),
+            Argument::Other('b'),
+            Argument::Other('N'),
             Argument::Float(1.0),
-            other,
         ];
         assert_eq!(found, [message("/x", &expected)]);
     }

@@ -13,7 +13,7 @@ use axum::response::{IntoResponse, Response};
 use futures_util::StreamExt;
 use serde::Deserialize;
 use serde_json::json;
-use stiction_scene::{HandPath, InputError, Source};
+use stiction_scene::{HandPath, InputError, SceneFile, Source, doubts};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::spawn_blocking;
 use tokio::time::timeout;
@@ -88,7 +88,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
         let _place = place;
         let source = Source::of_bytes(FilePath::new(&called), bytes)?;
         let path = HandPath::parse(&source, &scene.hand.placement)?;
-        checked(path, &source)
+        checked(path, &source, &scene)
     });
     let read = read
         .await
@@ -141,11 +141,21 @@ fn late() -> Refusal {
 }
 
 /// Checks that a path is not too long, and creates the answer to it.
-fn checked(path: HandPath, source: &Source) -> Result<(Arc<HandPath>, String), InputError> {
+fn checked(
+    path: HandPath,
+    source: &Source,
+    scene: &SceneFile,
+) -> Result<(Arc<HandPath>, String), InputError> {
+    let notes: Vec<String> = path
+        .notes()
+        .iter()
+        .cloned()
+        .chain(doubts(scene, &path))
+        .collect();
     let (records, path) = (path.count(), Arc::new(path));
     let way = Way::Path(Arc::clone(&path));
     way.check()
         .map_err(|problem| HandPath::error_at_end_of(source, &problem))?;
-    let answer = json!({"seconds": way.seconds(), "records": records});
+    let answer = json!({"seconds": way.seconds(), "records": records, "notes": notes});
     Ok((path, answer.to_string()))
 }

@@ -209,6 +209,58 @@ fn what_is_said_in_other_words_is_the_same_run() {
     }
 }
 
+/// Each kind of mistake in the corners of the box, mended: the run of the box, and what was changed.
+#[test]
+fn corners_are_mended_when_the_file_asks_for_it() {
+    let folder = Folder::new();
+    let expected = folder.trace(SCENE, "");
+    let [a, b, c, d] = [
+        "[-0.05, -0.03]",
+        "[0.05, -0.03]",
+        "[0.05, 0.03]",
+        "[-0.05, 0.03]",
+    ];
+    for (corners, changed) in [
+        ([a, b, c, d].as_slice(), ""),
+        (&[a, d, c, b], "the order, which was clockwise, is reversed"),
+        (
+            &[a, b, b, c, d],
+            "corner 2 is left out: it is at the place of another one",
+        ),
+        (
+            &[a, b, "[0.05, 0.0]", c, d],
+            "corner 2 is left out: it is within the hull",
+        ),
+        (
+            &[a, b, c, "[0.0, 0.02]", d],
+            "corner 3 is left out: it is within the hull",
+        ),
+        (
+            &[a, c, b, d],
+            "whose sides crossed, are in the order of their hull",
+        ),
+    ] {
+        let corners = format!("vertices = [{}]", corners.join(", "));
+        let text_of = SCENE.replacen(VERTICES, &corners, 1);
+        if !changed.is_empty() {
+            folder.write("scene.toml", &text_of);
+            folder.refused("run scene.toml", &["body.vertices", "`body.repair = true`"]);
+        }
+        let mended = text_of.replacen("weight", "repair = true\nweight", 1);
+        folder.write("scene.toml", mended);
+        let output = folder.stiction("run scene.toml --out trace.jsonl");
+        let said = text(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        assert_eq!(records(&folder.read("trace.jsonl")), expected, "{said}");
+        assert_eq!(
+            said.contains("note: `body.vertices`: "),
+            !changed.is_empty(),
+            "{said}"
+        );
+        assert_all(&corners, &said, &[changed]);
+    }
+}
+
 #[test]
 fn a_scene_is_printed_as_c_or_refused() {
     let folder = Folder::new();
@@ -226,6 +278,13 @@ fn a_scene_is_printed_as_c_or_refused() {
     }
     for (arguments, message) in [
         ("scene.toml --name 2box", "with no digit first"),
+        ("scene.toml --name int", "a word of C or C++"),
+        ("scene.toml --name class", "a word of C or C++"),
+        (
+            "scene.toml --name stiction_scene",
+            "as the names of the library do",
+        ),
+        ("scene.toml --name _Box", "reserved for the compiler"),
         ("scene.toml --number f64", "allowed: f32, fixed"),
         ("none.toml", "none.toml"),
     ] {

@@ -170,10 +170,11 @@ fn the_hand_is_compared_with_the_path_that_is_given() {
     let folder = Folder::new();
     folder.done("run ladder --number f64 --out trace.jsonl --rate 500");
     folder.write("hand.csv", "t,x,y,phi,held\n0,0,0.5,0,1\n10,0,0.5,0,1\n");
-    // Its own path, that of the scene's own rate, another path.
+    // Its frames, its path at its own times, another path, frames that it does not have.
     for (options, expected) in [
         ("--rate 500", 0),
-        ("", 1),
+        ("", 0),
+        ("--rate 200", 1),
         ("--hand hand.csv --rate 500", 1),
     ] {
         let options = format!("{F64} {options}");
@@ -185,6 +186,38 @@ fn the_hand_is_compared_with_the_path_that_is_given() {
             expected == 1,
             "{report}"
         );
+    }
+}
+
+/// A trace at another rate than the scene's has its hand at times that the scene's frames do not have.
+#[test]
+fn a_trace_at_any_rate_is_compared_at_its_own_times() {
+    for rate in ["200", "333.3", "1000", "1700"] {
+        let folder = Folder::new();
+        folder.done(&format!("run ladder --rate {rate} --out trace.jsonl"));
+        let (status, report) = checked(&folder, "trace.jsonl", "ladder", "");
+        assert_eq!(status, Some(0), "{report}");
+        let remark = "the hand was compared at the times of the trace";
+        assert_eq!(report.contains(remark), rate != "1000", "{report}");
+        let moved = folder
+            .read("trace.jsonl")
+            .replace("\"hand\":[", "\"hand\":[1");
+        folder.write("trace.jsonl", moved);
+        let (status, report) = checked(&folder, "trace.jsonl", "ladder", "--worst 10000");
+        assert_eq!(status, Some(1), "{report}");
+        assert!(broken(&report).contains(&OF_HAND), "{report}");
+    }
+}
+
+/// Nothing but a hand that turns: its angle is turns and a rest, each rounded.
+#[test]
+fn a_hand_that_turns_three_times_is_lawful_in_every_number_type() {
+    let hand = "rate = 100.0\nkeyframes = [[0.0, 0.2, 0.3, 0.5], [5.0, 0.2, 0.3, 20.0], [9.0, 0.2, 0.3, -7.0]]";
+    let scene = with_hand(hand).replace("start = [0.2, 0.12, 0.5]", "start = [0.2, 0.3, 0.5]");
+    for number in NUMBERS {
+        let folder = Folder::new();
+        folder.write("scene.toml", &scene);
+        judged(&folder, "scene.toml", number, "path");
     }
 }
 

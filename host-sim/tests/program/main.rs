@@ -10,6 +10,7 @@ mod emulated_board;
 #[cfg(unix)]
 mod ended;
 mod figures;
+mod hand_files;
 mod hand_paths;
 mod helped;
 #[cfg(unix)]

@@ -114,7 +114,8 @@ class Scene:
         """A recorded hand (csv, tum, txt), placed as in the scene's [hand], for `Solver.run(**scene.recorded(path))`.
 
         path: the file; None: the path of the scene file. rate: samples per second (Hz); None: those of the recording, or that of the scene.
-        Returns `hand`, (N, 3) x, y (m), phi (rad); `t` (s); `held`. An unusable file raises a ValueError.
+        Returns `hand`, (N, 3) x, y (m), phi (rad); `t` (s); `held`. An unusable file raises a ValueError; what is skipped or looks
+        wrong, as a path in millimetres, is a UserWarning that names the key which mends it.
         """
         samples = self._scene.hand(path, rate)
         return {

@@ -1,12 +1,37 @@
 //! How the hand's motion is placed in the scene: the plane onto which six degrees of freedom are projected, the scale,
 //! and the origin.
 
+use std::f64::consts::TAU;
+
 use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
 
-/// Plane, scale and origin of a motion.
+/// The unit of a planar hand's angle in keyframes and recorded paths.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AngleUnit {
+    /// rad
+    #[default]
+    Radians,
+    /// 180 of them are pi rad.
+    Degrees,
+}
+
+impl AngleUnit {
+    /// The units and their names in scene files.
+    pub(crate) const ALL: [(&'static str, Self); 2] =
+        [("radians", Self::Radians), ("degrees", Self::Degrees)];
+
+    const fn radians(self, angle: f64) -> f64 {
+        match self {
+            Self::Radians => angle,
+            Self::Degrees => angle.to_radians(),
+        }
+    }
+}
+
+/// Plane, scale, origin, and what the angle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// The axes of a 6-DOF path that become x and y of the scene.
@@ -15,6 +40,10 @@ pub struct Placement {
     pub scale: f64,
     /// Added after scaling: x, y (m), phi (rad).
     pub origin: [f64; 3],
+    /// The unit of phi, where the header of a file does not state it.
+    pub angle: AngleUnit,
+    /// Whether phi continues from one record to the next by less than half a turn: for angles that are wrapped to a turn.
+    pub unwrap: bool,
     /// The largest magnitude of a coordinate in the scene (m).
     pub limit: f64,
 }
@@ -29,6 +58,8 @@ impl Default for Placement {
             axes: [axis(0), axis(1)],
             scale: 1.0,
             origin: [0.0; 3],
+            angle: AngleUnit::Radians,
+            unwrap: false,
             limit: f64::MAX,
         }
     }
@@ -65,7 +96,11 @@ impl Placement {
 
 pub(crate) struct Placed {
     live: LivePlacement,
+    /// The last angle of a planar record (rad).
+    phi: Option<f64>,
     pub(crate) samples: Vec<Sample>,
+    /// The number of samples without a pose.
+    pub(crate) lost: usize,
 }
 
 impl Placed {
@@ -73,7 +108,9 @@ impl Placed {
         let live = placement.live();
         Ok(Self {
             live: live.ok_or("the plane's axes are not two different ones")?,
+            phi: None,
             samples: Vec::new(),
+            lost: 0,
         })
     }
 
@@ -84,10 +121,18 @@ impl Placed {
             projection,
         } = &mut self.live;
         let recorded = match row.pose {
-            RowPose::Planar([x, y, phi]) => Hand::new(x, y, phi),
-            RowPose::Spatial(sample) if sample.orientation == [0.0; 4] => {
-                return Err("the quaternion is 0, allowed: any other".to_owned());
+            RowPose::Planar([x, y, phi]) => {
+                let phi = row.unit.unwrap_or(placement.angle).radians(phi);
+                let phi = match self.phi.filter(|_| placement.unwrap) {
+                    Some(before) => unwrapped(before, phi),
+                    None => phi,
+                };
+                if phi.is_finite() {
+                    self.phi = Some(phi);
+                }
+                Hand::new(x, y, phi)
             }
+            // Without a rotation, it is lost.
             RowPose::Spatial(sample) => projection.planar(&sample).unwrap_or(NOWHERE),
         };
         let hand = Hand {
@@ -102,8 +147,10 @@ impl Placed {
             ));
         }
         if self.samples.is_empty() && !recorded.is_finite() {
-            return Err("the first pose is not finite, allowed: finite numbers".to_owned());
+            let problem = "the first pose is lost: it has no value, one that is not finite, or the quaternion 0; allowed: a pose, so delete the records before the first one";
+            return Err(problem.to_owned());
         }
+        self.lost += usize::from(!recorded.is_finite());
         self.samples.push(Sample { t: row.t, hand });
         Ok(())
     }
@@ -125,6 +172,12 @@ impl LivePlacement {
             _ => NOWHERE,
         }
     }
+}
+
+/// An angle by whole turns nearest to the one before it (rad).
+fn unwrapped(before: f64, angle: f64) -> f64 {
+    let turns = ((before - angle) / TAU).round();
+    angle + TAU * turns
 }
 
 /// The hand of a record that cannot be projected.

@@ -38,9 +38,9 @@ const IN_OBSTACLES: &[Mistake] = &[
     // What the solver refuses.
     ("dynamic above static", "static = 0.6", "static = 0.2", &["line 39", "`obstacle[0].static` is 0.2", "not less than the dynamic friction"]),
     ("dynamic above that of all", "dynamic = 0.4", "dynamic = 0.7", &["line 39", "`obstacle[0].static` is 0.6", "not less than the dynamic friction"]),
-    ("clockwise", "[[0.4, 0.0], [0.6, 0.0], [0.6, 0.1]", "[[0.6, 0.1], [0.6, 0.0], [0.4, 0.0]", &["line 38", "`obstacle[0].vertices[", "strictly convex polygon, counter-clockwise"]),
-    ("dent", "[0.6, 0.1]", "[0.45, 0.02]", &["line 38", "`obstacle[0].vertices[", "strictly convex"]),
-    ("corner twice", "[0.6, 0.1]", "[0.6, 0.0]", &["line 38", "`obstacle[0].vertices[2]` is [0.6, 0.0]", "a place of its own"]),
+    ("clockwise", "[[0.4, 0.0], [0.6, 0.0], [0.6, 0.1]", "[[0.6, 0.1], [0.6, 0.0], [0.4, 0.0]", &["line 38", "`obstacle[0].vertices` is in clockwise order, allowed: counter-clockwise"]),
+    ("dent", "[0.6, 0.1]", "[0.45, 0.02]", &["line 38", "`obstacle[0].vertices[2]` is in a dent, allowed: a convex polygon"]),
+    ("corner twice", "[0.6, 0.1]", "[0.6, 0.0]", &["line 38", "`obstacle[0].vertices[2]` is at the place of `obstacle[0].vertices[1]`", "a place of its own"]),
     ("short side", "[0.6, 0.1]", "[0.6, 0.0999999], [0.5999999, 0.1]", &["line 38", "`obstacle[0].vertices[2]` begins a side of", "at least 2^-16 body sizes"]),
     ("start within", "[[0.4, 0.0], [0.6, 0.0], [0.6, 0.1], [0.4, 0.1]]", "[[0.1, 0.1], [0.3, 0.1], [0.3, 0.2], [0.1, 0.2]]", &["line 4", "`body.start` puts the body", "inside obstacle \"table\""]),
 ];

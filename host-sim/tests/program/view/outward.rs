@@ -147,6 +147,90 @@ fn the_hand_comes_by_osc() {
     client.frame(|frame| frame["frame"]["held"] == false);
 }
 
+/// Numbers are numbers: JavaScript sends 0 and 1 as integers, Max and Rust send doubles.
+#[test]
+fn the_hand_comes_by_osc_in_numbers_of_every_type() {
+    let (mut other, port) = (Other::start("osc"), free_port());
+    let view = View::start(&format!("box-flat --number f64 --osc-in {port}"));
+    let mut client = view.client();
+    let hand = "/stiction/hand";
+    for (types, values) in [
+        ("ddd", json!([0.012, 0.08, 0.25])),
+        ("iff", json!([0, 0.125, 0.5])),
+        ("hdi", json!([0, 0.25, 1])),
+        ("iii", json!([0, 1, 0])),
+    ] {
+        other.send(&json!({"port": port, "address": hand, "types": types, "values": values}));
+        let expected = numbers(&values);
+        client.frame(|frame| numbers(&frame["frame"]["hand"]) == expected);
+    }
+    for (types, values, held) in [("F", json!([0]), false), ("d", json!([1.0]), true)] {
+        let address = "/stiction/held";
+        other.send(&json!({"port": port, "address": address, "types": types, "values": values}));
+        if !held {
+            client.frame(|frame| frame["frame"]["held"] == false);
+        }
+    }
+}
+
+/// A tracker sends angles of atan2, which jump by a turn at pi.
+#[test]
+fn the_angle_by_osc_is_unwrapped() {
+    let (mut other, port) = (Other::start("osc"), free_port());
+    let view = View::start(&format!("box-flat --number f64 --osc-in {port}"));
+    let mut client = view.client();
+    let phi = |angle: f64| angle.sin().atan2(angle.cos());
+    for k in 0..=20 {
+        let angle = 0.5 * f64::from(k);
+        let values = json!([0.0, 0.2, phi(angle)]);
+        let sample =
+            json!({"port": port, "address": "/stiction/hand", "types": "ddd", "values": values});
+        other.send(&sample);
+        client.frame(|frame| (numbers(&frame["frame"]["hand"])[2] - angle).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn what_is_dropped_is_reported_once_with_its_reason() {
+    let (mut other, port) = (Other::start("osc"), free_port());
+    let view = View::with_errors(&format!("box-flat --osc-in {port}"));
+    let mut client = view.client();
+    let sent = |address: &str, types: &str, values: Value| json!({"port": port, "address": address, "types": types, "values": values});
+    for _ in 0..3 {
+        other.send(&sent("/stiction/hand", "ff", json!([0.1, 0.2])));
+        other.send(&sent("/stiction/hand", "ffff", json!([0.1, 0.2, 0.3, 9.0])));
+        other.send(&sent("/stiction/h*", "fff", json!([0.1, 0.2, 0.3])));
+        other.send(&sent("/stiction/hand", "ddd", json!([1e30, 0.2, 0.3])));
+        other.send(&json!({"port": port, "raw": "00ff"}));
+    }
+    // The last one is taken: everything before it has been read.
+    other.send(&json!({"port": port, "hand": [0.01, 0.08, 0.1]}));
+    client.frame(|frame| frame["frame"]["hand"] == json!([0.01, 0.08, 0.1]));
+    let errors = view.folder().read("errors.txt");
+    for reason in [
+        "`/stiction/hand` with the types `ff`, allowed: three numbers",
+        "`/stiction/hand` with the types `ffff`",
+        "`/stiction/h*`, which is not known",
+        "not finite or beyond 1e6",
+        "no whole OSC message",
+    ] {
+        let count = errors.matches(reason).count();
+        assert_eq!(count, 1, "{reason}: {errors}");
+    }
+    assert_eq!(errors.lines().count(), 5, "{errors}");
+}
+
+#[test]
+fn a_seventh_double_of_open_track_grasps_and_releases() {
+    let (mut other, port) = (Other::start("opentrack"), free_port());
+    let view = View::start(&format!("box-flat --number f64 --opentrack-in {port}"));
+    let mut client = view.client();
+    for (switch, held) in [(1.0, true), (0.0, false), (1.0, true)] {
+        other.send(&json!({"port": port, "pose": [0.0, 5.0, 0.0, 0.0, 0.0, 0.0, switch]}));
+        client.frame(|frame| frame["frame"]["held"] == held);
+    }
+}
+
 #[test]
 fn the_hand_comes_from_open_track() {
     let (mut other, port) = (Other::start("opentrack"), free_port());

@@ -127,7 +127,7 @@ fn the_path_of_a_scene_and_one_that_is_sent_are_those_of_a_run() {
     let answer_body: Value = serde_json::from_slice(&answer.body).expect("JSON");
     assert_eq!(
         (answer.status, &answer_body),
-        (200, &json!({"seconds": 0.7, "records": 3}))
+        (200, &json!({"seconds": 0.7, "records": 3, "notes": []}))
     );
     for (what, name, hand) in [
         ("scene", "scene", ""),

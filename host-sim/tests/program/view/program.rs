@@ -36,6 +36,15 @@ impl View {
         Self::by(program, folder, line)
     }
 
+    /// What it says on standard error is in `errors.txt`.
+    pub(crate) fn with_errors(line: &str) -> Self {
+        let folder = Folder::new();
+        let mut program = Command::new(env!("CARGO_BIN_EXE_stiction"));
+        let errors = std::fs::File::create(folder.file("errors.txt")).expect("a file");
+        program.stderr(errors);
+        Self::by(program, folder, line)
+    }
+
     /// Its files may be so long (blocks of 512 bytes): then the system takes no more, as where a disk is full.
     #[cfg(unix)]
     pub(crate) fn with_room(blocks: u32, folder: Folder, line: &str) -> Self {

@@ -51,8 +51,12 @@ def bundle(data):
 def encoded(wanted):
     if "raw" in wanted:
         return bytes.fromhex(wanted["raw"])
+    if "types" in wanted:
+        packed = {"f": ">f", "d": ">d", "i": ">i", "h": ">q"}
+        values = [struct.pack(packed[kind], value) for kind, value in zip(wanted["types"], wanted["values"]) if kind in packed]
+        return padded(wanted["address"].encode()) + padded(b"," + wanted["types"].encode()) + b"".join(values)
     if "pose" in wanted:
-        return struct.pack("<6d", *wanted["pose"])
+        return struct.pack(f"<{len(wanted['pose'])}d", *wanted["pose"])
     if "held" in wanted:
         return padded(b"/stiction/held") + padded(b",i") + struct.pack(">i", wanted["held"])
     return padded(b"/stiction/hand") + padded(b",fff") + struct.pack(">3f", *wanted["hand"])
