@@ -103,9 +103,10 @@ def trajectory(part: Part, sheet: Sheet) -> npt.NDArray[Any]:
     # One dot where many would be drawn over each other.
     cells = np.unique(np.round(touched / (window[0, 1] - window[0, 0]) * 200.0), axis=0, return_index=True)[1]
     axes.plot(*scale * touched[cells].T, color=FRICTION, marker=".", markersize=3, linestyle="", zorder=3)
-    axes.plot(*scale * points.T, color=BODY, linewidth=1.6)
-    for color, shown in ((OPEN_HAND, ~held), (HAND, held)):
-        axes.plot(*scale * np.where(shown[:, None], hand, np.nan).T, color=color, linewidth=0.8)
+    for path, color, width in ((points, BODY, 1.6), (hand, OPEN_HAND, 0.8), (hand, HAND, 0.8)):
+        shown = ~held if color == OPEN_HAND else held
+        if shown.any():
+            axes.plot(*scale * np.where(shown[:, None], path, np.nan).T, color=color, linewidth=width)
     _direction(axes, scale * hand, HAND)
     axes.plot(*scale * hand[0], color=HAND, marker="o", markersize=4, markerfacecolor="white")
     axes.plot(*scale * hand[-1], color=HAND, marker="o", markersize=4)

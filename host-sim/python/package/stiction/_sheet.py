@@ -88,8 +88,9 @@ def plain(axes: Axes) -> None:
     axes.tick_params(labelsize=SMALL, length=2.5, width=0.6)
     for name, spine in axes.spines.items():
         spine.set(linewidth=0.6, visible=name in ("left", "bottom"))
-    for label in (axes.xaxis.label, axes.yaxis.label):
-        label.set_fontsize(TEXT)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.label.set_fontsize(TEXT)
+        axis.get_offset_text().set_fontsize(SMALL)
     # As many ticks, whatever the size: the layout depends on their labels, and they would depend on the layout.
     for axis in (axes.xaxis, axes.yaxis):
         if len(axis.get_ticklocs()) > 0:

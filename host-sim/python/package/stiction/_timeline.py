@@ -115,9 +115,11 @@ def motion(part: Part, sheet: Sheet) -> npt.NDArray[Any]:
     name, scale = unit(float(np.nanmax(hand[:, :2], axis=0).max() - np.nanmin(hand[:, :2], axis=0).min()))
     axes = _over_time(part, sheet, [f"x ({name})", f"y ({name})", "angle (°)"])
     for i, factor in enumerate((scale, scale, np.degrees(1.0))):
-        axes[i].plot(part.t, factor * points[:, i], color=BODY, linewidth=1.6)
-        for color, shown in ((OPEN_HAND, ~part.held), (HAND, part.held)):
-            axes[i].plot(part.t, factor * np.where(shown, hand[:, i], np.nan), color=color, linewidth=0.8)
+        everywhere = np.full(len(part.t), i == 2) | part.held
+        lines = (points, BODY, 1.6, everywhere), (hand, OPEN_HAND, 0.8, ~part.held), (hand, HAND, 0.8, part.held)
+        for values, color, width, shown in lines:
+            if shown.any():
+                axes[i].plot(part.t, factor * np.where(shown, values[:, i], np.nan), color=color, linewidth=width)
         low, high = axes[i].get_ylim()
         # What does not move is not magnified to noise.
         least = 1e-3 * scale if i < 2 else 1.0
