@@ -1,5 +1,8 @@
 //! A scene that is run sample by sample, whatever the type of its solver: the object behind the bindings for other languages.
 
+use std::collections::TryReserveError;
+use std::ops::ControlFlow;
+
 use stiction_core::Evolution;
 use stiction_scene::{HostSolver, InputError, Sample, SceneFile};
 
@@ -43,12 +46,16 @@ impl Session {
         self.0.step(sample)
     }
 
-    /// Passes the frames of samples without their contacts to `take`; the returned value computes the contacts on demand.
+    /// Passes the frames of samples without their contacts to `take`, which may end the run; the returned value computes the contacts
+    /// on demand.
+    ///
+    /// # Errors
+    /// There is no memory for the hands of the samples.
     pub fn run(
         &mut self,
         samples: &mut dyn Iterator<Item = Sample>,
-        take: &mut dyn FnMut(&Frame),
-    ) -> Box<dyn Contacts> {
+        take: &mut dyn FnMut(&Frame) -> ControlFlow<()>,
+    ) -> Result<Box<dyn Contacts>, TryReserveError> {
         self.0.run(samples, take)
     }
 }
@@ -64,8 +71,8 @@ trait Steps: Send + Sync {
     fn run(
         &mut self,
         samples: &mut dyn Iterator<Item = Sample>,
-        take: &mut dyn FnMut(&Frame),
-    ) -> Box<dyn Contacts>;
+        take: &mut dyn FnMut(&Frame) -> ControlFlow<()>,
+    ) -> Result<Box<dyn Contacts>, TryReserveError>;
     fn copy(&self) -> Box<dyn Steps>;
 }
 
@@ -80,8 +87,8 @@ where
     fn run(
         &mut self,
         samples: &mut dyn Iterator<Item = Sample>,
-        take: &mut dyn FnMut(&Frame),
-    ) -> Box<dyn Contacts> {
+        take: &mut dyn FnMut(&Frame) -> ControlFlow<()>,
+    ) -> Result<Box<dyn Contacts>, TryReserveError> {
         self.without_contacts(samples, take)
     }
 

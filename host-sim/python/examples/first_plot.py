@@ -4,7 +4,7 @@ import numpy as np
 import stiction
 
 box = [(-0.05, -0.03), (0.05, -0.03), (0.05, 0.03), (-0.05, 0.03)]
-floor = {"normal": (0, 1), "offset": 0, "static": 0.5, "dynamic": 0.3}
+floor = stiction.Surface(normal=(0, 1), offset=0, static=0.5, dynamic=0.3)
 scene = stiction.Scene(
     vertices=box, start=(0, 0.03, 0), holding_point=(0, 0), translation=500, rotation=0.5, surfaces=[floor]
 )

@@ -1,6 +1,8 @@
 //! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. The pure Python half, from
 //! tables to plots, is in `package/`.
 
+mod frame;
+mod long;
 mod rows;
 mod run;
 mod scene;
@@ -14,6 +16,8 @@ use stiction_live::number::{Number, parse_kind};
 /// See `stiction`.
 #[pymodule]
 mod _stiction {
+    #[pymodule_export]
+    use super::frame::Frame;
     #[pymodule_export]
     use super::run::Run;
     #[pymodule_export]

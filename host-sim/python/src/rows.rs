@@ -63,7 +63,8 @@ impl Rows<'_> {
         in_order("contacts", of_contacts, self.frames.len())?;
         let of_events = self.events.iter().map(|row| row.frame);
         in_order("events", of_events, self.frames.len())?;
-        match (0..self.frames.len()).find(|&i| self.frame_with(i, &[], &[]).is_none()) {
+        let undefined = |row: &FrameRow| row.state().is_none() || row.status().is_none();
+        match self.frames.iter().position(undefined) {
             Some(row) => Err(format!(
                 "`frames`, row {row}: the state or status is undefined"
             )),
@@ -72,6 +73,11 @@ impl Rows<'_> {
             }
             None => Ok(()),
         }
+    }
+
+    /// Their size (bytes).
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.frames) + size_of_val(self.contacts) + size_of_val(self.events)
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> {
@@ -101,13 +107,13 @@ impl Rows<'_> {
             held: row.held != 0,
             pose: row.pose,
             depth: row.depth,
-            state: *StateKind::ALL.get(usize::from(row.state))?,
+            state: row.state()?,
             contacts: contacts.iter().map(ContactRow::record).collect(),
             wrench: row.wrench,
             slips: row.slips,
             longest_slip: row.longest_slip,
             events: events.iter().filter_map(|row| event(row.event)).collect(),
-            status: *Status::ALL.get(usize::from(row.status))?,
+            status: row.status()?,
             behind: (!row.behind.is_nan()).then_some(row.behind),
         })
     }
@@ -160,6 +166,14 @@ impl FrameRow {
             status: frame.status as u8,
             padding: 0,
         }
+    }
+
+    fn state(&self) -> Option<StateKind> {
+        StateKind::ALL.get(usize::from(self.state)).copied()
+    }
+
+    fn status(&self) -> Option<Status> {
+        Status::ALL.get(usize::from(self.status)).copied()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Runs: the answers of a solver, as tables; judged, written as traces, drawn.
 
-use std::error::Error;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ use stiction_live::number::Number;
 use stiction_live::record;
 use stiction_scene::{SceneFile, Source};
 
+use crate::long::{Signals, aside, no_memory};
 use crate::refused;
 use crate::rows::Rows;
 use crate::scene::Scene;
@@ -49,12 +50,31 @@ impl Run {
     }
 }
 
-fn write(head: &Head, rows: Rows<'_>, file: &Path, format: Format) -> std::io::Result<()> {
-    let mut writer = TraceWriter::create(file, format, &head.run)?;
+fn write(head: &Head, rows: Rows<'_>, file: &Path, format: Format) -> PyResult<()> {
+    let named = |error: io::Error| PyOSError::new_err(format!("{}: {error}", file.display()));
+    let mut writer = TraceWriter::create(file, format, &head.run).map_err(named)?;
+    let mut signals = Signals::new();
     for frame in rows.iter() {
-        writer.write(&frame)?;
+        signals.check()?;
+        writer.write(&frame).map_err(named)?;
     }
-    writer.finish()
+    writer.finish().map_err(named)
+}
+
+/// The run with its frames.
+fn recorded(head: &Head, rows: Rows<'_>) -> PyResult<record::Run> {
+    // The frames, what they hold, and as much again for the lists that a drawing makes of them: their many allocations cannot fail
+    // one by one.
+    let bytes = 2 * (size_of::<record::Frame>() * rows.frames.len() + rows.bytes());
+    let mut room = Vec::<u8>::new();
+    room.try_reserve_exact(bytes).map_err(no_memory)?;
+    drop(room);
+    let (mut run, mut signals) = (head.run.clone(), Signals::new());
+    for frame in rows.iter() {
+        signals.check()?;
+        run.frames.push(frame);
+    }
+    Ok(run)
 }
 
 #[pymethods]
@@ -72,7 +92,7 @@ impl Run {
         let (number, evolution) = crate::kind(&kind.0, &kind.1)?;
         let file = scene.get().file_in(number).map_err(refused)?;
         let tables = Tables::new(frames, Contacts::Table(contacts), events);
-        tables.read(py).rows()?.check().map_err(refused)?;
+        tables.read(py)?.rows()?.check().map_err(refused)?;
         Ok(Self::new(Head::new(&file, number, evolution), tables))
     }
 
@@ -84,7 +104,7 @@ impl Run {
 
     /// The words of the contacts, which are computed on the first access.
     #[getter]
-    fn contacts(&self, py: Python<'_>) -> Py<Words> {
+    fn contacts(&self, py: Python<'_>) -> PyResult<Py<Words>> {
         self.tables.contacts(py)
     }
 
@@ -114,45 +134,43 @@ impl Run {
                 "{name}: allowed: a file name that ends in .jsonl or .csv"
             )));
         };
-        let (head, read) = (&self.head, self.tables.read(py));
+        let (head, read) = (&self.head, self.tables.read(py)?);
         let rows = read.rows()?;
         py.detach(|| write(head, rows, &path, format))
-            .map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))
     }
 
     /// Judges every frame by the laws alone: returns how many are unlawful, and the report.
     fn judge(&self, py: Python<'_>) -> PyResult<(u64, String)> {
-        let (head, read) = (&self.head, self.tables.read(py));
+        let (head, read) = (&self.head, self.tables.read(py)?);
         let rows = read.rows()?;
         py.detach(|| judged(head, rows))
-            .map_err(|error| refused(error.to_string()))
     }
 
     /// The pictures of `stiction run --plot`: names and SVG.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
-        let (head, read) = (&self.head, self.tables.read(py));
+        let (head, read) = (&self.head, self.tables.read(py)?);
         let rows = read.rows()?;
         py.detach(|| {
-            let mut run = head.run.clone();
-            run.frames = rows.iter().collect();
-            plot::svgs(&run)
+            let run = recorded(head, rows)?;
+            aside(move || plot::svgs(&run))?.map_err(refused)
         })
-        .map_err(refused)
     }
 }
 
 /// The judge reads a trace.
-fn judged(head: &Head, rows: Rows<'_>) -> Result<(u64, String), Box<dyn Error + Send + Sync>> {
+fn judged(head: &Head, rows: Rows<'_>) -> PyResult<(u64, String)> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("trace.jsonl");
     write(head, rows, &file, Format::JsonLines)?;
-    let scene = stiction_judge::Scene::parse(Source::new(&file, head.text.as_str()))?;
-    let frames = Trace::open(&file, &scene)?;
+    let source = Source::new(&file, head.text.as_str());
+    let scene = stiction_judge::Scene::parse(source).map_err(refused)?;
+    let frames = Trace::open(&file, &scene).map_err(refused)?;
     let mut judge = judge(scene, head.run.number, head.run.evolution);
     let mut survey = Survey::new(WORST);
-    let mut remarks = Remarks::default();
+    let (mut remarks, mut signals) = (Remarks::default(), Signals::new());
     for frame in frames {
-        let (line, frame) = frame?;
+        signals.check()?;
+        let (line, frame) = frame.map_err(refused)?;
         let t = frame.t;
         remarks.add(&frame);
         survey.add(line, t, &judge.next(frame));

@@ -3,19 +3,23 @@
 use std::ffi::CString;
 use std::path::PathBuf;
 
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
-use stiction_core::Hand;
+use stiction_core::{Evolution, Hand};
 use stiction_live::drawing::{HATCH, Point, Solids, Window, placed};
 use stiction_live::number::Number;
+use stiction_live::session::Session;
 use stiction_live::{input, scenes};
 use stiction_scene::{InputError, Sample, SceneFile, Source};
 
+use crate::long::{Signals, zeros};
 use crate::{positive, refused};
 
 /// The size of a picture, of which hatches and gaps are parts.
 const PIXELS: f64 = 400.0;
+/// Numbers for each sample of a hand.
+const COLUMNS: usize = 5;
 
 /// A scene: a body, the springs that hold it and what it may touch. It is immutable.
 #[pyclass(frozen, module = "stiction._stiction")]
@@ -25,8 +29,10 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
+    /// The scene, if the solver takes it in f64, which has the largest range.
     fn new(py: Python<'_>, source: Source) -> PyResult<Self> {
         let file = SceneFile::parse(source.clone(), Number::F64.limit()).map_err(refused)?;
+        Session::new(&file, Number::F64, Evolution::Path, u32::MAX).map_err(refused)?;
         warn(py, &file.notes)?;
         Ok(Self { source, file })
     }
@@ -95,6 +101,20 @@ impl Scene {
             .collect()
     }
 
+    /// Coefficients of friction, mu_s and mu_d, of the surfaces and of the obstacles.
+    #[getter]
+    fn frictions(&self) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+        let (surfaces, obstacles) = (self.file.surfaces.iter(), self.file.obstacles.iter());
+        (
+            surfaces
+                .map(|of| (of.friction_static, of.friction_dynamic))
+                .collect(),
+            obstacles
+                .map(|of| (of.friction_static, of.friction_dynamic))
+                .collect(),
+        )
+    }
+
     /// The corners of the body (m) at a pose x, y (m), theta (rad), in the world.
     fn placed(&self, pose: [f64; 3]) -> Vec<Point> {
         placed(&self.file.vertices, pose)
@@ -140,7 +160,7 @@ impl Scene {
         let opened = input::open_path(&self.file, file.as_deref(), given);
         let (path, rate) = opened.map_err(refused)?;
         warn(py, &input::remarks(&self.file, file.as_deref(), &path))?;
-        let row = |sample: Sample| {
+        let row = |sample: Sample| -> [f64; COLUMNS] {
             let Hand {
                 position: [x, y],
                 angle,
@@ -149,9 +169,21 @@ impl Scene {
             } = sample.hand;
             [sample.t, x, y, angle.radians(), f64::from(u8::from(held))]
         };
-        let numbers: Vec<f64> = path.frames(rate).flat_map(row).collect();
-        let count = numbers.len() / 5;
-        PyArray1::from_vec(py, numbers).reshape([count, 5])
+        let frames = path.frames(rate);
+        let numbers = zeros::<f64>(py, frames.len() * COLUMNS)?;
+        let count = frames.len();
+        let mut open = numbers.readwrite();
+        let rows = open.as_slice_mut()?.as_chunks_mut().0;
+        py.detach(|| {
+            let mut signals = Signals::new();
+            for (place, sample) in rows.iter_mut().zip(frames) {
+                signals.check()?;
+                *place = row(sample);
+            }
+            PyResult::Ok(())
+        })?;
+        drop(open);
+        numbers.reshape([count, COLUMNS])
     }
 
     fn __repr__(&self) -> String {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use numpy::ndarray::ArrayView1;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use stiction_core::{Angle, Evolution, Hand, TrackerSample};
@@ -9,10 +10,14 @@ use stiction_live::number::Number;
 use stiction_live::session::Session;
 use stiction_scene::{LivePlacement, Sample, SceneFile};
 
+use crate::frame::Frame;
 use crate::run::{Head, Run};
 use crate::scene::Scene;
 use crate::tables::Tables;
 use crate::{kind, positive, refused};
+
+/// Samples per second if no times are given (Hz).
+const RATE: f64 = 1000.0;
 
 /// A solver with its run.
 #[pyclass(module = "stiction._stiction")]
@@ -23,6 +28,8 @@ pub(crate) struct Solver {
     evolution: Evolution,
     budget: Option<u32>,
     session: Session,
+    /// The placement of a tracker's poses, after the first of them.
+    tracker: Option<LivePlacement>,
     /// The number of samples so far.
     samples: u64,
 }
@@ -55,35 +62,36 @@ impl Solver {
             evolution,
             budget,
             session,
+            tracker: None,
             samples: 0,
         })
     }
 
     /// One frame: the hand moves to x, y (m), phi (rad).
-    #[pyo3(signature = (x, y, phi, *, held, depth, t))]
-    #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn step(
         &mut self,
-        py: Python<'_>,
         x: f64,
         y: f64,
         phi: f64,
         held: bool,
         depth: f64,
-        t: f64,
-    ) -> Run {
+        t: Option<f64>,
+    ) -> PyResult<Frame> {
+        let t = t.unwrap_or(self.samples as f64 / RATE);
+        if !t.is_finite() {
+            return Err(refused(format!("`t` is {t}, allowed: a finite number")));
+        }
         let sample = Sample {
             t,
             hand: hand([x, y, phi], (held, depth)),
         };
-        let frame = self.session.step(&sample);
         self.samples += 1;
-        Run::new(Arc::clone(&self.head), Tables::of_frame(py, &frame))
+        Ok(Frame(self.session.step(&sample)))
     }
 
-    /// Runs all rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and
-    /// quaternion (x, y, z, w), placed as in the scene's `[hand]`. The array is not copied, and other threads run meanwhile. Contacts are
-    /// computed on demand.
+    /// Steps through all rows of an array: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
+    /// (x, y, z, w), placed as in the scene's `[hand]`. The array is not copied, and other threads run meanwhile. Contacts are computed on
+    /// demand. After an error, the solver is where it was.
     #[pyo3(signature = (hand, *, t, held, rate))]
     fn run(
         &mut self,
@@ -106,10 +114,14 @@ impl Solver {
         let held = held.as_ref().map(|held| held.as_array());
         of_length("t", t.map(|t| t.len()), count)?;
         of_length("held", held.map(|held| held.len()), count)?;
-        let time = |i: usize| t.map_or(i as f64 / rate, |t| t[i]);
+        if let Some((row, time)) = t.and_then(|t| lost(t)) {
+            return Err(refused(format!(
+                "`t`, row {row}: {time}, allowed: a finite number"
+            )));
+        }
+        let samples = self.samples;
+        let time = |i: usize| t.map_or((samples + i as u64) as f64 / rate, |t| t[i]);
         let is_held = |i: usize| held.is_none_or(|held| held[i]);
-        self.reset()?;
-        self.samples = count as u64;
         match columns {
             3 => {
                 let samples = (0..count).map(|i| Sample {
@@ -119,7 +131,10 @@ impl Solver {
                 self.follow(py, count, samples)
             }
             7 => {
-                let mut tracker = self.tracker()?;
+                let mut tracker = match &self.tracker {
+                    Some(tracker) => tracker.clone(),
+                    None => self.placement()?,
+                };
                 let samples = (0..count).map(|i| Sample {
                     t: time(i),
                     hand: tracker.hand(Some(&TrackerSample {
@@ -128,7 +143,9 @@ impl Solver {
                         held: is_held(i),
                     })),
                 });
-                self.follow(py, count, samples)
+                let run = self.follow(py, count, samples)?;
+                self.tracker = Some(tracker);
+                Ok(run)
             }
             _ => Err(refused(format!(
                 "`hand` has {columns} columns, allowed: 3 (x, y, phi) or 7 (position and quaternion)"
@@ -145,6 +162,7 @@ impl Solver {
             evolution: self.evolution,
             budget: self.budget,
             session: self.session.clone(),
+            tracker: self.tracker.clone(),
             samples: self.samples,
         }
     }
@@ -157,6 +175,7 @@ impl Solver {
             ));
         }
         self.session = snapshot.session.clone();
+        self.tracker = snapshot.tracker.clone();
         self.samples = snapshot.samples;
         Ok(())
     }
@@ -164,6 +183,7 @@ impl Solver {
     /// Returns to the scene's start.
     fn reset(&mut self) -> PyResult<()> {
         self.session = self.session()?;
+        self.tracker = None;
         self.samples = 0;
         Ok(())
     }
@@ -200,19 +220,27 @@ impl Solver {
         count: usize,
         mut samples: impl Iterator<Item = Sample> + Send,
     ) -> PyResult<Run> {
-        let session = &mut self.session;
+        let mut session = self.session.clone();
         let tables = Tables::filled(py, count, |rows| {
             session.run(&mut samples, &mut |frame| rows.add(frame))
         })?;
+        self.session = session;
+        self.samples += count as u64;
         Ok(Run::new(Arc::clone(&self.head), tables))
     }
 
-    fn tracker(&self) -> PyResult<LivePlacement> {
+    fn placement(&self) -> PyResult<LivePlacement> {
         let live = self.file.hand.placement.live();
         live.ok_or_else(|| {
             refused("`plane` of the scene's [hand]: the axes are not two different ones")
         })
     }
+}
+
+/// The first time that is not finite, with its row.
+fn lost(times: ArrayView1<'_, f64>) -> Option<(usize, f64)> {
+    let mut rows = times.into_iter().copied().enumerate();
+    rows.find(|(_, time)| !time.is_finite())
 }
 
 fn of_length(name: &str, length: Option<usize>, count: usize) -> PyResult<()> {

@@ -1,5 +1,7 @@
 //! The tables of a run as numpy arrays. Rows are written into numpy's memory, or numpy takes over theirs.
 
+use std::collections::TryReserveError;
+use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use bytemuck::{Pod, cast_slice, cast_slice_mut, cast_vec};
@@ -9,6 +11,7 @@ use pyo3::sync::MutexExt;
 use stiction_live::record::{ContactRecord, Frame};
 use stiction_live::session;
 
+use crate::long::{Signals, no_memory, zeros};
 use crate::rows::{ContactRow, EventRow, FrameRow, Rows};
 
 /// Rows in words of 8 bytes.
@@ -41,27 +44,27 @@ impl Tables {
     }
 
     /// The words of the contacts, which are computed on the first access.
-    pub(crate) fn contacts(&self, py: Python<'_>) -> Py<Words> {
+    pub(crate) fn contacts(&self, py: Python<'_>) -> PyResult<Py<Words>> {
         let locked = self.contacts.lock_py_attached(py);
         let mut contacts = locked.unwrap_or_else(PoisonError::into_inner);
         let table = match &*contacts {
-            Contacts::Table(table) => return table.clone_ref(py),
-            Contacts::Later(later) => array(py, py.detach(|| ContactRows::of(later.as_ref()).rows)),
+            Contacts::Table(table) => return Ok(table.clone_ref(py)),
+            Contacts::Later(later) => array(py, py.detach(|| ContactRows::of(later.as_ref()))?),
         };
         *contacts = Contacts::Table(table.clone_ref(py));
-        table
+        Ok(table)
     }
 
     /// The tables for reading, with Python's lock.
-    pub(crate) fn read<'py>(&self, py: Python<'py>) -> Read<'py> {
-        let contacts = self.contacts(py);
+    pub(crate) fn read<'py>(&self, py: Python<'py>) -> PyResult<Read<'py>> {
+        let contacts = self.contacts(py)?;
         let [frames, contacts, events] =
             [&self.frames, &contacts, &self.events].map(|words| words.bind(py).readonly());
-        Read {
+        Ok(Read {
             frames,
             contacts,
             events,
-        }
+        })
     }
 }
 
@@ -90,16 +93,29 @@ struct ContactRows {
 }
 
 impl ContactRows {
-    fn of(contacts: &dyn session::Contacts) -> Self {
-        let mut all = Self::default();
-        contacts.each(&mut |contacts| all.add(contacts));
-        all
+    fn of(contacts: &dyn session::Contacts) -> PyResult<Vec<ContactRow>> {
+        let (mut all, mut signals, mut outcome) = (Self::default(), Signals::new(), Ok(()));
+        contacts.each(&mut |contacts| {
+            outcome = signals.check().and_then(|()| all.add(contacts));
+            flow(&outcome)
+        });
+        outcome.map(|()| all.rows)
     }
 
-    fn add(&mut self, contacts: &[ContactRecord]) {
+    fn add(&mut self, contacts: &[ContactRecord]) -> PyResult<()> {
+        self.rows.try_reserve(contacts.len()).map_err(no_memory)?;
         let row = |contact| ContactRow::new(self.frames, contact);
         self.rows.extend(contacts.iter().map(row));
         self.frames += 1;
+        Ok(())
+    }
+}
+
+/// An error breaks off.
+fn flow(outcome: &PyResult<()>) -> ControlFlow<()> {
+    match outcome {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(_) => ControlFlow::Break(()),
     }
 }
 
@@ -108,46 +124,59 @@ pub(crate) struct FrameRows<'a> {
     frames: &'a mut [FrameRow],
     filled: u32,
     events: Vec<EventRow>,
+    signals: Signals,
+    outcome: PyResult<()>,
 }
 
 impl FrameRows<'_> {
-    pub(crate) fn add(&mut self, frame: &Frame) {
+    pub(crate) fn add(&mut self, frame: &Frame) -> ControlFlow<()> {
+        self.outcome = self.signals.check().and_then(|()| self.add_row(frame));
+        flow(&self.outcome)
+    }
+
+    fn add_row(&mut self, frame: &Frame) -> PyResult<()> {
+        let count = frame.events.len();
+        self.events.try_reserve(count).map_err(no_memory)?;
         let event = |&event| EventRow::new(self.filled, event);
         self.events.extend(frame.events.iter().map(event));
         if let Some(row) = self.frames.get_mut(self.filled as usize) {
             *row = FrameRow::new(frame);
         }
         self.filled += 1;
+        Ok(())
     }
 }
 
 impl Tables {
-    /// Tables of a number of frames, which are filled without Python's lock, in numpy's memory, which uses large pages.
+    /// Tables of a number of frames, which are filled without Python's lock.
     pub(crate) fn filled(
         py: Python<'_>,
         frames: usize,
-        fill: impl FnOnce(&mut FrameRows<'_>) -> Box<dyn session::Contacts> + Send,
+        fill: impl FnOnce(&mut FrameRows<'_>) -> Result<Box<dyn session::Contacts>, TryReserveError>
+        + Send,
     ) -> PyResult<Self> {
-        let words = Words::zeros(py, frames * size_of::<FrameRow>() / size_of::<u64>(), false);
+        let words = zeros::<u64>(py, frames * size_of::<FrameRow>() / size_of::<u64>())?;
         let mut open = words.readwrite();
         let mut rows = FrameRows {
             frames: cast_slice_mut(open.as_slice_mut()?),
             filled: 0,
             events: Vec::new(),
+            signals: Signals::new(),
+            outcome: Ok(()),
         };
-        let contacts = py.detach(|| fill(&mut rows));
+        let contacts = py.detach(|| fill(&mut rows)).map_err(no_memory)?;
+        rows.outcome?;
         let events = array(py, rows.events);
         drop(open);
         Ok(Self::new(words.unbind(), Contacts::Later(contacts), events))
     }
 
     pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Self {
-        let mut contacts = ContactRows::default();
-        contacts.add(&frame.contacts);
+        let contact = |contact| ContactRow::new(0, contact);
         let event = |&event| EventRow::new(0, event);
         Self::new(
             array(py, vec![FrameRow::new(frame)]),
-            Contacts::Table(array(py, contacts.rows)),
+            Contacts::Table(array(py, frame.contacts.iter().map(contact).collect())),
             array(py, frame.events.iter().map(event).collect()),
         )
     }

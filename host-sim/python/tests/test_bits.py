@@ -124,11 +124,58 @@ def test_steps_are_those_of_run_whatever_its_length(count):
         assert np.array_equal(solver.step(*last).pose, stepped.step(*last).pose)
 
 
+@pytest.mark.parametrize("columns", [3, 7])
+def test_a_run_continues_where_the_solver_is(columns):
+    scene = stiction.Scene.bundled("corner-stick-slip")
+    hand = scene.hand_array()
+    if columns == 7:
+        # Three turns, so that the angle has to be unwrapped across the runs.
+        half = 0.5 * (hand[:, 2] + np.linspace(0.0, 6.0 * np.pi, len(hand)))
+        zero = np.zeros(len(hand))
+        hand = np.column_stack([hand[:, :2], zero, zero, zero, np.sin(half), np.cos(half)])
+    whole = stiction.Solver(scene).run(hand)
+    solver = stiction.Solver(scene)
+    stored = solver.snapshot()
+    for start in (stored.restore, solver.restore):
+        parts = [solver.run(rows) for rows in np.array_split(hand, 7)]
+        for name in ("frames", "events"):
+            tables = [getattr(part, name) for part in parts]
+            of_frame = 0
+            for table, part in zip(tables, parts):
+                expected = getattr(whole, name)
+                if name == "events":
+                    expected = expected[(expected["frame"] >= of_frame) & (expected["frame"] < of_frame + len(part))]
+                    assert np.array_equal(table["event"], expected["event"])
+                else:
+                    expected = expected[of_frame : of_frame + len(part)]
+                    assert table.tobytes() == expected.tobytes()
+                of_frame += len(part)
+        assert len(solver) == len(hand)
+        solver.restore(stored)
+    solver.run(hand[:10])
+    solver.reset()
+    same(solver.run(hand), whole)
+
+
+def test_a_refused_run_changes_nothing():
+    scene = stiction.Scene.bundled("corner-stick-slip")
+    hand = scene.hand_array()
+    solver, other = stiction.Solver(scene), stiction.Solver(scene)
+    for one in (solver, other):
+        one.run(hand[:500])
+    for refused in ({"hand": np.zeros((4, 5))}, {"hand": hand, "t": [0.0]}, {"hand": hand, "rate": -1.0}):
+        with pytest.raises(ValueError):
+            solver.run(**refused)
+    same(solver.run(hand[500:]), other.run(hand[500:]))
+
+
 def test_contacts_are_those_of_the_run_whenever_they_are_asked_for():
     scene = stiction.Scene.bundled("corner-stick-slip")
     hand = scene.hand_array()
     solver = stiction.Solver(scene)
-    at_once, later = solver.run(hand), solver.run(hand)
+    at_once = solver.run(hand)
+    solver.reset()
+    later = solver.run(hand)
     contacts = at_once.contacts
     solver.step(*(hand[-1] + [0.001, 0.0, 0.0]))
     hand += 1.0

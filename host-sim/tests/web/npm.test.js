@@ -117,6 +117,18 @@ test("a step, a run and a copy come to the same, and physics holds", options, as
   }
 });
 
+test("a run continues where the solver is", options, async () => {
+  const { Solver, scenePath } = await load();
+  const rows = scenePath("ladder", 1000);
+  const whole = new Solver("ladder").run(rows);
+  const solver = new Solver("ladder");
+  const half = 5 * Math.floor(rows.length / 10);
+  const parts = [rows.subarray(0, half), rows.subarray(half)].map((part) => solver.run(part));
+  for (const name of ["t", "pose", "wrench", "state", "status", "slips"]) {
+    assert.deepEqual(parts.flatMap((part) => [...part[name]]), [...whole[name]], name);
+  }
+});
+
 test(`${FRAMES} frames of ten scenes have the same bits as the program's, in every number type`, options, async () => {
   const { Solver } = await load();
   const folder = newFolder();

@@ -80,7 +80,7 @@ impl Solver {
         Ok(object.unchecked_into())
     }
 
-    /// Moves the hand along `samples` and returns all answers.
+    /// Moves the hand along `samples`, from where the solver is, and returns all answers: those of a `step` for each sample.
     ///
     /// `samples`: rows of five numbers, t (s), x, y (m), phi (rad, unwrapped), held (0 or 1), in the world.
     ///

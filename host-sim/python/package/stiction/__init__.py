@@ -12,9 +12,10 @@ True
 
 from ._run import Report, Run
 from ._scene import Scene
-from ._solver import Frame, Solver
-from ._stiction import __version__
+from ._solver import Solver
+from ._stiction import Frame, __version__
 from ._tables import CONTACT, EVENT, EVENTS, FRAME, STATES, STATUSES
+from ._types import EventName, Evolution, Number, Obstacle, Picture, StateName, StatusName, Surface
 
 __all__ = [
     "CONTACT",
@@ -23,10 +24,18 @@ __all__ = [
     "FRAME",
     "STATES",
     "STATUSES",
+    "EventName",
+    "Evolution",
     "Frame",
+    "Number",
+    "Obstacle",
+    "Picture",
     "Report",
     "Run",
     "Scene",
     "Solver",
+    "StateName",
+    "StatusName",
+    "Surface",
     "__version__",
 ]

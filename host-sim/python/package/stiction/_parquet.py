@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import pandas
@@ -30,7 +30,7 @@ def write(
 
 def read(
     folder: str | os.PathLike[str],
-) -> tuple[tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame], dict[str, str]]:
+) -> tuple[tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame], dict[str, Any]]:
     """The tables in a folder, and their metadata."""
     import pyarrow.parquet
 
@@ -39,5 +39,5 @@ def read(
     metadata = frames.schema.metadata or {}
     if KEY not in metadata:
         raise ValueError(f"{paths[0]}: has no scene in its metadata, allowed: a file written by `Run.to_parquet`")
-    about: dict[str, str] = json.loads(metadata[KEY])
+    about: dict[str, Any] = json.loads(metadata[KEY])
     return (frames.to_pandas(), contacts.to_pandas(), events.to_pandas()), about

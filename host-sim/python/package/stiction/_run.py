@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _parquet, _plot, _stiction, _tables, _trace
+from . import _parquet, _stiction, _tables, _trace
 from ._scene import Scene
 from ._tables import CONTACT, EVENT, EVENTS, FRAME, STATES, STATUSES, Table
+from ._types import Evolution, Number, Picture
 
 if TYPE_CHECKING:
     import pandas
     from matplotlib.figure import Figure
-
-
-def _read_only(words: npt.NDArray[np.uint64], dtype: np.dtype[np.void]) -> Table:
-    words.flags.writeable = False
-    return words.view(dtype)
 
 
 class Report(NamedTuple):
@@ -55,8 +52,8 @@ class Run:
         """Called by `Solver.run` and `Run.from_...`."""
         self.scene = scene
         self._run = run
-        self.frames = _read_only(run.frames, FRAME)
-        self.events = _read_only(run.events, EVENT)
+        self.frames = _tables.read_only(run.frames, FRAME)
+        self.events = _tables.read_only(run.events, EVENT)
 
     @cached_property
     def contacts(self) -> Table:
@@ -64,15 +61,15 @@ class Run:
 
         After `Solver.run`, it is computed on first access by repeating the run, which takes longer than the run itself.
         """
-        return _read_only(self._run.contacts, CONTACT)
+        return _tables.contacts(self._run.contacts)
 
     @property
-    def number(self) -> str:
+    def number(self) -> Number:
         """The number type of the solver: "f32", "f64" or "fixed"."""
         return self._run.number
 
     @property
-    def evolution(self) -> str:
+    def evolution(self) -> Evolution:
         """The evolution of frames: "path" or "frame"."""
         return self._run.evolution
 
@@ -99,8 +96,8 @@ class Run:
         frames: Table,
         contacts: Table,
         events: Table,
-        number: str = "f32",
-        evolution: str = "path",
+        number: Number = "f32",
+        evolution: Evolution = "path",
     ) -> Run:
         """A run from structured arrays like those of a run, which are copied. Rows that cannot be those of a run raise a ValueError."""
         tables = (frames, FRAME), (contacts, CONTACT), (events, EVENT)
@@ -124,8 +121,8 @@ class Run:
         cls,
         scene: Scene,
         path: str | os.PathLike[str],
-        number: str = "f32",
-        evolution: str = "path",
+        number: Number = "f32",
+        evolution: Evolution = "path",
     ) -> Run:
         """A run from a trace of `stiction run --out`, `.jsonl`, of this scene. Traces do not contain `longest_slip`: it is nan."""
         return cls.from_tables(scene, *_trace.tables(scene, path, number), number, evolution)
@@ -135,8 +132,35 @@ class Run:
         return dict(self._run.figures())
 
     def plot(self) -> Figure:
-        """A figure of matplotlib: paths in the plane, forces, motion, and a strip of snapshots."""
-        return _plot.figure(self)
+        """A figure of matplotlib: paths in the plane, forces, motion, and a strip of snapshots. A notebook shows it as a picture."""
+        from . import _plot
+
+        return _plot.overview(self)
+
+    def figure(
+        self,
+        picture: Picture = "forces",
+        *,
+        width: float = 85.0,
+        at: float | Sequence[float] | None = None,
+        between: tuple[float, float] | None = None,
+        title: str | None = None,
+    ) -> npt.NDArray[Any]:
+        """One picture for a paper: the axes of matplotlib, to change, in an array from top to bottom or from left to right.
+
+        picture: "trajectory", the paths in the plane; "forces" or "motion" over time; "strip", snapshots. width: of the figure (mm), 20 to
+        2000; the text is 7 and 8 pt high, whatever the width. at: instants (s) to pick out: the bodies of a trajectory, the snapshots of a
+        strip, lines over time; None: the start and the end, or six that differ. between: first and last time (s) of the part that is shown;
+        None: all. title: above the picture; None: none. An unusable argument raises a ValueError.
+
+        Example:
+            axes = run.figure("forces", width=85, between=(0.1, 0.4))
+            axes[0].set_ylim(-3, 6)
+            axes[0].figure.savefig("forces.pdf")
+        """
+        from . import _plot
+
+        return _plot.figure(self, picture, width, at, between, title)
 
     def to_pandas(self) -> tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame]:
         """Three data frames: frames, contacts, events; units as in `FRAME` and `CONTACT`, names instead of the numbers of states."""
@@ -157,8 +181,8 @@ class Run:
         frames: pandas.DataFrame,
         contacts: pandas.DataFrame,
         events: pandas.DataFrame,
-        number: str = "f32",
-        evolution: str = "path",
+        number: Number = "f32",
+        evolution: Evolution = "path",
     ) -> Run:
         """The inverse of `to_pandas`. A missing column or an unknown name raises a ValueError."""
         taken: list[dict[str, Any]] = [dict(given.items()) for given in (frames, contacts, events)]  # type: ignore[arg-type]

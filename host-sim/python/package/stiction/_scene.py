@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _stiction, _toml
+from ._types import Obstacle, Surface
 
 
 class Scene:
@@ -23,12 +24,11 @@ class Scene:
         weight: at the centroid, along world -y (N); None: 0.
         holding_point: where the hand holds the body (m, body frame); None: where it grasps.
         reach: how far outside the body a hand may be and still grasp (m); None: 0.
-        surfaces: half-planes, dictionaries with `normal` (towards the body), `offset` of the surface along the normal (m), `static` and `dynamic`
-            (coefficients of friction), and optionally `name` and `memory` (m).
-        obstacles: the same with `vertices` (m, world) instead of `normal` and `offset`.
+        surfaces: half-planes, dictionaries as `Surface` describes them.
+        obstacles: what has corners, dictionaries as `Obstacle` describes them.
 
     Raises:
-        ValueError: a value is unusable; the message names it and what is allowed.
+        ValueError: a value is unusable, or no solver takes the scene; the message names the value and what is allowed.
     """
 
     _scene: _stiction.Scene
@@ -43,8 +43,8 @@ class Scene:
         weight: float | None = None,
         holding_point: npt.ArrayLike | None = None,
         reach: float | None = None,
-        surfaces: Iterable[Mapping[str, Any]] = (),
-        obstacles: Iterable[Mapping[str, Any]] = (),
+        surfaces: Iterable[Surface] = (),
+        obstacles: Iterable[Obstacle] = (),
     ) -> None:
         text = _toml.scene(
             {"vertices": vertices, "start": start, "weight": weight},

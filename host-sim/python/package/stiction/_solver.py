@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -10,36 +10,15 @@ import numpy.typing as npt
 from . import _stiction
 from ._run import Run
 from ._scene import Scene
-from ._tables import EVENTS, STATES, STATUSES, Table
-
+from ._stiction import Frame
+from ._types import Evolution, Number
 
 #: Samples per second if no times are given (Hz).
 RATE = 1000.0
 
 
-class Frame(NamedTuple):
-    """The answer to a sample of the hand."""
-
-    #: x, y (m), theta (rad) of the body, world frame.
-    pose: npt.NDArray[np.float64]
-    #: Force (N) and moment about the holding point (N m) of the hand on the body.
-    wrench: npt.NDArray[np.float64]
-    #: One of `STATES`.
-    state: str
-    #: What limited the answer: "ok", or another of `STATUSES`.
-    status: str
-    #: The events of the frame, in order, from `EVENTS`.
-    events: tuple[str, ...]
-    #: Slips that ended in this frame.
-    slips: int
-    #: A structured array of type `CONTACT`.
-    contacts: Table
-    #: The fraction of the hand's displacement that is left to follow, 0 to 1; nan without a budget.
-    behind: float
-
-
 class Solver:
-    """A solver with its run.
+    """A solver with its run: `step` and `run` continue it, `reset` returns to its start.
 
     Args:
         scene: the scene to solve.
@@ -55,10 +34,17 @@ class Solver:
     _solver: _stiction.Solver
 
     def __init__(
-        self, scene: Scene, *, number: str = "f32", evolution: str = "path", budget: int | None = None
+        self,
+        scene: Scene,
+        *,
+        number: Number = "f32",
+        evolution: Evolution = "path",
+        budget: int | None = None,
     ) -> None:
         self.scene = scene
-        self._solver = _stiction.Solver(scene._scene, number=number, evolution=evolution, budget=budget)
+        self._solver = _stiction.Solver(
+            scene._scene, number=number, evolution=evolution, budget=budget
+        )
 
     def step(
         self,
@@ -72,22 +58,10 @@ class Solver:
     ) -> Frame:
         """One frame: the hand moves to x, y (m), phi (rad), world frame; the first one starts the scene.
 
-        held: whether the hand holds the body. depth: a coordinate that is passed through (m). t: the time (s), which affects nothing;
-        None: at 1000 Hz. A hand that is not finite is not an error: the status is "held-last", and the body stays.
+        held: whether the hand holds the body. depth: a coordinate that is passed through (m). t: the time (s), finite, which affects
+        nothing; None: at 1000 Hz. A hand that is not finite is not an error: the status is "held-last", and the body stays.
         """
-        time = len(self) / RATE if t is None else t
-        run = Run(self.scene, self._solver.step(x, y, phi, held=held, depth=depth, t=time))
-        row = run.frames[0]
-        return Frame(
-            pose=row["pose"],
-            wrench=row["wrench"],
-            state=STATES[row["state"]],
-            status=STATUSES[row["status"]],
-            events=tuple(EVENTS[event] for event in run.events["event"]),
-            slips=int(row["slips"]),
-            contacts=run.contacts,
-            behind=float(row["behind"]),
-        )
+        return self._solver.step(x, y, phi, held, depth, t)
 
     def run(
         self,
@@ -97,11 +71,19 @@ class Solver:
         held: npt.ArrayLike | None = None,
         rate: float = RATE,
     ) -> Run:
-        """Runs all rows of an array, from the scene's start.
+        """A `step` for every row of an array: it continues where the solver is; `reset` before it returns to the scene's start.
 
         hand: (N, 3) x, y (m), phi (rad), world frame; or (N, 7), poses of a tracker: position (m) and quaternion (x, y, z, w), placed as in the
-        scene's [hand]. t: times (s); None: by `rate` (Hz). held: whether the hand holds the body; None: always. An array of f64 is
-        read in place, and other threads run meanwhile: do not write to it.
+        scene's [hand], the angle unwrapped from one to the next. t: times (s), finite, which affect nothing; None: the number of samples so
+        far, divided by `rate` (Hz). held: whether the hand holds the body; None: always.
+
+        A row that is not finite, or in which `hand` or `held` is masked, is a lost sample: its status is "held-last", and the body
+        stays. An array of f64 without a mask is read in place, and other threads run meanwhile: do not write to it.
+
+        Raises:
+            ValueError: an argument is unusable.
+            MemoryError: there is too little memory for the answers.
+            KeyboardInterrupt: Ctrl-C. After any error, the solver is where it was before.
         """
         array = np.require(hand, np.float64, ["A"])
         if array.ndim != 2:
@@ -111,6 +93,14 @@ class Solver:
         for name, given in (("t", times), ("held", holds)):
             if given is not None and given.ndim != 1:
                 raise ValueError(f"`{name}` has {given.ndim} dimensions, allowed: 1")
+        if isinstance(times, np.ma.MaskedArray):
+            times = times.filled(np.nan)
+        masked = [given for given in (array, holds) if isinstance(given, np.ma.MaskedArray)]
+        if masked:
+            array = np.array(array)
+        for given in masked:
+            rows = np.nonzero(np.ma.getmaskarray(given))[0]
+            array[rows[rows < len(array)]] = np.nan
         return Run(self.scene, self._solver.run(array, t=times, held=holds, rate=rate))
 
     def snapshot(self) -> Solver:
@@ -139,7 +129,9 @@ class Solver:
 
     def __reduce__(self) -> tuple[Any, ...]:
         if len(self) > 0:
-            raise ValueError("a solver in the middle of a run cannot be pickled, allowed: one at its start; a Run can")
+            raise ValueError(
+                "a solver in the middle of a run cannot be pickled, allowed: one at its start; a Run can"
+            )
         settings = {
             "number": self._solver.number,
             "evolution": self._solver.evolution,

@@ -1,15 +1,47 @@
 # The compiled half; see the classes of the same names in `stiction`.
 import os
-from typing import final
+from collections.abc import Iterator
+from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["EVENTS", "STATES", "STATUSES", "Run", "Scene", "Solver", "__version__"]
+from ._types import EventName, Evolution, Number, StateName, StatusName
+
+__all__ = ["EVENTS", "STATES", "STATUSES", "Frame", "Run", "Scene", "Solver", "__version__"]
 __version__: str
-STATES: list[str]
-STATUSES: list[str]
-EVENTS: list[str]
+STATES: list[StateName]
+STATUSES: list[StatusName]
+EVENTS: list[EventName]
+
+@final
+class Frame:
+    def __new__(
+        cls,
+        frames: npt.NDArray[np.uint64],
+        contacts: npt.NDArray[np.uint64],
+        events: npt.NDArray[np.uint64],
+    ) -> Frame: ...
+    @property
+    def pose(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def wrench(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def state(self) -> StateName: ...
+    @property
+    def status(self) -> StatusName: ...
+    @property
+    def events(self) -> tuple[EventName, ...]: ...
+    @property
+    def slips(self) -> int: ...
+    @property
+    def contacts(self) -> npt.NDArray[np.void]: ...
+    @property
+    def behind(self) -> float: ...
+    def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[Any]: ...
+    def __getitem__(self, key: Any, /) -> Any: ...
+    def __reduce__(self) -> tuple[type[Frame], tuple[npt.NDArray[np.uint64], ...]]: ...
 
 @final
 class Scene:
@@ -31,6 +63,8 @@ class Scene:
     def obstacles(self) -> list[tuple[str, list[tuple[float, float]]]]: ...
     @property
     def stiffness(self) -> tuple[float, float]: ...
+    @property
+    def frictions(self) -> tuple[list[tuple[float, float]], list[tuple[float, float]]]: ...
     def placed(self, pose: tuple[float, float, float]) -> list[tuple[float, float]]: ...
     def shapes(
         self, x: tuple[float, float], y: tuple[float, float]
@@ -44,7 +78,7 @@ class Run:
     @staticmethod
     def of(
         scene: Scene,
-        kind: tuple[str, str],
+        kind: tuple[Number, Evolution],
         frames: npt.NDArray[np.uint64],
         contacts: npt.NDArray[np.uint64],
         events: npt.NDArray[np.uint64],
@@ -56,9 +90,9 @@ class Run:
     @property
     def events(self) -> npt.NDArray[np.uint64]: ...
     @property
-    def number(self) -> str: ...
+    def number(self) -> Number: ...
     @property
-    def evolution(self) -> str: ...
+    def evolution(self) -> Evolution: ...
     def write_trace(self, path: str | os.PathLike[str]) -> None: ...
     def judge(self) -> tuple[int, str]: ...
     def figures(self) -> list[tuple[str, str]]: ...
@@ -66,18 +100,22 @@ class Run:
 @final
 class Solver:
     def __new__(
-        cls, scene: Scene, *, number: str = "f32", evolution: str = "path", budget: int | None = None
+        cls,
+        scene: Scene,
+        *,
+        number: Number = "f32",
+        evolution: Evolution = "path",
+        budget: int | None = None,
     ) -> Solver: ...
     def step(
         self,
         x: float,
         y: float,
         phi: float,
-        *,
         held: bool,
         depth: float,
-        t: float,
-    ) -> Run: ...
+        t: float | None,
+    ) -> Frame: ...
     def run(
         self,
         hand: npt.NDArray[np.float64],
@@ -90,9 +128,9 @@ class Solver:
     def restore(self, snapshot: Solver) -> None: ...
     def reset(self) -> None: ...
     @property
-    def number(self) -> str: ...
+    def number(self) -> Number: ...
     @property
-    def evolution(self) -> str: ...
+    def evolution(self) -> Evolution: ...
     @property
     def budget(self) -> int | None: ...
     def __len__(self) -> int: ...

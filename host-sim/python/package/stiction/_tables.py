@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _stiction
+from ._types import EventName, StateName, StatusName
 
 if TYPE_CHECKING:
     import pandas
@@ -16,11 +17,11 @@ if TYPE_CHECKING:
 Table = npt.NDArray[np.void]
 
 #: The contact states, in the order of their numbers.
-STATES: tuple[str, ...] = tuple(_stiction.STATES)
+STATES: tuple[StateName, ...] = tuple(_stiction.STATES)
 #: The statuses, which state what limited an answer, in the order of their numbers; the first one is "ok".
-STATUSES: tuple[str, ...] = tuple(_stiction.STATUSES)
+STATUSES: tuple[StatusName, ...] = tuple(_stiction.STATUSES)
 #: The events of a frame, in the order of their numbers.
-EVENTS: tuple[str, ...] = tuple(_stiction.EVENTS)
+EVENTS: tuple[EventName, ...] = tuple(_stiction.EVENTS)
 
 #: A frame: time `t` (s); `hand` x, y (m), phi (rad); `pose` of the body, x, y (m), theta (rad); `depth` coordinate (m); `wrench` of the
 #: hand on the body, force x, y (N) and moment about the holding point (N m); the longest slip that ended in it (m); the fraction of the hand's
@@ -105,19 +106,30 @@ def table(dtype: np.dtype[Any], taken: Mapping[str, Any], length: int) -> Table:
     return made
 
 
-def named(given: npt.NDArray[Any], known: tuple[str, ...]) -> pandas.Categorical[str]:
+def named(given: npt.NDArray[Any], known: Sequence[str]) -> pandas.Categorical[str]:
     """Numbers as their names, for pandas."""
     import pandas
 
     return pandas.Categorical.from_codes(given.astype(np.int8), categories=pandas.Index(known))
 
 
-def numbers(column: str, known: tuple[str, ...], given: Any) -> list[int]:
+def numbers(column: str, known: Sequence[str], given: Any) -> list[int]:
     """Names as their numbers; an unknown name is an error."""
     unknown = set(given) - set(known)
     if unknown:
         raise ValueError(f"`{column}` has {sorted(map(str, unknown))}, allowed: {', '.join(known)}")
     return [known.index(name) for name in given]
+
+
+def read_only(words: npt.NDArray[np.uint64], dtype: np.dtype[np.void]) -> Table:
+    """Words of the compiled half as a table that cannot be written to."""
+    words.flags.writeable = False
+    return words.view(dtype)
+
+
+def contacts(words: npt.NDArray[np.uint64]) -> Table:
+    """Contacts from the compiled half, which calls it."""
+    return read_only(words, CONTACT)
 
 
 def words(table: Table, dtype: np.dtype[Any]) -> npt.NDArray[np.uint64]:

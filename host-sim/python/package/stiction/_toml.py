@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from ._types import Obstacle, Surface
+
 
 def value(given: Any) -> str:
     """A value in TOML."""
@@ -41,8 +43,8 @@ def scene(
     body: Mapping[str, Any],
     grasp: Mapping[str, Any],
     spring: Mapping[str, Any],
-    surfaces: Iterable[Mapping[str, Any]],
-    obstacles: Iterable[Mapping[str, Any]],
+    surfaces: Iterable[Surface],
+    obstacles: Iterable[Obstacle],
 ) -> str:
     """The text of a scene."""
     parts = [("[body]", body), ("[grasp]", grasp), ("[spring]", spring)]

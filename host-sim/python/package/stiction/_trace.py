@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._tables import CONTACT, EVENT, EVENTS, FRAME, STATES, STATUSES, Table
+from ._types import Number
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -17,7 +18,7 @@ INDICES = ("side", "corner", "vertex", "body_side")
 
 
 def tables(
-    scene: Scene, path: str | os.PathLike[str], number: str
+    scene: Scene, path: str | os.PathLike[str], number: Number
 ) -> tuple[Table, Table, Table]:
     """Frames, contacts and events of a trace."""
     places = {
