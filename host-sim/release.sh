@@ -143,7 +143,7 @@ part_npm() {
 
 part_c() {
   local name=stiction-c-$version
-  has_targets "${chips[@]}" riscv32imc-unknown-none-elf || return 0
+  has_targets "${chips[@]}" thumbv7m-none-eabi thumbv7em-none-eabi thumbv8m.main-none-eabi riscv32imc-unknown-none-elf || return 0
   CARGO_TARGET_DIR=$shipped CARGO_BUILD_RUSTFLAGS="${flags[*]}" firmware/c/packages.sh "$work/$name"
   cp firmware/c/README.md firmware/c/CHANGELOG.md "$work/$name/"
   packed "$name"

@@ -90,7 +90,8 @@ shown() {
 
 part 'format, shapes and words'
 cargo fmt --all --check
-cargo fmt --check --manifest-path firmware/template/Cargo.toml
+# Its sources of stiction lie where its copy expects them, so cargo cannot read its manifest here.
+rustfmt --check --edition 2024 firmware/template/{build,src/main,src/embassy}.rs
 python3 tests/shape.py
 
 if [ $mode = quick ]; then
@@ -158,6 +159,7 @@ if is_all; then
   apt_needs c++ g++ || true
   apt_needs clang clang libclang-rt-dev || true
   apt_needs cmake cmake make || true
+  apt_needs arm-none-eabi-gcc gcc-arm-none-eabi || true
   for tool in flip-link defmt-print; do cargo_needs $tool || true; done
   # The tests that run these programs would build them one after the other.
   cargo build -p stiction-firmware --release --features hosted --bin bits --locked & hosted=$!

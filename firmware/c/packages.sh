@@ -23,9 +23,14 @@ for_mcu() {
   cp "stiction/lib/$2/$3.a" "arduino/Stiction/src/$1/libstiction.a"
 }
 for_mcu cortex-m0plus thumbv6m-none-eabi libstiction_fixed
+for_mcu cortex-m3 thumbv7m-none-eabi libstiction_fixed
 for_mcu cortex-m4/fpv4-sp-d16-hard thumbv7em-none-eabihf libstiction
+for_mcu cortex-m4/fpv4-sp-d16-softfp thumbv7em-none-eabi libstiction
 for_mcu cortex-m7/fpv5-d16-hard thumbv7em-none-eabihf libstiction
 for_mcu cortex-m33/fpv5-sp-d16-hard thumbv8m.main-none-eabihf libstiction
+# The RP2350: its core names a floating-point unit by -march, without -mfpu.
+for_mcu cortex-m33/softfp thumbv8m.main-none-eabi libstiction
+for_mcu cortex-m33/fpv5-sp-d16-softfp thumbv8m.main-none-eabi libstiction
 for_mcu esp32c3 riscv32imc-unknown-none-elf libstiction_fixed
 
 cp -r "$here/packages/esp-idf" esp-idf/stiction

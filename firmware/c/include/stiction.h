@@ -14,7 +14,8 @@
  *   for (;;) { stiction_step(&solver, &hand, &output); stiction_wrench(&solver, &wrench); }
  *
  * SI units. The world frame is right-handed with y upwards; angles are in radians, counter-clockwise; forces are those on the body.
- * Define STICTION_FIXED for the library in fixed point (libstiction_fixed.a), STICTION_OBSTACLES for one with obstacles.
+ * Define STICTION_FIXED for the library in fixed point (libstiction_fixed.a), STICTION_OBSTACLES for one with obstacles, STICTION_PLANE
+ * for the small one with a single surface.
  * All functions return a stiction_result; they allocate nothing, wait for nothing and never abort. Only one thread at a time may use a
  * memory.
  */
@@ -22,8 +23,15 @@
 // The maximum number of vertices of a body.
 #define STICTION_VERTICES 8
 
+#if defined(STICTION_PLANE)
+// The maximum number of surfaces of a scene.
+#define STICTION_SURFACES 1
+#endif
+
+#if !defined(STICTION_PLANE)
 // The maximum number of surfaces of a scene.
 #define STICTION_SURFACES 4
+#endif
 
 // The maximum number of obstacles of a scene.
 #define STICTION_OBSTACLE_COUNT 8
@@ -36,32 +44,47 @@
 #define STICTION_WORDS 512
 #endif
 
-#if !defined(STICTION_OBSTACLES)
+#if (!defined(STICTION_OBSTACLES) && !defined(STICTION_PLANE))
 // The size of the memory in words of 8 bytes.
 #define STICTION_WORDS 144
+#endif
+
+#if (!defined(STICTION_OBSTACLES) && defined(STICTION_PLANE))
+// The size of the memory in words of 8 bytes.
+#define STICTION_WORDS 120
 #endif
 
 // The size of a snapshot in words of 8 bytes.
 #define STICTION_SNAPSHOT_WORDS 72
 
-#if (!defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES))
-// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+#if (!defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES) && !defined(STICTION_PLANE))
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #define STICTION_ABI 256
 #endif
 
-#if (defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES))
-// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+#if (defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES) && !defined(STICTION_PLANE))
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #define STICTION_ABI 257
 #endif
 
 #if (!defined(STICTION_FIXED) && defined(STICTION_OBSTACLES))
-// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #define STICTION_ABI 258
 #endif
 
 #if (defined(STICTION_FIXED) && defined(STICTION_OBSTACLES))
-// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #define STICTION_ABI 259
+#endif
+
+#if (!defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES) && defined(STICTION_PLANE))
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#define STICTION_ABI 260
+#endif
+
+#if (defined(STICTION_FIXED) && !defined(STICTION_OBSTACLES) && defined(STICTION_PLANE))
+// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#define STICTION_ABI 261
 #endif
 
 // At most this many events of a frame are reported.

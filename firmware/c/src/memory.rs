@@ -15,6 +15,10 @@ pub(crate) type Number = f32;
 /// The maximum number of vertices of a body.
 pub const VERTICES: usize = 8;
 /// The maximum number of surfaces of a scene.
+#[cfg(feature = "plane")]
+pub const SURFACES: usize = 1;
+/// The maximum number of surfaces of a scene.
+#[cfg(not(feature = "plane"))]
 pub const SURFACES: usize = 4;
 /// The maximum number of obstacles of a scene.
 pub const OBSTACLES: usize = 8;
@@ -41,23 +45,39 @@ pub(crate) type Run = State<Number>;
 #[cfg(feature = "obstacles")]
 pub const WORDS: usize = 512;
 /// The size of the memory in words of 8 bytes.
-#[cfg(not(feature = "obstacles"))]
+#[cfg(all(not(feature = "obstacles"), not(feature = "plane")))]
 pub const WORDS: usize = 144;
+/// The size of the memory in words of 8 bytes.
+#[cfg(all(not(feature = "obstacles"), feature = "plane"))]
+pub const WORDS: usize = 120;
 /// The size of a snapshot in words of 8 bytes.
 pub const SNAPSHOT_WORDS: usize = 72;
 
-/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
-#[cfg(all(not(feature = "fixed"), not(feature = "obstacles")))]
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#[cfg(all(
+    not(feature = "fixed"),
+    not(feature = "obstacles"),
+    not(feature = "plane")
+))]
 pub const ABI: u32 = 0x0100;
-/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
-#[cfg(all(feature = "fixed", not(feature = "obstacles")))]
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#[cfg(all(feature = "fixed", not(feature = "obstacles"), not(feature = "plane")))]
 pub const ABI: u32 = 0x0101;
-/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #[cfg(all(not(feature = "fixed"), feature = "obstacles"))]
 pub const ABI: u32 = 0x0102;
-/// What the library and the header must agree on: version 1.0, number type, obstacles. `stiction_init` compares it.
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
 #[cfg(all(feature = "fixed", feature = "obstacles"))]
 pub const ABI: u32 = 0x0103;
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#[cfg(all(not(feature = "fixed"), not(feature = "obstacles"), feature = "plane"))]
+pub const ABI: u32 = 0x0104;
+/// What the library and the header must agree on: version 1.0, number type, room. `stiction_init` compares it.
+#[cfg(all(feature = "fixed", not(feature = "obstacles"), feature = "plane"))]
+pub const ABI: u32 = 0x0105;
+
+#[cfg(all(feature = "obstacles", feature = "plane"))]
+compile_error!("the features `obstacles` and `plane` exclude each other");
 
 /// A solver with its run. Its contents are private; to move it, copy the whole.
 #[repr(C)]

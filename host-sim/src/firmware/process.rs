@@ -181,6 +181,9 @@ pub(crate) fn install(program: &str) -> String {
     match program {
         "qemu-system-arm" => qemu("qemu-system-arm"),
         "qemu-system-riscv32" => qemu("qemu-system-misc"),
+        "arm-none-eabi-gcc" => {
+            "apt-get install -y --no-install-recommends gcc-arm-none-eabi".to_owned()
+        }
         "node" => "apt-get install -y --no-install-recommends nodejs".to_owned(),
         "gcc" => "apt-get install -y --no-install-recommends gcc libc6-dev".to_owned(),
         "cmake" => "apt-get install -y --no-install-recommends cmake make".to_owned(),

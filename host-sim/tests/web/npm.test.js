@@ -43,7 +43,14 @@ test("the first ten lines of the README run, and have the right types", options,
   writeFileSync(join(folder, "first.ts"), `${firstLines()}\nexport const x: number = frame.pose[0];\n// @ts-expect-error\nnew Solver(3);\n`);
   const tsc = join(fileURLToPath(new URL(".", import.meta.url)), "node_modules/typescript/bin/tsc");
   const flags = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
-  execFileSync(process.execPath, [tsc, ...flags, "--lib", "es2022,dom", "first.ts"], { cwd: folder, stdio: "pipe" });
+  writeFileSync(
+    join(folder, "init.ts"),
+    `import { init } from "stiction/init";
+    export const slips: number = (await init()).Solver.prototype.step(0, 0, 0, true, 1).slips;
+    const { scenePath } = await init(new URL("file:///a.wasm"));
+    export const rows: Float64Array = scenePath("ladder", 100);\n`,
+  );
+  execFileSync(process.execPath, [tsc, ...flags, "--lib", "es2022,dom", "first.ts", "init.ts"], { cwd: folder, stdio: "pipe" });
 });
 
 /** Returns the steps of a page and its worker: one each. @param {string} from */
@@ -98,6 +105,99 @@ test("what is wrong is reported, with what is allowed", options, async () => {
   assert.throws(() => new Solver("ladder").run(new Float64Array(4)), /4 numbers, allowed: rows of 5/);
   assert.throws(() => scenePath("ladder", -1), /`rate`/);
   assert.match(sceneText("ladder"), /\[body\]/);
+});
+
+test("an argument of another type is refused by its name", options, async () => {
+  const { Solver, scenePath, sceneText } = await load();
+  for (const [value, shown] of [[42, "42"], [undefined, "undefined"], [null, "null"], [{ length: 9 }, "an object"], [["a"], "an array"]]) {
+    const message = { name: "Error", message: `\`scene\` is ${shown}, allowed: a string` };
+    assert.throws(() => new Solver(value), message);
+    assert.throws(() => scenePath(value), message);
+    assert.throws(() => sceneText(value), /^Error: `name` is .*, allowed: a string$/);
+  }
+  const solver = new Solver("ladder");
+  assert.throws(() => solver.step("0.1", 0, 0), /`x` is "0.1", allowed: a number/);
+  assert.throws(() => solver.step(0, 0), /`phi` is undefined, allowed: a number/);
+  assert.throws(() => solver.step(0, 0, 0, true, "now"), /`t` is "now", allowed: a number/);
+  assert.throws(() => solver.step(0, 0, 0, "no"), /`held` is "no", allowed: true or false/);
+  assert.throws(() => solver.run(42), /`samples` is 42, allowed: a Float64Array/);
+  assert.throws(() => solver.run("0,0,0,0,1"), /`samples` is "0,0,0,0,1", allowed: a Float64Array/);
+  assert.throws(() => solver.run([0, 0, 0, 0, 1n]), /`samples\[4\]` is 1n?, allowed: a number/);
+  assert.throws(() => scenePath("ladder", "fast"), /`rate` is "fast", allowed: a finite number above 0/);
+  // A value that no tracker means is a number, and holds the hand; an array is as good as a typed one.
+  const [t, x, y, phi, held] = scenePath("ladder");
+  assert.equal(solver.step(x, y, phi, 1, null).status, "ok");
+  assert.equal(solver.step(NaN, y, phi, true).status, "held-last");
+  assert.deepEqual(new Solver("ladder").run([t, x, y, phi, held]), new Solver("ladder").run(scenePath("ladder").subarray(0, 5)));
+});
+
+test("unknown options are refused by name", options, async () => {
+  const { Solver } = await load();
+  assert.throws(() => new Solver("ladder", { nubmer: "f64" }), /unknown option `nubmer`, did you mean `number`\? \(allowed: number, evolution, budget\)/);
+  assert.throws(() => new Solver("ladder", { mu: 1 }), /unknown option `mu` \(allowed/);
+  assert.throws(() => new Solver("ladder", "f64"), /`options` is "f64", allowed: an object with any of number/);
+  assert.throws(() => new Solver("ladder", ["f64"]), /`options` is an array/);
+  assert.equal(new Solver("ladder", {}).number, "f32");
+  assert.equal(new Solver("ladder", { number: undefined, budget: undefined }).number, "f32");
+});
+
+test("init loads the wasm once, and after a failure again", options, async () => {
+  const folder = installed();
+  writeFileSync(
+    join(folder, "init.js"),
+    `import { init } from "stiction/init";
+    const failure = await init(new Uint8Array(8)).catch((why) => why);
+    const [a, b] = await Promise.all([init(), init()]);
+    const all = await import("stiction");
+    console.log(JSON.stringify([failure instanceof WebAssembly.CompileError, a === b, a.Solver === all.Solver, Object.keys(a).sort()]));
+    console.log(JSON.stringify(Object.keys(all).sort()), new a.Solver("ladder").number);`,
+  );
+  const output = execFileSync(process.execPath, ["init.js"], { cwd: folder, encoding: "utf8" });
+  const names = '["Solver","sceneNames","scenePath","sceneText","stateNames","statusNames"]';
+  assert.equal(output, `[true,true,true,${names}]\n${names} f32\n`);
+});
+
+test("a worker with init answers a message that is posted before the wasm is loaded", options, async () => {
+  const { Solver } = await load();
+  const expected = new Solver("box-flat").step(0, 0.03, 0).wrench;
+  const browser = await startBrowser();
+  try {
+    for (const from of ["/node_modules/stiction/init.js", "stiction/init"]) {
+      const folder = installed();
+      writeFileSync(join(folder, "index.html"), '<script type="module" src="./main.js"></script>');
+      writeFileSync(
+        join(folder, "main.js"),
+        `const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+        worker.onmessage = ({ data }) => (window.answers = [...(window.answers ?? []), data]);
+        for (const scene of ["box-flat", "nowhere"]) worker.postMessage(scene);`,
+      );
+      writeFileSync(
+        join(folder, "worker.js"),
+        `import { init } from "${from}";
+        self.onmessage = async ({ data }) => {
+          const { Solver } = await init();
+          try {
+            self.postMessage(new Solver(data).step(0, 0.03, 0).wrench);
+          } catch ({ message }) {
+            self.postMessage(message);
+          }
+        };`,
+      );
+      const bundled = from === "stiction/init";
+      // Without top-level await, the bundler's default targets do.
+      if (bundled) await build({ root: folder, logLevel: "error", worker: { format: "es" } });
+      const host = await Host.start(bundled ? join(folder, "dist") : folder);
+      const page = await browser.newPage();
+      await page.goto(host.origin);
+      const answers = await (await page.waitForFunction("window.answers?.length === 2 && window.answers")).jsonValue();
+      assert.deepEqual(answers[0], expected, from);
+      assert.match(answers[1], /no scene "nowhere"/);
+      await page.close();
+      await host.kill();
+    }
+  } finally {
+    await browser.close();
+  }
 });
 
 test("a step, a run and a copy come to the same, and physics holds", options, async () => {

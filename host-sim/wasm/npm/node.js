@@ -5,4 +5,4 @@ import { initSync } from "./stiction.js";
 
 initSync({ module: readFileSync(new URL("stiction_bg.wasm", import.meta.url)) });
 
-export { Solver, sceneNames, scenePath, sceneText, stateNames, statusNames } from "./stiction.js";
+export * from "./names.js";

@@ -1,7 +1,7 @@
-// For browsers, their workers and bundlers that support `new URL(..., import.meta.url)`, which locates the wasm.
+// For browsers, their workers and bundlers: the wasm is loaded before the importing module runs.
 
-import init from "./stiction.js";
+import { init } from "./init.js";
 
-await init({ module_or_path: new URL("./stiction_bg.wasm", import.meta.url) });
+await init();
 
-export { Solver, sceneNames, scenePath, sceneText, stateNames, statusNames } from "./stiction.js";
+export * from "./names.js";

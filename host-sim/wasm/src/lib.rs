@@ -1,6 +1,7 @@
 //! `stiction-live` as WebAssembly, for JavaScript: [`Solver`] runs a scene sample by sample, [`Page`] does for a page what
 //! `stiction view` does. Both are bound with `wasm-bindgen`; `stiction-page` builds them.
 
+mod arguments;
 mod page;
 mod scenes;
 mod solver;

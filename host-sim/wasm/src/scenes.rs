@@ -9,6 +9,8 @@ use stiction_live::scenes;
 use stiction_scene::{SceneFile, Source};
 use wasm_bindgen::prelude::*;
 
+use crate::arguments;
+
 /// A scene, given by the name of a bundled one or by its text.
 pub(crate) fn read(scene: &str, number: Number) -> Result<SceneFile, JsError> {
     let source = match scenes::find(Path::new(scene)) {
@@ -37,8 +39,11 @@ pub fn scene_names() -> Vec<String> {
 ///
 /// Throws if there is no scene with that name.
 #[wasm_bindgen(js_name = sceneText)]
-pub fn scene_text(name: &str) -> Result<String, JsError> {
-    let source = scenes::find(Path::new(name));
+pub fn scene_text(
+    #[wasm_bindgen(unchecked_param_type = "string")] name: JsValue,
+) -> Result<String, JsError> {
+    let name = arguments::text("name", &name)?;
+    let source = scenes::find(Path::new(&name));
     let source = source.ok_or_else(|| {
         let problem = format!("no scene {name:?}, allowed: {}", scenes::names());
         JsError::new(&problem)
@@ -52,13 +57,20 @@ pub fn scene_text(name: &str) -> Result<String, JsError> {
 ///
 /// Throws if the scene is refused, or has no path.
 #[wasm_bindgen(js_name = scenePath)]
-pub fn scene_path(scene: &str, rate: Option<f64>) -> Result<Float64Array, JsError> {
-    if rate.is_some_and(|rate| !(rate.is_finite() && rate > 0.0)) {
-        return Err(JsError::new(
-            "`rate` is not given, allowed: a finite number above 0",
-        ));
-    }
-    let scene = read(scene, Number::F64)?;
+pub fn scene_path(
+    #[wasm_bindgen(unchecked_param_type = "string")] scene: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] rate: JsValue,
+) -> Result<Float64Array, JsError> {
+    let scene = arguments::text("scene", &scene)?;
+    let rate = arguments::or("rate", &rate, None, |name, value| {
+        let rate = value
+            .as_f64()
+            .filter(|rate| rate.is_finite() && *rate > 0.0);
+        let allowed = "a finite number above 0";
+        rate.map(Some)
+            .ok_or_else(|| arguments::refused(name, value, allowed))
+    })?;
+    let scene = read(&scene, Number::F64)?;
     let path = open_path(&scene, None, rate.map(|rate| ("rate", rate)));
     let (path, rate) = path.map_err(|error| JsError::new(&error.to_string()))?;
     let rows = path.frames(rate).flat_map(|sample| {

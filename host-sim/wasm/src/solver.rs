@@ -1,6 +1,6 @@
 //! A solver that runs sample by sample: from rows of the hand's motion to records of the trace, or to typed arrays.
 
-use js_sys::{Array, Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Float64Array, JSON, Object, Uint8Array, Uint32Array};
 use stiction_core::{StateKind, Status};
 use stiction_live::guide::HandPose;
 use stiction_live::number::{Number, parse_evolution, parse_number};
@@ -9,7 +9,7 @@ use stiction_live::session::Session;
 use stiction_scene::Sample;
 use wasm_bindgen::prelude::*;
 
-use crate::scenes;
+use crate::{arguments, scenes};
 
 /// Numbers per row of the hand's motion.
 const ROW: usize = 5;
@@ -46,15 +46,18 @@ impl Solver {
     ///
     /// Throws if the scene or an option is refused: the message names the key and the line, and what is allowed.
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, options: Option<SolverOptions>) -> Result<Self, JsError> {
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "string")] scene: JsValue,
+        options: Option<SolverOptions>,
+    ) -> Result<Self, JsError> {
+        let scene = arguments::text("scene", &scene)?;
         let options = options.map_or(JsValue::UNDEFINED, JsValue::from);
-        let number = chosen(&options, "number", Number::F32, parse_number)?;
-        let evolution = chosen(&options, "evolution", Default::default(), parse_evolution)?;
-        let budget = match field(&options, "budget") {
-            None => u32::MAX,
-            Some(value) => budget(&value)?,
-        };
-        let scene = scenes::read(scene, number)?;
+        arguments::keys(&options, &["number", "evolution", "budget"])?;
+        let number = arguments::chosen(&options, "number", Number::F32, parse_number)?;
+        let evolution = Default::default();
+        let evolution = arguments::chosen(&options, "evolution", evolution, parse_evolution)?;
+        let budget = arguments::count(&options, "budget", u32::MAX)?;
+        let scene = scenes::read(&scene, number)?;
         let session = Session::new(&scene, number, evolution, budget);
         Ok(Self {
             session: session.map_err(|error| JsError::new(&error.to_string()))?,
@@ -65,15 +68,21 @@ impl Solver {
     /// Moves the hand to `x`, `y` (m) and `phi` (rad, unwrapped) in the world, and returns the equilibrium there.
     ///
     /// `held`: whether the hand holds the body, by default true. `t`: the time of the sample (s), which the answer repeats; by default 0.
+    ///
+    /// Throws if an argument is of another type. Where a number is NaN or infinite, the hand stays where it was.
     pub fn step(
         &mut self,
-        x: f64,
-        y: f64,
-        phi: f64,
-        held: Option<bool>,
-        t: Option<f64>,
+        #[wasm_bindgen(unchecked_param_type = "number")] x: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] y: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] phi: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "boolean")] held: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] t: JsValue,
     ) -> Result<FrameObject, JsError> {
-        let sample = sample(t.unwrap_or(0.0), [x, y, phi], held.unwrap_or(true));
+        let number = arguments::number;
+        let pose = [number("x", &x)?, number("y", &y)?, number("phi", &phi)?];
+        let t = arguments::or("t", &t, 0.0, number)?;
+        let held = arguments::or("held", &held, true, arguments::truth)?;
+        let sample = sample(t, pose, held);
         let frame = self.session.step(&sample);
         let text = serde_json::to_string(&self.run.record(&frame))?;
         let object = JSON::parse(&text).map_err(|_| JsError::new("no JSON"))?;
@@ -84,8 +93,12 @@ impl Solver {
     ///
     /// `samples`: rows of five numbers, t (s), x, y (m), phi (rad, unwrapped), held (0 or 1), in the world.
     ///
-    /// Throws if `samples` does not consist of whole rows.
-    pub fn run(&mut self, samples: &[f64]) -> Result<Answers, JsError> {
+    /// Throws if `samples` is something else, or does not consist of whole rows.
+    pub fn run(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Float64Array")] samples: JsValue,
+    ) -> Result<Answers, JsError> {
+        let samples = arguments::numbers("samples", &samples)?;
         let (rows, rest) = samples.as_chunks::<ROW>();
         if !rest.is_empty() {
             let problem = format!(
@@ -135,37 +148,6 @@ fn sample(t: f64, pose: [f64; 3], held: bool) -> Sample {
         t,
         hand: hand.hand(),
     }
-}
-
-/// A field of the options, if given.
-fn field(options: &JsValue, name: &str) -> Option<JsValue> {
-    let value = Reflect::get(options, &name.into()).ok()?;
-    (!value.is_undefined()).then_some(value)
-}
-
-fn chosen<T>(
-    options: &JsValue,
-    name: &str,
-    default: T,
-    parse: impl FnOnce(&str) -> Result<T, String>,
-) -> Result<T, JsError> {
-    let Some(value) = field(options, name) else {
-        return Ok(default);
-    };
-    let text = value.as_string().unwrap_or_default();
-    parse(&text).map_err(|allowed| JsError::new(&format!("`{name}` is {value:?}, {allowed}")))
-}
-
-fn budget(value: &JsValue) -> Result<u32, JsError> {
-    let units = value.as_f64().unwrap_or_default();
-    if units >= 1.0 && units <= f64::from(u32::MAX) && units.fract() == 0.0 {
-        return Ok(units as u32);
-    }
-    let problem = format!(
-        "`budget` is {value:?}, allowed: a whole number from 1 to {}",
-        u32::MAX
-    );
-    Err(JsError::new(&problem))
 }
 
 #[derive(Debug, Default)]

@@ -1,16 +1,21 @@
 # find_package(stiction) defines a target for each variant of the library whose archive exists: stiction::float, stiction::fixed,
-# stiction::obstacles, stiction::fixed_obstacles. STICTION_TARGET: the chip, by its folder in lib/; the default is this computer.
+# stiction::obstacles, stiction::fixed_obstacles, stiction::plane, stiction::fixed_plane. STICTION_TARGET: the chip, by its folder in lib/;
+# the default is that of pico-sdk's PICO_PLATFORM, or this computer.
 if(NOT STICTION_TARGET)
-  if(NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  if(PICO_PLATFORM STREQUAL "rp2040")
+    set(STICTION_TARGET thumbv6m-none-eabi)
+  elseif(PICO_PLATFORM MATCHES "^rp2350(-arm-s)?$")
+    set(STICTION_TARGET thumbv8m.main-none-eabi)
+  elseif(NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     set(STICTION_TARGET x86_64-unknown-linux-gnu)
   else()
     set(stiction_FOUND FALSE)
-    set(stiction_NOT_FOUND_MESSAGE "STICTION_TARGET is not set; allowed: thumbv6m-none-eabi, thumbv7em-none-eabihf, thumbv8m.main-none-eabihf, riscv32imc-unknown-none-elf")
+    set(stiction_NOT_FOUND_MESSAGE "STICTION_TARGET is not set; allowed: thumbv6m-none-eabi, thumbv7m-none-eabi, thumbv7em-none-eabi, thumbv7em-none-eabihf, thumbv8m.main-none-eabi, thumbv8m.main-none-eabihf, riscv32imc-unknown-none-elf")
     return()
   endif()
 endif()
 get_filename_component(_stiction_root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
-foreach(_stiction_variant float fixed obstacles fixed_obstacles)
+foreach(_stiction_variant float fixed obstacles fixed_obstacles plane fixed_plane)
   set(_stiction_archive "${_stiction_root}/lib/${STICTION_TARGET}/libstiction_${_stiction_variant}.a")
   string(REPLACE "_float" "" _stiction_archive "${_stiction_archive}")
   if(TARGET stiction::${_stiction_variant} OR NOT EXISTS "${_stiction_archive}")
@@ -18,7 +23,7 @@ foreach(_stiction_variant float fixed obstacles fixed_obstacles)
   endif()
   string(TOUPPER "STICTION_${_stiction_variant}" _stiction_defined)
   string(REPLACE "STICTION_FLOAT" "" _stiction_defined "${_stiction_defined}")
-  string(REPLACE "FIXED_OBSTACLES" "FIXED;STICTION_OBSTACLES" _stiction_defined "${_stiction_defined}")
+  string(REPLACE "FIXED_" "FIXED;STICTION_" _stiction_defined "${_stiction_defined}")
   add_library(stiction::${_stiction_variant} STATIC IMPORTED)
   set_target_properties(stiction::${_stiction_variant} PROPERTIES
     IMPORTED_LOCATION "${_stiction_archive}"

@@ -1,6 +1,5 @@
-//! The examples: the knob of the README on every chip, with its cost there; a pantograph; sketches for Arduino, and a project of CMake.
+//! The examples: the knob of the README on every chip, with its cost there; a pantograph; sketches for Arduino.
 
-use std::path::Path;
 use std::process::Command;
 
 use stiction_host_sim::columns::thousands;
@@ -9,16 +8,23 @@ use stiction_host_sim::firmware::process::{EmulatorError, if_installed, output_o
 use stiction_lab::markdown::replace;
 use stiction_scene::NumberType;
 
-use crate::library::{Library, folder};
-use crate::machine::{CORTEX_M0, CORTEX_M4F, CORTEX_M33, Compiler, Machine};
-
-const FLOAT: Library = Library {
-    number: NumberType::F32,
-    obstacles: false,
+use crate::library::{Library, Room, folder};
+use crate::machine::{
+    CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33, CORTEX_M33_SOFTFP, Compiler, Machine,
 };
-const FIXED: Library = Library {
+
+pub(crate) const FLOAT: Library = Library {
+    number: NumberType::F32,
+    room: Room::Surfaces,
+};
+/// The knob has one surface.
+const PLANE: Library = Library {
+    room: Room::Plane,
+    ..FLOAT
+};
+const FIXED_PLANE: Library = Library {
     number: NumberType::Fixed,
-    obstacles: false,
+    ..PLANE
 };
 
 struct Taken {
@@ -52,15 +58,35 @@ fn knob(machine: &Machine, library: &Library) -> Result<Taken, EmulatorError> {
     })
 }
 
+/// A whole program, on the same machine.
+#[test]
+fn the_archive_for_one_surface_takes_a_quarter_less_flash() {
+    let flash = |library| if_installed(knob(&CORTEX_M33, &library)).map(|taken| taken.flash);
+    if let (Some(plane), Some(float)) = (flash(PLANE), flash(FLOAT)) {
+        assert!(4 * plane <= 3 * float, "{plane} of {float} bytes");
+    }
+}
+
+/// Programs of both kinds compute with the floating-point unit: in software, an operation takes some 50 instructions instead of one. What
+/// passes numbers between functions is a small part.
+#[test]
+fn softfp_costs_few_instructions() {
+    let worst = |machine| if_installed(knob(&machine, &PLANE)).map(|taken| taken.worst);
+    if let (Some(soft), Some(hard)) = (worst(CORTEX_M33_SOFTFP), worst(CORTEX_M33)) {
+        assert!(soft < 2 * hard, "{soft}, with -mfloat-abi=hard {hard}");
+    }
+}
+
 /// Ten turns back and forth.
 #[test]
 fn the_knob_clicks() {
     let computer = Machine::computer(Compiler::Gcc, &[]);
     for (machine, library) in [
         (computer, FLOAT),
-        (CORTEX_M0, FIXED),
-        (CORTEX_M4F, FLOAT),
+        (CORTEX_M0, FIXED_PLANE),
+        (CORTEX_M4F, PLANE),
         (CORTEX_M33, FLOAT),
+        (CORTEX_M33_SOFTFP, PLANE),
     ] {
         let Some(taken) = if_installed(knob(&machine, &library)) else {
             continue;
@@ -85,10 +111,21 @@ fn the_table_of_the_readme() {
     let mut table = String::from(
         "| | flash | RAM without stack | worst tick | of a budget of 32 units |\n|---|---:|---:|---:|---:|\n",
     );
-    for (machine, library) in [(CORTEX_M0, FIXED), (CORTEX_M4F, FLOAT), (CORTEX_M33, FLOAT)] {
+    for (machine, library) in [
+        (CORTEX_M0, FIXED_PLANE),
+        (CORTEX_M3, FIXED_PLANE),
+        (CORTEX_M4F, PLANE),
+        (CORTEX_M33, PLANE),
+        (CORTEX_M33_SOFTFP, PLANE),
+        (CORTEX_M33, FLOAT),
+    ] {
         let taken = knob(&machine, &library).expect("everything is installed");
+        let room = match library.room {
+            Room::Plane => "one surface",
+            _ => "four surfaces",
+        };
         table += &format!(
-            "| {}, {} | {} bytes | {} bytes | {} instructions | {} |\n",
+            "| {}, {}, {room} | {} bytes | {} bytes | {} instructions | {} |\n",
             machine.name,
             library.number.name(),
             thousands(taken.flash),
@@ -174,31 +211,4 @@ fn the_sketches_move_their_motors() {
     ] {
         if_installed(sketch(name, example));
     }
-}
-
-fn with_cmake(out: &Path) -> Result<(), EmulatorError> {
-    let archive = FLOAT.archive("x86_64-unknown-linux-gnu")?;
-    let prefix = archive.ancestors().nth(3).expect("a prefix");
-    let mut configure = Command::new("cmake");
-    configure
-        .arg("-S")
-        .arg(folder().join("tests/c/cmake"))
-        .arg("-B")
-        .arg(out);
-    configure.arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display()));
-    configure.arg(format!(
-        "-DSTICTION_EXAMPLES={}",
-        folder().join("examples").display()
-    ));
-    output_of(configure)?;
-    let mut build = Command::new("cmake");
-    build.arg("--build").arg(out);
-    output_of(build)?;
-    output_of(Command::new(out.join("knob"))).map(|_| ())
-}
-
-#[test]
-fn cmake_finds_the_library() {
-    let out = tempfile::tempdir().expect("a folder");
-    if_installed(with_cmake(out.path()));
 }

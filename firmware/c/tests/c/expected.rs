@@ -1,11 +1,11 @@
-//! Ten scenes with the hand of `walk.c`, by the solver itself: a hash of all answers for each.
+//! Scenes with the hand of `walk.c`, by the solver itself: a hash of all answers for each.
 
 use std::fmt::Write;
 
 use stiction_core::{Evolution, Hand, Real, Solver, State, Touch};
 use stiction_scene::{HostSolver, SceneFile, Source, c_source};
 
-use crate::library::{Library, folder};
+use crate::library::{Library, Room, folder};
 
 const SCENES_BY_WALLS: [&str; 10] = [
     "box-flat",
@@ -19,14 +19,22 @@ const SCENES_BY_WALLS: [&str; 10] = [
     "rod-on-floor",
     "vertex-stick-slip",
 ];
+const SCENES_ON_A_PLANE: [&str; 6] = [
+    "box-flat",
+    "burst",
+    "edge-about-to-slip",
+    "point-stick-slip",
+    "rod-on-floor",
+    "vertex-stick-slip",
+];
 const SCENES_AMONG_OBSTACLES: [&str; 4] = ["table-edge", "step", "plank-on-posts", "peg-in-hole"];
 
 impl Library {
     fn scenes(self) -> &'static [&'static str] {
-        if self.obstacles {
-            &SCENES_AMONG_OBSTACLES
-        } else {
-            &SCENES_BY_WALLS
+        match self.room {
+            Room::Surfaces => &SCENES_BY_WALLS,
+            Room::Obstacles => &SCENES_AMONG_OBSTACLES,
+            Room::Plane => &SCENES_ON_A_PLANE,
         }
     }
 }

@@ -10,7 +10,15 @@ use stiction_scene::NumberType;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Library {
     pub(crate) number: NumberType,
-    pub(crate) obstacles: bool,
+    pub(crate) room: Room,
+}
+
+/// What a scene of a library may contain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Room {
+    Surfaces,
+    Obstacles,
+    Plane,
 }
 
 pub(crate) fn folder() -> &'static Path {
@@ -20,11 +28,13 @@ pub(crate) fn folder() -> &'static Path {
 impl Library {
     /// Its name for `archives.sh`.
     fn variant(self) -> &'static str {
-        match (self.number, self.obstacles) {
-            (NumberType::F32, false) => "float",
-            (NumberType::Fixed, false) => "fixed",
-            (NumberType::F32, true) => "obstacles",
-            (NumberType::Fixed, true) => "fixed,obstacles",
+        match (self.number, self.room) {
+            (NumberType::F32, Room::Surfaces) => "float",
+            (NumberType::Fixed, Room::Surfaces) => "fixed",
+            (NumberType::F32, Room::Obstacles) => "obstacles",
+            (NumberType::Fixed, Room::Obstacles) => "fixed,obstacles",
+            (NumberType::F32, Room::Plane) => "plane",
+            (NumberType::Fixed, Room::Plane) => "fixed,plane",
         }
     }
 
@@ -33,7 +43,8 @@ impl Library {
         let fixed = self.number == NumberType::Fixed;
         let all = [
             (fixed, "-DSTICTION_FIXED"),
-            (self.obstacles, "-DSTICTION_OBSTACLES"),
+            (self.room == Room::Obstacles, "-DSTICTION_OBSTACLES"),
+            (self.room == Room::Plane, "-DSTICTION_PLANE"),
         ];
         all.into_iter()
             .filter_map(|(is, name)| is.then_some(name))

@@ -73,6 +73,38 @@ pub(crate) const CORTEX_M0: Machine = cortex_m(
     &["microbit"],
 );
 
+pub(crate) const CORTEX_M3: Machine = cortex_m(
+    "Cortex-M3",
+    "thumbv7m-none-eabi",
+    &["-mcpu=cortex-m3", "-DCLOCK=25000000u"],
+    ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x10000"],
+    &["mps2-an385"],
+);
+
+pub(crate) const CORTEX_M4F_SOFTFP: Machine = Machine {
+    name: "Cortex-M4F, softfp",
+    target: "thumbv7em-none-eabi",
+    flags: &[
+        "-mcpu=cortex-m4",
+        "-mfloat-abi=softfp",
+        "-mfpu=fpv4-sp-d16",
+        "-DCLOCK=25000000u",
+    ],
+    ..CORTEX_M4F
+};
+
+pub(crate) const CORTEX_M33_SOFTFP: Machine = Machine {
+    name: "Cortex-M33, softfp",
+    target: "thumbv8m.main-none-eabi",
+    flags: &[
+        "-mcpu=cortex-m33",
+        "-mfloat-abi=softfp",
+        "-mfpu=fpv5-sp-d16",
+        "-DCLOCK=20000000u",
+    ],
+    ..CORTEX_M33
+};
+
 pub(crate) const CORTEX_M4F: Machine = cortex_m(
     "Cortex-M4F",
     "thumbv7em-none-eabihf",

@@ -1,4 +1,4 @@
-//! The library as C programs use it, compiled by gcc and clang with every warning an error: ten scenes have the bits of the solver on four
+//! The library as C programs use it, compiled by gcc and clang with every warning an error: ten scenes have the bits of the solver on six
 //! kinds of processor, and invalid arguments are refused. If something is not installed, the test is skipped and prints the command that
 //! installs it; with CI=true it must be there.
 
@@ -6,10 +6,14 @@ mod examples;
 mod expected;
 mod library;
 mod machine;
+mod packages;
 
 use expected::scenes_header;
-use library::Library;
-use machine::{CORTEX_M0, CORTEX_M4F, Compiler, Machine, RISC_V};
+use library::{Library, Room};
+use machine::{
+    CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M4F_SOFTFP, CORTEX_M33_SOFTFP, Compiler, Machine,
+    RISC_V,
+};
 use stiction_core::Fixed;
 use stiction_host_sim::firmware::process::{EmulatorError, if_installed};
 use stiction_scene::NumberType;
@@ -40,26 +44,30 @@ fn same_bits(machine: &Machine, library: &Library) {
 
 #[test]
 fn a_computer_has_the_bits_of_the_solver() {
-    for (compiler, number, obstacles) in [
-        (Compiler::Gcc, NumberType::F32, false),
-        (Compiler::Clang, NumberType::Fixed, false),
-        (Compiler::Clang, NumberType::F32, true),
-        (Compiler::Gcc, NumberType::Fixed, true),
+    for (compiler, number, room) in [
+        (Compiler::Gcc, NumberType::F32, Room::Surfaces),
+        (Compiler::Clang, NumberType::Fixed, Room::Surfaces),
+        (Compiler::Clang, NumberType::F32, Room::Obstacles),
+        (Compiler::Gcc, NumberType::Fixed, Room::Obstacles),
+        (Compiler::Gcc, NumberType::F32, Room::Plane),
+        (Compiler::Clang, NumberType::Fixed, Room::Plane),
     ] {
         let machine = Machine::computer(compiler, &[]);
-        same_bits(&machine, &Library { number, obstacles });
+        same_bits(&machine, &Library { number, room });
     }
 }
 
 #[test]
 fn emulated_chips_have_the_bits_of_the_solver() {
-    for (machine, number) in [
-        (CORTEX_M0, NumberType::Fixed),
-        (CORTEX_M4F, NumberType::F32),
-        (RISC_V, NumberType::Fixed),
+    for (machine, number, room) in [
+        (CORTEX_M0, NumberType::Fixed, Room::Surfaces),
+        (CORTEX_M3, NumberType::Fixed, Room::Plane),
+        (CORTEX_M4F, NumberType::F32, Room::Surfaces),
+        (CORTEX_M4F_SOFTFP, NumberType::F32, Room::Plane),
+        (CORTEX_M33_SOFTFP, NumberType::F32, Room::Surfaces),
+        (RISC_V, NumberType::Fixed, Room::Surfaces),
     ] {
-        let obstacles = false;
-        same_bits(&machine, &Library { number, obstacles });
+        same_bits(&machine, &Library { number, room });
     }
 }
 
@@ -67,11 +75,11 @@ fn emulated_chips_have_the_bits_of_the_solver() {
 #[test]
 fn what_no_caller_should_give_is_refused() {
     const SANITIZED: &[&str] = &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-    for (compiler, number, obstacles) in [
-        (Compiler::Gcc, NumberType::F32, false),
-        (Compiler::Clang, NumberType::Fixed, true),
+    for (compiler, number, room) in [
+        (Compiler::Gcc, NumberType::F32, Room::Surfaces),
+        (Compiler::Clang, NumberType::Fixed, Room::Obstacles),
     ] {
-        let library = Library { number, obstacles };
+        let library = Library { number, room };
         let machine = Machine::computer(compiler, SANITIZED);
         machine.finds_nothing_wrong(&library, &["tests/c/hostile.c"]);
     }

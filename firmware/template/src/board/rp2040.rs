@@ -19,7 +19,7 @@ pub(crate) use rp2040_hal::entry;
 /// The second boot stage: it lets the chip run code from its flash.
 #[unsafe(link_section = ".boot2")]
 #[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 type Out = Pin<Gpio0, FunctionUart, PullDown>;
 type In = Pin<Gpio1, FunctionUart, PullDown>;

@@ -1,5 +1,5 @@
-//! A board of one's own, outside the repository: the template is copied into an empty folder and built from the packages as they are
-//! published; its programs for the RP2040 run on the emulated Pico.
+//! A board of one's own, outside the repository: the template is copied into an empty folder and built with the commands of its README,
+//! and from the packages as they would be published; its programs for the RP2040 run on the emulated Pico.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,27 +59,83 @@ fn copy(from: &Path, to: &Path) {
 }
 
 /// The template in a folder of its own, with the packages in the place of the registry's.
-fn template(packages: &Path) -> TempDir {
+fn of_packages(packages: &Path) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     copy(&workspace().join("firmware/template"), folder.path());
-    let settings = folder.path().join(".cargo/config.toml");
-    let mut text = fs::read_to_string(&settings).unwrap() + "\n[patch.crates-io]\n";
+    let manifest = folder.path().join("Cargo.toml");
+    let mut text = fs::read_to_string(&manifest).unwrap();
+    let mut patch = "\n[patch.crates-io]\n".to_owned();
     for name in PACKAGES {
+        let line = |text: &str| {
+            let mut lines = text.lines();
+            let line = lines.find(|line| line.starts_with(&format!("stiction-{name}.path")));
+            line.unwrap().to_owned()
+        };
+        let version = env!("CARGO_PKG_VERSION");
+        text = text.replace(&line(&text), &format!("stiction-{name} = {version:?}"));
         let package = packages.join(file_name(name));
-        text += &format!("stiction-{name}.path = {package:?}\n");
+        patch += &format!("stiction-{name}.path = {package:?}\n");
     }
-    fs::write(settings, text).unwrap();
+    fs::write(manifest, text + &patch).unwrap();
     folder
+}
+
+/// Where all copies of the template are built.
+fn target_folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("template")
 }
 
 fn program(folder: &Path, features: &[&str], target: &str) -> Option<Image> {
     let mut cargo = cargo_build(folder, "release");
-    let target_folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("template");
-    cargo.arg("--target-dir").arg(target_folder);
+    cargo.arg("--target-dir").arg(target_folder());
     cargo.args(features).args(["--target", target]);
-    let path = if_installed(built(cargo))?;
+    if_installed(built(cargo)).map(image)
+}
+
+fn image(path: PathBuf) -> Image {
     let contents = Contents::of(&path).unwrap();
-    Some(Image { path, contents })
+    Image { path, contents }
+}
+
+/// The commands at the beginning of the template's README, in an empty folder: returns the folder, and the image that they build.
+fn by_the_commands() -> Option<(PathBuf, Image)> {
+    let readme = fs::read_to_string(workspace().join("firmware/template/README.md")).unwrap();
+    let block = readme.split("```").nth(1).unwrap();
+    let commands: Vec<&str> = block.trim().lines().skip(1).collect();
+    let [clone, copy, build] = commands[..] else {
+        panic!("three commands: {commands:?}");
+    };
+    // One place, or every run would leave another build in the target's folder.
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("empty");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir(&folder).unwrap();
+    let run = |command: &str| {
+        let mut shell = Process::new("bash");
+        shell.current_dir(&folder).args(["-ec", command]);
+        shell.env("CARGO_TARGET_DIR", target_folder());
+        if_installed(output_of(shell)).map(drop)
+    };
+    let source = workspace().canonicalize().unwrap();
+    run(&clone.replace("REPOSITORY", source.to_str().unwrap()))?;
+    with_what_is_not_committed(&source, &folder.join("stiction"));
+    run(copy)?;
+    run(build)?;
+    let program = target_folder().join("thumbv6m-none-eabi/release/my-board");
+    Some((folder.join("my-board"), image(program)))
+}
+
+/// Copies files that git does not have as they are; what was deleted stays in the clone.
+fn with_what_is_not_committed(source: &Path, clone: &Path) {
+    let mut git = Process::new("git");
+    git.current_dir(source);
+    git.args(["ls-files", "--modified", "--others", "--exclude-standard"]);
+    for name in output_of(git).unwrap().lines() {
+        let (from, to) = (source.join(name), clone.join(name));
+        if from.is_file() {
+            fs::create_dir_all(to.parent().unwrap()).unwrap();
+            fs::copy(from, to).unwrap();
+        }
+    }
 }
 
 /// Its poses, path and frame, have the bits of this computer.
@@ -90,18 +146,26 @@ fn runs_on_the_pico(image: Image) {
 }
 
 #[test]
-fn the_template_builds_from_packages_and_runs() {
-    let Some(packages) = packages() else { return };
-    let folder = template(&packages);
-    let program = |features, target| program(folder.path(), features, target);
+fn three_commands_build_the_template_from_an_empty_folder_and_it_runs() {
+    let Some((folder, image)) = by_the_commands() else {
+        return;
+    };
+    runs_on_the_pico(image);
+    // With the versions of its Cargo.lock, which the commands have left as it was.
     let embassy = ["--no-default-features", "--features", "embassy"];
-    for features in [&[][..], &embassy] {
-        if let Some(image) = program(features, "thumbv6m-none-eabi") {
-            runs_on_the_pico(image);
-        }
+    if let Some(image) = program(&folder, &embassy, "thumbv6m-none-eabi") {
+        runs_on_the_pico(image);
     }
-    program(&[], "thumbv7em-none-eabihf");
-    program(&[], "riscv32imc-unknown-none-elf");
+    program(&folder, &[], "thumbv7em-none-eabihf");
+    program(&folder, &[], "riscv32imc-unknown-none-elf");
+    let lock = |folder: &Path| fs::read(folder.join("Cargo.lock")).unwrap();
+    assert!(lock(&folder) == lock(&workspace().join("firmware/template")));
+}
+
+#[test]
+fn the_template_builds_from_packages() {
+    let Some(packages) = packages() else { return };
+    program(of_packages(&packages).path(), &[], "thumbv6m-none-eabi");
 }
 
 #[test]
@@ -118,7 +182,7 @@ fn what_a_board_of_ones_own_has_to_say_is_short() {
         let board = format!("board/{board}.rs");
         assert!(lines(&["main.rs", "setup.rs", &board]) <= 150, "{board}");
     }
-    assert!(lines(&["embassy.rs"]) <= 60);
+    assert!(lines(&["embassy.rs"]) <= 115);
 }
 
 #[test]
