@@ -155,12 +155,12 @@ fn entries(run: &Run, frames: &[&Frame], scale: &Scales) -> Vec<Entry> {
         Entry::new(Mark::Line(HAND_FORCE, 3.2), "hand force, moment (arc)"),
         Entry::new(Mark::Ring(HAND), "hand and spring"),
         Entry::new(Mark::Dot(BODY), "holding point"),
-        scale_bar(1.0 / (per_metre * pixel), unit),
     ]);
     if scale.centre.is_some() && frames.len() > 1 {
         let text = "body in the picture before";
         entries.push(Entry::new(Mark::Line(BODY_THEN, 1.2), text));
     }
+    entries.push(scale_bar(1.0 / (per_metre * pixel), unit));
     if scale.per_newton > 0.0 {
         entries.push(scale_bar(scale.per_newton / pixel, "N"));
     }
