@@ -1,13 +1,15 @@
 //! The answer to one sample of the hand. Its values become Python's when they are asked for, so that a step is fast.
 
+use bytemuck::cast_slice;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::PyTypeInfo;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyIterator, PyTuple};
+use pyo3::types::{PyBytes, PyIterator, PyTuple};
 use stiction_live::record;
 
 use crate::refused;
+use crate::rows::ContactRow;
 use crate::tables::{Contacts, Tables, Words};
 
 /// The answer to a sample of the hand: eight values with names, which can also be taken by number and unpacked, in the order `pose`,
@@ -80,7 +82,9 @@ impl Frame {
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         static TABLE: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         let table = TABLE.import(py, "stiction._tables", "contacts")?;
-        table.call1((Tables::of_frame(py, &self.0).contacts(py)?,))
+        let row = |contact| ContactRow::new(0, contact);
+        let rows: Vec<_> = self.0.contacts.iter().map(row).collect();
+        table.call1((rows.len(), PyBytes::new(py, cast_slice(&rows))))
     }
 
     /// The fraction of the hand's displacement that is left to follow, 0 to 1; nan without a budget.

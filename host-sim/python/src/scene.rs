@@ -103,7 +103,7 @@ impl Scene {
 
     /// Coefficients of friction, mu_s and mu_d, of the surfaces and of the obstacles.
     #[getter]
-    fn frictions(&self) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+    fn frictions(&self) -> (Vec<Point>, Vec<Point>) {
         let (surfaces, obstacles) = (self.file.surfaces.iter(), self.file.obstacles.iter());
         (
             surfaces

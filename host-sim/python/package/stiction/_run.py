@@ -61,7 +61,7 @@ class Run:
 
         After `Solver.run`, it is computed on first access by repeating the run, which takes longer than the run itself.
         """
-        return _tables.contacts(self._run.contacts)
+        return _tables.read_only(self._run.contacts, CONTACT)
 
     @property
     def number(self) -> Number:

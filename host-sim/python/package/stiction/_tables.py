@@ -127,9 +127,9 @@ def read_only(words: npt.NDArray[np.uint64], dtype: np.dtype[np.void]) -> Table:
     return words.view(dtype)
 
 
-def contacts(words: npt.NDArray[np.uint64]) -> Table:
-    """Contacts from the compiled half, which calls it."""
-    return read_only(words, CONTACT)
+def contacts(count: int, rows: bytes) -> Table:
+    """The contacts of a frame, from the compiled half, which calls it: faster than a view of words."""
+    return np.ndarray(count, CONTACT, rows)
 
 
 def words(table: Table, dtype: np.dtype[Any]) -> npt.NDArray[np.uint64]:
