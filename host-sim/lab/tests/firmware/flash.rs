@@ -40,13 +40,13 @@ fn a_step_hardly_waits_for_the_flash() {
 /// What the boot ROM checks in the second stage, and what that sets: RP2040 datasheet, 2.8.1.3.1 and 4.10.13.
 pub(crate) fn boots_with_quad_reads(image: &Image) {
     /// Of the line of the flash, SSI_SPI_CTRLR0 and CTRLR0: frames over four wires, of 32 bits, read after what is sent.
-    const QUAD: u32 = 2 << 21 | 31 << 16 | 3 << 8;
+    const QUAD: u32 = (2 << 21) | (31 << 16) | (3 << 8);
     let flash = flashed(&image.path, FLASH).unwrap();
     let (stage, sum) = flash[..256].split_at(252);
     // CRC-32 of MPEG-2.
     let crc = stage.iter().fold(u32::MAX, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte) << 24, |crc, _| {
-            crc << 1 ^ (crc >> 31) * 0x04C1_1DB7
+        (0..8).fold(crc ^ (u32::from(byte) << 24), |crc, _| {
+            (crc << 1) ^ ((crc >> 31) * 0x04C1_1DB7)
         })
     });
     assert_eq!(sum, crc.to_le_bytes(), "the chip refuses its boot loader");
