@@ -23,7 +23,7 @@ stiction_boards::app! {
 /// The second boot stage: it lets the chip run code from its flash.
 #[unsafe(link_section = ".boot2")]
 #[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 /// This board.
 pub struct Pico;

@@ -1,4 +1,5 @@
-//! Cycles on an emulated Cortex-M0+: the emulator reads its own clock at two marks, breakpoints that take no time.
+//! Cycles on an emulated Cortex-M0+, with its waits for the flash: the emulator reads its own clock at two marks, breakpoints that take
+//! no time.
 #![allow(unsafe_code)]
 
 use core::arch::asm;
@@ -16,7 +17,11 @@ impl Counter {
     /// The counter of this board. `None`: the emulator does not know the marks.
     pub(super) fn take() -> Option<Self> {
         let mut counter = Self;
-        let (counted, ()) = counter.count(probe);
+        let mut counted = 0;
+        // The first run only brings the probe, and what calls it, into the cache of the flash.
+        for _ in 0..black_box(2) {
+            (counted, ()) = counter.count(probe);
+        }
         (counted.abs_diff(CYCLES) <= TOLERANCE).then_some(counter)
     }
 

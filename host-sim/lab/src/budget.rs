@@ -166,7 +166,7 @@ pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
     }
     let text = format!(
         "Written by `cargo run --release -p stiction-lab -- budget --write`: {} random drags of 4 s through a solver of 8 vertices and\n\
-         4 surfaces, on emulated chips. For the M0+, cycles are counted, in memory without wait states. For the others, instructions are counted, and the cycles per\n\
+         4 surfaces, on emulated chips. For the M0+, cycles are counted, with waits for the flash by a model of its cache. For the others, instructions are counted, and the cycles per\n\
          instruction are an estimated upper bound of the average. The cost of a piece of work is given in instructions (M0+: cycles): on\n\
          average / on average of the most expensive step. The budget is what fits into seven eighths of a tick at the first of these costs.\n\n{table}",
         drags.len()

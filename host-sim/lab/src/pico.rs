@@ -6,12 +6,13 @@
 //! Processor, memory, clocks and timer come from the crate `rp2040-emu`. This module adds what it lacks: interrupts that preempt
 //! others, a serial line that receives, a watchdog that resets the chip. The crate's branches take the three cycles of a Cortex-M0
 //! and are corrected to the two of a Cortex-M0+: every instruction takes the time that Arm's manual (DDI 0484C, table 3-1) states for
-//! a memory without wait states. Not emulated are misses of the cache through which the chip executes code from its flash, the second
-//! core, and USB.
+//! a memory without wait states. Misses of the cache through which the chip reads its flash are counted, by the model of `cache`, and take
+//! no time. Not emulated are the second core, and USB.
 
 #[cfg(unix)]
 pub mod board;
 mod bus;
+mod cache;
 mod chip;
 mod handlers;
 mod uart;

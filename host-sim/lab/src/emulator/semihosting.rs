@@ -1,5 +1,5 @@
-//! Runs an image with a command line on the emulated Pico: its cycles are read when the program requests them. Its files are
-//! those of a folder, by semihosting.
+//! Runs an image with a command line on the emulated Pico: its cycles, with those for which it waits for its flash, are read when the
+//! program requests them. Its files are those of a folder, by semihosting.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -85,7 +85,7 @@ impl Program {
             }
             return Ok(None);
         };
-        let cycles = self.chip.cycles();
+        let cycles = self.chip.cycles() + self.chip.waits();
         let answer = match request {
             BEGIN => {
                 self.begun = cycles;

@@ -4,6 +4,7 @@ use rp2040_emu::Bus;
 use rp2040_emu::bus::ppb::Ppb;
 use rp2040_emu::core::{CoreBus, Nvic};
 
+use super::cache::Cache;
 use super::chip::MEGAHERTZ;
 use super::uart::Uart;
 use super::watchdog::Watchdog;
@@ -18,6 +19,7 @@ const PERIPHERAL: u32 = !0x3FFF;
 pub(crate) struct Own {
     pub(crate) uart: Uart,
     pub(crate) watchdog: Watchdog,
+    pub(crate) cache: Cache,
     pub(crate) now: u64,
     /// A peripheral that acts on its own was read or written.
     pub(crate) is_touched: bool,
@@ -34,6 +36,7 @@ impl Fabric<'_> {
     #[inline]
     fn own_read(&mut self, at: u32) -> Option<u32> {
         if at >> 28 != 4 {
+            self.own.cache.read(at);
             return None;
         }
         let offset = at & 0xFFC;

@@ -4,10 +4,13 @@ use rp2040_emu::core::CortexM0Plus;
 use rp2040_emu::{Config, Emulator, ROM_SIZE};
 
 use super::bus::{Fabric, Own, TIMER};
+use super::cache::MISS;
 use super::handlers::{FIRST_INTERRUPT, Handlers};
 
 /// The start of the flash.
 pub const FLASH: u32 = 0x1000_0000;
+/// The start of the RAM.
+const RAM: u32 = 0x2000_0000;
 /// The clock of the chip (MHz).
 pub const MEGAHERTZ: u32 = 125;
 /// The vector table follows the second boot stage.
@@ -81,6 +84,11 @@ impl Chip {
     /// How often the watchdog has reset it.
     pub const fn resets(&self) -> u32 {
         self.resets
+    }
+
+    /// The cycles since power-up for which the core would have waited for its flash, at the least; they are not in [`Self::cycles`].
+    pub const fn waits(&self) -> u64 {
+        MISS * self.own.cache.misses()
     }
 
     /// The longest time since power-up that the handler of an interrupt took, including all that interrupted it (cycles).
@@ -161,8 +169,12 @@ impl Chip {
         self.core().is_in_hardfault()
     }
 
-    /// The instruction at an address of the flash, or the first half of a long one.
+    /// The instruction at an address of the flash or the RAM, or the first half of a long one.
     pub fn instruction(&self, at: u32) -> Option<u16> {
+        if at >> 28 == RAM >> 28 {
+            let word = self.emulator.peek(at & !3);
+            return Some((word >> (at % 4 * 8)) as u16);
+        }
         let offset = at.wrapping_sub(FLASH) as usize;
         let bytes = self.flash.get(offset..)?.first_chunk()?;
         Some(u16::from_le_bytes(*bytes))
@@ -208,6 +220,7 @@ impl Chip {
             bus.ppb[0].active = 0;
         }
         let own = &mut self.own;
+        own.cache.read(at);
         let mut cycles = u64::from(cores[0].step(&mut Fabric { bus, own }));
         if hides {
             bus.ppb[0].active |= active;
@@ -269,6 +282,7 @@ impl Chip {
             watchdog,
             now,
             is_touched,
+            ..
         } = &mut self.own;
         *is_touched = false;
         uart.advance(*now);

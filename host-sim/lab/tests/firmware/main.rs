@@ -9,6 +9,7 @@ mod budgets;
 mod chip;
 mod commands;
 mod drags;
+mod flash;
 mod knob;
 mod line;
 mod log;

@@ -8,6 +8,7 @@ use std::process::Command as Process;
 use crate::bits::{SAMPLES, same_bits_of};
 use crate::board::Board;
 use crate::chip::{Image, PICO};
+use crate::flash::boots_with_quad_reads;
 use stiction_core::Fixed;
 use stiction_host_sim::firmware::image::{Contents, built, cargo, cargo_build};
 use stiction_host_sim::firmware::process::{if_installed, output_of};
@@ -140,6 +141,7 @@ fn with_what_is_not_committed(source: &Path, clone: &Path) {
 
 /// Its poses, path and frame, have the bits of this computer.
 fn runs_on_the_pico(image: Image) {
+    boots_with_quad_reads(&image);
     let mut board = Board::start_image(&PICO, image).unwrap();
     assert_eq!(board.info().name, "my-board");
     same_bits_of::<Fixed>(&mut board, NumberType::Fixed, SAMPLES);
