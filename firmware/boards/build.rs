@@ -33,9 +33,10 @@ fn main() -> ExitCode {
 
 /// The boards by their features, in the spelling of cargo's variables.
 fn boards() -> [(&'static str, BoardBuild); 5] {
-    let own = match has("KNOB") {
-        true => "../scenes/knob.toml",
-        false => "../scenes/board.toml",
+    let own = match (has("KNOB"), has("PANTOGRAPH")) {
+        (true, _) => "../scenes/knob.toml",
+        (_, true) => "../scenes/pantograph.toml",
+        _ => "../scenes/board.toml",
     };
     let board = |target, number, memory| BoardBuild {
         target,

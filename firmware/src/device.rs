@@ -42,7 +42,7 @@
 //!     };
 //!     servo.tick(now_us);
 //!     let turn = controller.turn(Some(&sample), &mut servo);
-//!     assert!(turn.force.force[1] <= 0.1 * f32::from(i + 1) + 1e-5); // 100 N/s
+//!     assert!(turn.force.force[1] <= 0.1 * f32::from(i + 1) + 1e-5); // at first 100 N/s
 //! }
 //! servo.tick(120_000);
 //! assert_eq!(servo.force().force, [0.0, 0.0]); // silence

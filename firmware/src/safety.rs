@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! limits.rs    the limits and the damping of the device; checked once, the error names the parameter and the bound
-//! governor.rs  size and rate of change of force and moment
+//! governor.rs  size of force and moment, and their growth after a safe state
 //! arrivals.rs  which sample is new, which are late and lost
 //! silence.rs   when samples have stayed away for too long
 //! ticks.rs     ticks that did not come
@@ -10,8 +10,8 @@
 //!
 //! Zero force is the safe state. It is output **immediately**, regardless of the rate limit, on silence, on an input that cannot be used
 //! and on an overrun: a force that no longer follows the hand is a motor that runs freely, and does work on the hand for as long as that
-//! moves; removing a force does none. The step down is never more than the limit of size. The way back obeys the rate limit, and so has no
-//! jump.
+//! moves; removing a force does none. The step down is never more than the limit of size. The way back grows by the limit of rate, and so has
+//! no jump; once it is there, the force follows its demand without such a limit.
 
 mod arrivals;
 mod governor;
@@ -20,7 +20,7 @@ mod silence;
 mod ticks;
 
 pub use arrivals::{Arrival, Arrivals};
-pub use governor::{Given, Governor};
+pub use governor::{Given, Governor, Wanted};
 pub use limits::{Allowed, LimitError, LimitParameter, Limits, Passivity};
 pub use silence::Silence;
 pub use ticks::Ticks;
@@ -41,7 +41,7 @@ pub struct Flags {
     pub actuator_fault: bool,
     /// The wanted force or moment is larger than the device's limit.
     pub size_limited: bool,
-    /// The force or the moment has not reached the wanted value yet.
+    /// The force or the moment has not reached the wanted value yet: it grows after a safe state.
     pub rate_limited: bool,
 }
 

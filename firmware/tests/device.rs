@@ -142,6 +142,7 @@ fn limits_and_stiffness_beyond_the_device_are_refused() {
         damping_rotation: 0.001,
         hold_us: 1_000,
         delay_us: 0,
+        turn_us: 0,
     };
     let settings = with(Settings::default(), |s| s.passivity = Some(passivity));
     let unlimited = with(settings, |settings| settings.limits.force = f32::NAN);

@@ -5,9 +5,8 @@ use core::f64::consts::TAU;
 use std::cell::Cell;
 use std::rc::Rc;
 use stiction_core::{Event, Real, Wrench};
-use stiction_firmware::device::{
-    Actuators, Controller, FromLine, NoActuators, Servo, Settings, Source,
-};
+use stiction_firmware::device::{Actuators, Controller, FromLine, Servo, Settings, Source};
+use stiction_firmware::devices::knob as example;
 use stiction_firmware::knob::{Counter, Knob};
 use stiction_firmware::pantograph::{Encoder, KnobGeometry, Motor, MotorConstants};
 use stiction_scene::WrittenScene;
@@ -117,25 +116,36 @@ fn what_cannot_be_is_refused_by_its_name() {
     assert!(with(|g| g.origin[1] = f32::NAN).starts_with("origin (m) is NaN"));
 }
 
-/// A knob that turns on a rough plate: the force rises as it sticks, falls as it slips, never exceeds the cone of static friction, and
-/// takes work from the hand.
-#[test]
-fn a_turned_knob_sticks_and_slips() {
+/// The example at a board that is as slow as it may be, with its scene.
+fn example() -> Controller<f32, 8, 4> {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knob.toml");
     let scene = WrittenScene::read(file.as_ref(), f64::from(f32::MAX)).unwrap();
-    let mut settings = Settings::default();
-    // The statics alone: no limit of force or of its rate is reached.
-    settings.limits.force = 1e3;
-    settings.limits.moment = 1e3;
-    settings.limits.force_rate = 1e6;
-    settings.limits.moment_rate = 1e6;
-    let (controller, _) =
-        scene.described::<f32, _>(|scene| Controller::<f32, 8, 4>::new(scene, &settings));
-    let (mut controller, mut servo) = (controller.unwrap(), Servo::new((FromLine, NoActuators)));
-    let (mut knob, shown, _) = knob(GEOMETRY);
-    let (mut slips, mut work, mut last) = (0, 0.0, None);
-    let there_and_back = (0..2_400u16).chain((0..2_400).rev());
-    for (i, count) in (0u32..).zip(there_and_back) {
+    example::LIMITS.check().unwrap();
+    example::PASSIVITY.check().unwrap();
+    let settings = Settings {
+        limits: example::LIMITS,
+        passivity: Some(example::PASSIVITY.at_period(example::LIMITS.period_us)),
+        ..Settings::default()
+    };
+    let (controller, _) = scene.described::<f32, _>(|scene| Controller::new(scene, &settings));
+    controller.unwrap()
+}
+
+/// The knob of the example turns on its rough plate: the force rises as it sticks, falls as it slips, never exceeds the cone of static
+/// friction, and takes work from the hand. What a slip takes from the force it takes from the motor in the same tick.
+#[test]
+fn a_turned_knob_sticks_and_slips_at_its_motor() {
+    let mut controller = example();
+    let bench = Bench::default();
+    let motor = Motor::new(bench.clone(), bench.clone(), example::MOTOR).unwrap();
+    let moved = Knob::new(&example::GEOMETRY, Shown::default(), motor).unwrap();
+    let mut servo = Servo::new((FromLine, moved));
+    let (mut knob, shown, _) = knob(example::GEOMETRY);
+    let (mut slips, mut work, mut last, mut sharpest) = (0, 0.0, None, 0.0_f32);
+    // At first the force grows, while the knob stands: 2 N in 20 ms.
+    let stands = std::iter::repeat_n(0u16, 40);
+    let there_and_back = (0..2_400).chain((0..2_400).rev());
+    for (i, count) in (0u32..).zip(stands.chain(there_and_back)) {
         shown.0.set(Some(count));
         let now_us = i * 1_000;
         let sample = knob.sample(now_us).unwrap();
@@ -146,13 +156,26 @@ fn a_turned_knob_sticks_and_slips() {
         assert!(up > 0.0, "the plate presses on the hand: {tick:?}");
         // mu_s = 0.8 at the only contact, and no weight; plus a rounding of f32.
         assert!(Real::abs(along) <= 0.8 * up * (1.0 + 1e-5), "{i}: {tick:?}");
-        if let Some((from, force)) = last {
-            work -= f64::from(force) * f64::from(x - from);
+        if i >= 40 {
+            let statics = controller.solver().wrench(controller.state().unwrap());
+            assert_eq!(tick.force.force, statics.feedback().force, "{i}");
         }
-        last = Some((x, along));
+        // Half a step of the PWM.
+        let duty = f32::from(*bench.duty.borrow()) / 8_400.0;
+        let full = example::MOTOR.full_torque() / example::GEOMETRY.radius;
+        assert!((duty * full - along.abs()).abs() < 0.51 * full / 8_400.0);
         let events = tick.output.iter().flat_map(|output| output.events());
-        slips += events.filter(|event| **event == Event::Slip).count();
+        let slipped = events.filter(|event| **event == Event::Slip).count();
+        if let Some((from, force)) = last.replace((x, along)) {
+            work -= f64::from(force) * f64::from(x - from);
+            if slipped > 0 {
+                sharpest = sharpest.max((along - force).abs());
+            }
+        }
+        slips += slipped;
     }
     assert!(slips > 4, "{slips}");
     assert!(work > 0.0, "{work} J");
+    println!("a slip of {sharpest} N in one tick");
+    assert!(sharpest > 0.5, "{sharpest} N");
 }

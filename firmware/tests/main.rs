@@ -7,6 +7,7 @@ mod device;
 mod knob;
 mod line;
 mod pantograph;
+mod passive;
 mod ring;
 mod safety;
 mod station;

@@ -1,8 +1,8 @@
-//! The force that may be output to the hand: limits of size and rate, passivity.
+//! The force that may be output to the hand: limits of size and growth, passivity.
 
 use crate::with;
 use stiction_core::Wrench;
-use stiction_firmware::safety::{Allowed, Governor, LimitParameter, Limits, Passivity};
+use stiction_firmware::safety::{Allowed, Governor, LimitParameter, Limits, Passivity, Wanted};
 use stiction_tests::station::noise::Random;
 
 /// Any float, of any magnitude, and sometimes NaN or an infinity.
@@ -20,83 +20,129 @@ fn size([x, y]: [f32; 2]) -> f64 {
     f64::from(x).hypot(f64::from(y))
 }
 
-fn change(a: &Wrench<f32>, b: &Wrench<f32>) -> (f64, f64) {
-    let [ax, ay] = a.force.map(f64::from);
-    let [bx, by] = b.force.map(f64::from);
-    let turned = f64::from(b.moment) - f64::from(a.moment);
-    ((bx - ax).hypot(by - ay), turned)
+/// k_h (N/m) and k_theta (N·m/rad).
+const STIFFNESS: [f32; 2] = [500.0, 0.5];
+
+/// What a governor with limits as after power-up is asked for.
+fn wanted(force: [f32; 2], moment: f32) -> Wanted {
+    Limits::DEFAULT.sized(&Wrench { force, moment }, STIFFNESS)
 }
 
 #[test]
-fn force_and_its_rate_are_never_exceeded() {
-    let limits = Limits::default();
-    let (mut governor, mut random) = (Governor::new(&limits), Random(1));
+fn size_is_never_exceeded_nor_growth_after_zero_force() {
+    let (mut governor, mut random) = (Governor::new(&Limits::DEFAULT), Random(1));
     let (step, turn) = (0.1, 0.002); // 100 N/s, 2 N·m/s, at 1 kHz
-    let mut last = Wrench::default();
+    // Ticks since zero force, until what was wanted is reached.
+    let mut grows = Some(0.0);
     let (mut at_size, mut at_rate, mut bad) = (0, 0, 0);
     for _ in 0..1_000_000 {
-        let wanted = Wrench {
-            force: [any(&mut random), any(&mut random)],
-            moment: any(&mut random),
-        };
-        let given = governor.toward(&wanted);
+        if random.bits() % 16 == 0 {
+            assert_eq!(governor.cut().wrench, Wrench::default());
+            grows = Some(0.0);
+        }
+        // Some are so small that they are soon reached.
+        let scale = [1.0, 0.05, 0.001][random.bits() as usize % 3];
+        let [x, y, moment] = std::array::from_fn(|_| any(&mut random) * scale);
+        let force = [x, y];
+        let given = governor.toward(&wanted(force, moment));
         let w = given.wrench;
-        assert!(size(w.force) <= 5.0, "{wanted:?} {w:?}");
-        assert!(w.moment.abs() <= 0.1, "{wanted:?} {w:?}");
+        assert!(size(w.force) <= 5.0 && w.moment.abs() <= 0.1, "{w:?}");
         if given.not_finite {
             bad += 1;
             assert_eq!(w, Wrench::default());
-        } else {
-            // 1e-6 of the limit for the rounding of the sum.
-            let (force, moment) = change(&last, &w);
-            assert!(force <= step + 5e-6, "{last:?} {w:?}");
-            assert!(moment.abs() <= turn + 1e-7, "{last:?} {w:?}");
+            grows = Some(0.0);
+            continue;
         }
-        at_size += u32::from(given.size_limited);
-        at_rate += u32::from(given.rate_limited);
-        last = w;
+        if let Some(ticks) = &mut grows {
+            // 1e-6 of the limits for the rounding of the sum.
+            *ticks += 1.0;
+            assert!(size(w.force) <= *ticks * step + 5e-6, "{w:?}");
+            assert!(f64::from(w.moment.abs()) <= *ticks * turn + 1e-7, "{w:?}");
+        } else {
+            assert!(!given.rate_limited);
+        }
+        if given.rate_limited {
+            at_rate += 1;
+        } else if given.size_limited {
+            at_size += 1;
+            // One of the two springs would be at its limit alone: 50 mJ or 20 mJ, twice.
+            let held = size(w.force).powi(2) / 500.0 + f64::from(w.moment).powi(2) / 0.5;
+            assert!((held - 0.02).abs() < 1e-6, "{held}");
+        } else {
+            assert_eq!((w.force, w.moment), (force, moment));
+        }
+        grows = grows.filter(|_| given.rate_limited);
     }
     assert!(at_size > 10_000 && at_rate > 10_000 && bad > 10_000);
 }
 
 #[test]
-fn the_force_keeps_its_direction_at_its_limit() {
-    let mut governor = Governor::new(&Limits::default());
-    let wanted = Wrench {
-        force: [30.0, -40.0],
-        moment: 0.0,
-    };
-    let mut given = governor.toward(&wanted);
+fn a_limit_keeps_the_direction_of_force_and_moment_together() {
+    let mut governor = Governor::new(&Limits::DEFAULT);
+    let far = wanted([30.0, -40.0], 0.2);
     for _ in 0..100 {
-        given = governor.toward(&wanted);
+        let given = governor.toward(&far);
+        let [x, y] = given.wrench.force;
+        let part = x / 30.0;
+        let is_along =
+            (y + 40.0 * part).abs() < 1e-5 && (given.wrench.moment - 0.2 * part).abs() < 1e-7;
+        assert!(is_along && given.size_limited, "{given:?}");
     }
-    let [x, y] = given.wrench.force;
-    assert!((x - 3.0).abs() < 1e-5 && (y + 4.0).abs() < 1e-5);
-    assert!(given.size_limited && !given.rate_limited);
-    // Its square is too large for f32.
-    let huge = Wrench {
-        force: [3e38, 3e38],
-        moment: -3e38,
-    };
-    for _ in 0..200 {
-        given = governor.toward(&huge);
+    let given = governor.toward(&far);
+    // 50 N and 0.2 N·m hold 5.08 J, twice; 0.1 N·m hold 0.02 J.
+    let part = (0.02_f32 / 5.08).sqrt();
+    assert!((given.wrench.moment - 0.2 * part).abs() < 1e-6 && !given.rate_limited);
+}
+
+#[test]
+fn what_a_device_does_not_output_limits_nothing() {
+    let knob = with(Limits::DEFAULT, |limits| limits.moment = 0.0);
+    let mut governor = Governor::new(&knob);
+    let mut given = Wrench::default();
+    for _ in 0..60 {
+        let wrench = Wrench {
+            force: [3.0, 3.9],
+            moment: 7.0,
+        };
+        given = governor.toward(&knob.sized(&wrench, STIFFNESS)).wrench;
     }
-    let [x, y] = given.wrench.force;
-    assert!((x - y).abs() < 1e-6 && (size([x, y]) - 5.0).abs() < 1e-5);
-    assert!((given.wrench.moment + 0.1).abs() < 1e-6);
+    assert_eq!((given.force, given.moment), ([3.0, 3.9], 0.0));
 }
 
 #[test]
 fn a_wanted_force_within_the_limits_is_reached_exactly() {
-    let mut governor = Governor::new(&Limits::default());
-    let wanted = Wrench {
-        force: [1.234_567, -0.765_432],
-        moment: 0.012_345,
-    };
-    let ticks = (0..).take_while(|_| governor.toward(&wanted).wrench != wanted);
-    assert_eq!(ticks.count(), 14); // 1.4526 N in steps of 0.1 N: reached with the 15th
-    let given = governor.toward(&wanted);
-    assert!(!given.size_limited && !given.rate_limited && given.wrench == wanted);
+    let mut governor = Governor::new(&Limits::DEFAULT);
+    let (force, moment) = ([1.234_567, -0.765_432], 0.012_345);
+    let is_reached = |given: &Wrench<f32>| (given.force, given.moment) == (force, moment);
+    let far = wanted(force, moment);
+    let ticks = (0..).take_while(|_| !is_reached(&governor.toward(&far).wrench));
+    // They hold 4.53 mJ, twice: 0.476 of the size of 20 mJ, which grows in 50 ticks.
+    assert_eq!(ticks.count(), 23);
+    let given = governor.toward(&far);
+    assert!(!given.size_limited && !given.rate_limited && is_reached(&given.wrench));
+}
+
+#[test]
+fn a_force_that_has_grown_follows_at_once_and_one_that_falls_always_does() {
+    let mut governor = Governor::new(&Limits::DEFAULT);
+    let along = |x: f32| wanted([x, 0.0], 0.01 * x);
+    // Less than has grown is given at once, and so is everything from then on.
+    for _ in 0..10 {
+        governor.toward(&along(2.0));
+    }
+    for x in [0.5, 0.0, 2.0, -2.0, 0.67] {
+        let given = governor.toward(&along(x));
+        assert!(
+            given.wrench.force == [x, 0.0] && !given.rate_limited,
+            "{given:?}"
+        );
+    }
+    // The direction is that of the demand, also while it grows: 0.02 of the limits per tick.
+    governor.cut();
+    governor.toward(&along(2.0));
+    let given = governor.toward(&along(-2.0));
+    let [x, _] = given.wrench.force;
+    assert!(x < -0.05 && x >= -0.2 && given.rate_limited, "{given:?}");
 }
 
 #[test]
@@ -129,6 +175,7 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
         damping_rotation: 0.03125,
         hold_us: 1_000,
         delay_us: 0,
+        turn_us: 0,
     };
     assert_eq!(passivity.check(), Ok(()));
     let nan = with(passivity, |passivity| passivity.damping_rotation = f32::NAN);
@@ -155,6 +202,18 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
     // A delay costs twice as much as a tick.
     let late = with(passivity, |passivity| passivity.delay_us = 500);
     assert_eq!(late.bounds(), [500.0, 31.25]);
+    // So does a turn, and one that is longer than a tick lets a force be held for two: of the knob of the example, and of the Pico.
+    let bound = |turn_us, period_us| {
+        let late = with(passivity, |passivity| passivity.turn_us = turn_us);
+        let [along, _] = late.at_period(period_us).bounds();
+        along
+    };
+    assert!((bound(675, 1_000) - 0.5 / 1.175e-3).abs() < 1e-3);
+    assert!((bound(1_000, 1_000) - 0.5 / 1.5e-3).abs() < 1e-3);
+    assert!((bound(2_068, 1_000) - 0.5 / 3.568e-3).abs() < 1e-3);
+    assert!((bound(0, 2_000) - 0.5 / 1e-3).abs() < 1e-3);
+    let endless = with(passivity, |passivity| passivity.turn_us = 1_000_001);
+    assert_eq!(endless.check().unwrap_err().parameter, LimitParameter::Turn);
     // Without damping only zero stiffness is passive.
     let free = with(passivity, |passivity| passivity.damping_translation = 0.0);
     assert!(free.admit(1e-6, 0.0).is_err());

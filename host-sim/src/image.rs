@@ -16,7 +16,9 @@ use crate::firmware::process::EmulatorError;
 use crate::firmware::uf2::{Family, blocks, uf2};
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use stiction_firmware::safety::{LimitError, Passivity};
 use stiction_scene::{InputError, SceneFile};
+use stiction_wire::Mode;
 
 use crate::files::{WriteError, check};
 use crate::input::{open_scene, suits_boards};
@@ -59,6 +61,14 @@ pub(crate) enum ImageError {
         device: &'static str,
         allowed: String,
     },
+    #[error("{scene}: {error}, with the {device} at {board}, at {rate} ticks per second")]
+    NotPassive {
+        scene: String,
+        device: &'static str,
+        board: &'static str,
+        error: LimitError,
+        rate: u16,
+    },
 }
 
 /// A device at the pins of a board.
@@ -77,6 +87,36 @@ impl Device {
             Self::Knob => "knob",
             Self::Pantograph => "pantograph",
         }
+    }
+
+    /// Its damping, and the longest turn of the board.
+    fn passivity(self, board: Board) -> Passivity {
+        use stiction_firmware::devices::pantograph as arms;
+        match self {
+            Self::Knob => stiction_firmware::devices::knob::PASSIVITY,
+            Self::Pantograph if board == Board::OLIMEX => arms::passivity(arms::TURN_F405_US),
+            Self::Pantograph if board == Board::PICO2 => arms::passivity(arms::TURN_PICO_2_US),
+            Self::Pantograph => arms::passivity(arms::TURN_PICO_US),
+        }
+    }
+
+    /// Checks that the device displays the stiffnesses of a scene passively, at the tick rate after power-up: otherwise the board would not
+    /// start.
+    fn admit(self, board: Board, scene: &SceneFile) -> Result<(), ImageError> {
+        let rate = Mode::DEFAULT.tick_rate;
+        let passivity = self.passivity(board).at_period(1_000_000 / u32::from(rate));
+        // As the board computes it.
+        let stiffness = [scene.stiffness_translation, scene.stiffness_rotation];
+        let [k_h, k_theta] = stiffness.map(|k| k as f32);
+        passivity
+            .admit(k_h, k_theta)
+            .map_err(|error| ImageError::NotPassive {
+                scene: scene.source().file().display().to_string(),
+                device: self.feature(),
+                board: board.name,
+                error,
+                rate,
+            })
     }
 }
 
@@ -115,6 +155,9 @@ pub(crate) fn image(args: &ImageArgs) -> Result<(), ImageError> {
     };
     let device = device(args)?;
     let scene = args.scene.as_deref().map(usable_scene).transpose()?;
+    if let (Some(device), Some(scene)) = (args.device, &scene) {
+        device.admit(board, scene)?;
+    }
     check(args.scene.as_deref(), [("--out", out.clone())])?;
     board.require_build()?;
     let building = Activity::begin(format!("building the image of {}", board.name));
@@ -128,7 +171,8 @@ pub(crate) fn image(args: &ImageArgs) -> Result<(), ImageError> {
         None => fs::read(&image).map_err(WriteError::of(&image))?,
     };
     write(&out, &bytes).map_err(WriteError::of(&out))?;
-    report::print(&described(&out, &bytes, &Contents::of(&image)?, family));
+    let contents = Contents::of(&image)?;
+    report::print(&described(args, &out, &bytes, &contents, family));
     Ok(())
 }
 
@@ -178,7 +222,13 @@ fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf
 }
 
 /// Describes the file, its resources on the board, and how to flash it.
-fn described(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
+fn described(
+    args: &ImageArgs,
+    out: &Path,
+    bytes: &[u8],
+    contents: &Contents,
+    family: Option<Family>,
+) -> String {
     let size = thousands(bytes.len() as u64);
     let (flash, variables) = (thousands(contents.flash), thousands(contents.variables));
     let mut text = format!("{}: {size} bytes", out.display());
@@ -188,6 +238,12 @@ fn described(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Famil
     text += &format!("\n  flash {flash} bytes, RAM {variables} bytes and the stack\n");
     if family.is_some() {
         text += "  to flash it: hold BOOTSEL while the board is plugged in, and copy the file to the drive that appears\n";
+        if let Some(device) = args.device {
+            let name = device.feature();
+            text +=
+                &format!("  wiring and parts: firmware/wiring/{name}.svg, firmware/README.md\n");
+        }
+        text += "  then: stiction info --port auto\n";
     }
     text
 }

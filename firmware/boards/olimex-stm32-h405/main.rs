@@ -32,7 +32,7 @@ use stiction_boards::{Board, Parts, PartsOf, Port, Ticks, Watchdog, stop};
 #[cfg(feature = "pantograph")]
 use stiction_boards::{Joints, Tracks};
 #[cfg(feature = "pantograph")]
-use stiction_firmware::devices::pantograph::{LIMITS, PASSIVITY};
+use stiction_firmware::devices::pantograph::{LIMITS, TURN_F405_US, passivity};
 use stiction_firmware::line::{self, Line};
 use stiction_firmware::speed::Processor;
 use stiction_firmware::station::Setup;
@@ -85,7 +85,7 @@ impl Board for Olimex {
         #[cfg(feature = "pantograph")]
         limits: LIMITS,
         #[cfg(feature = "pantograph")]
-        passivity: PASSIVITY,
+        passivity: Some(passivity(TURN_F405_US)),
         ..work::SETUP
     };
     /// 11 ms.

@@ -119,7 +119,7 @@ impl<B: Pico> Board for B {
         fastest_tick: B::FASTEST_TICK,
         work_rate: B::WORK_RATE,
         limits: numbers::LIMITS,
-        passivity: numbers::PASSIVITY,
+        passivity: device::PASSIVITY,
         ..work::SETUP
     };
     /// 11 ms.

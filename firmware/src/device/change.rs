@@ -1,6 +1,6 @@
 //! A new scene, new parameters or another mode while the device runs. A refused change changes nothing. Otherwise the body stays where it
-//! is, its contacts stick at first, and it settles again under the hand that holds it at the same point; the force moves to the new value
-//! within its rate limit.
+//! is, its contacts stick at first, and it settles again under the hand that holds it at the same point; a larger force is reached within its
+//! limit of rate, a smaller one at once.
 
 use super::controller::{Controller, Run, solver};
 use super::refusal::Refusal;
@@ -86,6 +86,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
                 run.state = Some(carried.state);
                 run.solver = carried.solver;
                 let output = run.accept(carried.output);
+                let limits = &self.settings.limits;
+                let present = limits.sized(&self.given, run.store.stiffness());
+                self.demand.grows_from = Some(present.size);
                 self.want();
                 Ok(output)
             }

@@ -5,7 +5,7 @@ use super::refusal::Refusal;
 use super::servo::{Demand, LockServo};
 use super::settings::Settings;
 use super::store::Store;
-use crate::safety::{Arrival, Arrivals, Flags, Health};
+use crate::safety::{Arrival, Arrivals, Flags, Health, Wanted};
 use stiction_core::{
     Angle, Description, Hand, Output, Real, Scene, Solver, State, StateKind, Status, Wrench,
 };
@@ -72,6 +72,8 @@ pub struct Controller<R: Real, const V: usize, const S: usize, const C: usize = 
     pub(super) run: Run<R, V, S, C>,
     pub(super) demand: Demand,
     arrivals: Arrivals,
+    /// The force at the end of the last turn.
+    pub(super) given: Wrench<f32>,
     /// At the end of the last turn.
     silent: bool,
     health: Health,
@@ -171,6 +173,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             run: Run::new(description, settings)?,
             demand: Demand::new(&settings.limits),
             arrivals: Arrivals::default(),
+            given: Wrench::default(),
             silent: true,
             health: Health::default(),
         })
@@ -188,6 +191,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         let settled = servo.lock(|servo| servo.settle(&self.demand));
         self.demand.taken();
         self.silent = settled.flags.silent;
+        self.given = settled.force;
         let Health {
             ticks,
             missed_ticks,
@@ -215,6 +219,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         if self.arrivals.arrive(sample.number, self.silent) == Arrival::Late {
             return None;
         }
+        // A body at its start is moved by no hand yet.
+        if self.run.state.is_none() {
+            self.demand.grows_from = Some(0.0);
+        }
         let output = self.run.step(&sample.hand);
         self.health.samples = self.health.samples.saturating_add(1);
         self.demand.held_last = is_held_last(output.status);
@@ -238,8 +246,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
     }
 
     pub(super) fn want(&mut self) {
-        let wrench = self.run.state.as_ref().map(|s| self.run.solver.wrench(s));
-        self.demand.wrench = wrench.unwrap_or_default().feedback();
+        let run = &self.run;
+        let wrench = run.state.as_ref().map(|s| run.solver.wrench(s));
+        let wrench = wrench.unwrap_or_default().feedback();
+        let limits = &self.settings.limits;
+        self.demand.wanted = limits.sized(&wrench, run.store.stiffness());
     }
 
     /// Records the duration of a step, in any unit: the longest one counts.
@@ -288,7 +299,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
     }
     /// The force is zero immediately.
     pub(super) fn let_go(&mut self) {
-        self.demand.wrench = Wrench::default();
+        self.demand.wanted = Wanted::default();
         self.demand.held_last = false;
         self.demand.cut = true;
     }

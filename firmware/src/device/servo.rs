@@ -6,29 +6,33 @@
 //! settle  takes the solver's demand at the end of a turn, and outputs it immediately
 //! ```
 //!
-//! Both output a force: that of the end of a turn replaces that of the tick in which it ends. The limits of rate count from the force at
-//! the end of the previous tick, so that no tick changes it by more than one step.
+//! Both output a force: that of the end of a turn replaces that of the tick in which it ends. A force that grows after a safe state does so
+//! from the end of the previous tick, so that it grows by no more than one step in a tick.
 //!
-//! If a turn takes longer than a tick, its force is held for longer than the bound of stiffness ([`Passivity::hold_us`]) assumes: for that
-//! time the device may do work on the hand, at most as long as silence permits.
+//! If a turn takes longer than the bound of stiffness assumes ([`Passivity::turn_us`]), as one with a command may, its predecessor's force is
+//! held for longer. Once, that gives the hand no more than this force on the hand's way in the time beyond, which silence limits.
 //!
-//! [`Passivity::hold_us`]: crate::safety::Passivity::hold_us
+//! [`Passivity::turn_us`]: crate::safety::Passivity::turn_us
 
 use super::ports::{Actuators, Outage, Sample, Source};
-use crate::safety::{Flags, Given, Governor, Health, Limits, Silence, Ticks, lateness, latest};
+use crate::safety::{
+    Flags, Given, Governor, Health, Limits, Silence, Ticks, Wanted, lateness, latest,
+};
 use stiction_core::Wrench;
 
 /// The demand of the solver at the end of a turn.
 #[derive(Clone, Debug)]
 pub(super) struct Demand {
     /// The force on the hand according to statics.
-    pub(super) wrench: Wrench<f32>,
+    pub(super) wanted: Wanted,
     /// The solver could not use the last sample.
     pub(super) held_last: bool,
     /// When a sample that it could use arrived (µs).
     pub(super) received_us: Option<u32>,
     /// First sets the force to zero.
     pub(super) cut: bool,
+    /// The scene is another one: what it demands beyond the present force, of this size, is not the hand's work, and the force grows to it.
+    pub(super) grows_from: Option<f32>,
     pub(super) limits: Option<Limits>,
     /// Everything as after power-up.
     pub(super) anew: bool,
@@ -37,10 +41,11 @@ pub(super) struct Demand {
 impl Demand {
     pub(super) fn new(limits: &Limits) -> Self {
         Self {
-            wrench: Wrench::default(),
+            wanted: Wanted::default(),
             held_last: false,
             received_us: None,
             cut: false,
+            grows_from: None,
             limits: Some(*limits),
             anew: true,
         }
@@ -50,6 +55,7 @@ impl Demand {
     pub(super) fn taken(&mut self) {
         self.received_us = None;
         self.cut = false;
+        self.grows_from = None;
         self.limits = None;
         self.anew = false;
     }
@@ -84,7 +90,7 @@ pub struct Servo<D> {
 #[derive(Clone, Debug)]
 struct Rule {
     limits: Limits,
-    wanted: Wrench<f32>,
+    wanted: Wanted,
     held_last: bool,
     /// Its state at the end of the previous tick.
     before: Governor,
@@ -106,7 +112,7 @@ impl Rule {
     fn new(limits: &Limits) -> Self {
         Self {
             limits: *limits,
-            wanted: Wrench::default(),
+            wanted: Wanted::default(),
             held_last: false,
             before: Governor::new(limits),
             governor: Governor::new(limits),
@@ -230,10 +236,13 @@ impl<D: Source + Actuators> Servo<D> {
         if demand.cut {
             let _ = rule.cut();
         }
+        if let Some(size) = demand.grows_from {
+            rule.before.grow(size);
+        }
         if let Some(received_us) = demand.received_us {
             rule.silence.restart(received_us);
         }
-        rule.wanted = demand.wrench;
+        rule.wanted = demand.wanted;
         rule.held_last = demand.held_last;
         // The sample of the next tick may arrive at the end of its turn.
         let ahead = latest(rule.limits.period_us);

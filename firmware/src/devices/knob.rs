@@ -8,8 +8,8 @@ use crate::safety::{Limits, Passivity};
 
 /// The effect of a turn, and the resolution of the encoder.
 pub const GEOMETRY: KnobGeometry = KnobGeometry {
-    origin: [0.0, 0.036], // m: the tool of `firmware/scenes/knob.toml` is pressed 4 mm deep
-    radius: 0.015,        // m
+    origin: [0.0, 0.0345], // m: the tool of `firmware/scenes/knob.toml` is pressed 5.5 mm deep
+    radius: 0.015,         // m
     encoder: Encoder {
         counts_per_turn: 2_400, // of a disc with 600 lines
         reversed: false,
@@ -25,19 +25,22 @@ pub const MOTOR: MotorConstants = MotorConstants {
     reversed: false,
 };
 
-/// Limits of the force on the hand: 3.3 N at the radius, ramped up from zero in 33 ms, zero 20 ms after the last count that could be read.
+/// Limits of the force on the hand: 3.3 N at the radius, reached in 33 ms after a safe state, zero 20 ms after the last count that could be
+/// read.
 pub const LIMITS: Limits = Limits {
     force: 3.3,
+    moment: 0.0, // the knob's axis is that of its force
     ..Limits::DEFAULT
 };
 
 /// The knob's own damping: measure it. A stiffness that is not passive with it is refused, including that of the compiled-in scene: then
-/// the board does not start.
-pub const PASSIVITY: Option<Passivity> = Some(Passivity {
-    // N·s/m: 1e-4 N·m·s/rad over the square of the radius; less than 889 N/m at 1 kHz.
+/// the board does not start, and `stiction image` does not build it.
+pub const PASSIVITY: Passivity = Passivity {
+    // N·s/m: 1e-4 N·m·s/rad over the square of the radius; less than 355 N/m at 1 kHz.
     damping_translation: 1e-4 / (GEOMETRY.radius * GEOMETRY.radius),
     // N·m·s/rad. The hand does not turn, and so no moment does work on it: enough for any stiffness that a scene may have.
     damping_rotation: 1e3,
     hold_us: 200, // of the fastest tick; that of a slower one counts
-    delay_us: 0,  // the encoder is read in the tick in which the force is output
-});
+    delay_us: 0,  // the encoder is read in the tick
+    turn_us: 750, // of the Pico, as `host-sim/lab` measures it with the knob's scene; the Pico 2 is faster
+};

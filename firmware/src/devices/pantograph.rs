@@ -50,14 +50,30 @@ const HANDLE: MotorConstants = MotorConstants {
     reversed: false,
 };
 
-/// Limits of the force on the hand: 5 N, 0.1 N·m, both ramped up from zero in 50 ms, zero 20 ms after the last position that could be read.
+/// Limits of the force on the hand: 5 N, 0.1 N·m, both reached in 50 ms after a safe state, zero 20 ms after the last position that could be
+/// read.
 pub const LIMITS: Limits = Limits::DEFAULT;
 
-/// The mechanism's own damping, its minimum over the workspace: measure it. A stiffness that is not passive with it is refused, including
-/// that of the compiled-in scene: then the board does not start.
-pub const PASSIVITY: Option<Passivity> = Some(Passivity {
-    damping_translation: 0.5, // N·s/m: less than 1000 N/m at 1 kHz
-    damping_rotation: 0.0005, // N·m·s/rad: less than 1 N·m/rad at 1 kHz
-    hold_us: 200,             // of the fastest tick; that of a slower one counts
-    delay_us: 0,              // encoders are read in the tick in which the force is output
-});
+/// The longest turn of a board with this device (µs), by the limits of ticks and turns in `firmware/budgets.toml`: 72 500 instructions of
+/// 2 cycles on the F405, 277 000 cycles on the Pico. For the Pico 2 it is an estimate, by the instructions of the board that is emulated in its
+/// place.
+pub const TURN_F405_US: u32 = 870;
+/// That of the Pico, see [`TURN_F405_US`].
+pub const TURN_PICO_US: u32 = 2_220;
+/// That of the Pico 2, see [`TURN_F405_US`].
+pub const TURN_PICO_2_US: u32 = 970;
+
+/// The mechanism's own damping, its minimum over the workspace: measure it. A stiffness that is not passive with it on a board with this longest
+/// turn (µs) is refused, including that of the compiled-in scene: then the board does not start, and `stiction image` does not build it.
+///
+/// At 1 kHz stiffnesses are less than 364 N/m and 0.36 N·m/rad on the F405, 134 N/m and 0.13 N·m/rad on the Pico, whose turns take up to three
+/// ticks, and 340 N/m and 0.34 N·m/rad on the Pico 2.
+pub const fn passivity(turn_us: u32) -> Passivity {
+    Passivity {
+        damping_translation: 0.5, // N·s/m
+        damping_rotation: 0.0005, // N·m·s/rad
+        hold_us: 200,             // of the fastest tick; that of a slower one counts
+        delay_us: 0,              // the encoders are read in the tick
+        turn_us,
+    }
+}

@@ -1,18 +1,72 @@
-//! From the wrench that the statics demands to one that the device may output: force and moment limited in size, keeping the direction of
-//! the force, and in their change from tick to tick.
+//! From the wrench that the statics demands to one that the device may output: force and moment limited in size, by one factor; after a safe
+//! state the size also grows by no more than a step per tick, until it has reached what is wanted.
+//!
+//! At any other time the wrench follows the demand at once. The demand is the force of springs, which is passive (see
+//! [`Passivity`](super::Passivity)), and slips and losses of contact only release what the springs hold: no limit of rate is needed for that,
+//! and one would make the force lag behind the hand, which does work on it.
+//!
+//! A limit of size must not spoil this: force and moment that are cut off separately are not those of springs any more, and give the hand
+//! energy on a closed path. Here a factor reduces both, which depends only on the energy E of the springs: with E_c at the limit, it is
+//! h = 1 up to E_c, and sqrt(E_c / E) beyond. H, its integral over E, grows less and less, so that with h times the force the proof of
+//! passivity is that of the springs, of H instead of E. The weight alone, lifted with a force that is reduced and let down with one that is
+//! not, gives back more than it took.
+//!
+//! Growth raises E_c. At constant E_c the springs are passive, as above; where E_c grows, H grows, from 0 to at most E. So once after a safe
+//! state the hand may be given what the springs hold meanwhile, and nothing more, however it moves; the cut before took the same from a hand
+//! that was in contact. What falls, falls at once.
 
 use super::limits::Limits;
 use stiction_core::{Real, Wrench};
 
 /// A limit is observed with this margin, for the rounding of what is computed with it.
-const MARGIN: f32 = 1.0 - 4.0 * f32::EPSILON;
+const MARGIN: f32 = 1.0 + 8.0 * f32::EPSILON;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Limit {
-    /// The largest size (N, N·m).
-    size: f32,
-    /// The largest change in one tick.
-    step: f32,
+/// What the statics demands.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wanted {
+    /// The wrench on the hand (N, N·m).
+    pub(crate) wrench: Wrench<f32>,
+    /// Its size: 1 if the springs hold as much as the one of them does that is at its limit first.
+    pub(crate) size: f32,
+}
+
+impl Limits {
+    /// A wrench (N, N·m) of springs of stiffness k_h (N/m) and k_theta (N·m/rad), and its size by these limits. A limit of 0 means that the
+    /// device does not output the force or the moment: it is 0 then.
+    pub fn sized(&self, wrench: &Wrench<f32>, [k_h, k_theta]: [f32; 2]) -> Wanted {
+        let mut wrench = *wrench;
+        if self.force == 0.0 {
+            wrench.force = [0.0; 2];
+        }
+        if self.moment == 0.0 {
+            wrench.moment = 0.0;
+        }
+        let ([x, y], m) = (wrench.force, wrench.moment);
+        let (mut held, mut most) = (0.0, f32::INFINITY);
+        for (square, limit, stiffness) in [
+            (x * x + y * y, self.force, k_h),
+            (m * m, self.moment, k_theta),
+        ] {
+            if limit > 0.0 && stiffness > 0.0 {
+                held += square / stiffness;
+                most = Real::min(most, limit * limit / stiffness);
+            }
+        }
+        let size = Real::sqrt(held / most) * MARGIN;
+        Wanted { wrench, size }
+    }
+
+    /// By how much the size may grow in a tick: neither force nor moment grows faster than its limit.
+    fn step(&self) -> f32 {
+        let part = |rate: f32, limit: f32| match limit > 0.0 {
+            true => rate * self.period() / limit,
+            false => 1.0,
+        };
+        Real::min(
+            part(self.force_rate, self.force),
+            part(self.moment_rate, self.moment),
+        )
+    }
 }
 
 /// The wrench of a tick, and what limited it.
@@ -22,7 +76,7 @@ pub struct Given {
     pub wrench: Wrench<f32>,
     /// The wanted wrench is larger than permitted.
     pub size_limited: bool,
-    /// The wanted wrench, within its size, is not reached yet.
+    /// The wanted wrench, within its size, is not reached yet: it grows after a safe state.
     pub rate_limited: bool,
     /// The wanted wrench is not finite: zero is output.
     pub not_finite: bool,
@@ -31,104 +85,65 @@ pub struct Given {
 /// Keeps the force on the hand within its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Governor {
-    force: Limit,
-    moment: Limit,
-    given: Wrench<f32>,
+    /// By how much the size may grow in a tick.
+    step: f32,
+    /// The size up to which it has grown; infinite once what is wanted was reached.
+    grown: f32,
 }
 
 impl Governor {
     /// For limits that were checked. Begins at zero force.
     pub fn new(limits: &Limits) -> Self {
-        let step = |rate: f32| rate * limits.period();
         Self {
-            force: Limit {
-                size: limits.force,
-                step: step(limits.force_rate),
-            },
-            moment: Limit {
-                size: limits.moment,
-                step: step(limits.moment_rate),
-            },
-            given: Wrench::default(),
+            step: limits.step(),
+            grown: 0.0,
         }
     }
 
-    /// New limits, which were checked as well. The force continues from its present value.
+    /// New limits, which were checked as well. What grows goes on growing.
     pub fn set_limits(&mut self, limits: &Limits) {
-        *self = Self {
-            given: self.given,
-            ..Self::new(limits)
-        };
+        self.step = limits.step();
     }
 
     /// The wrench on the hand in this tick if `wanted` would be right.
-    pub fn toward(&mut self, wanted: &Wrench<f32>) -> Given {
-        let [x, y] = wanted.force;
-        if ![x, y, wanted.moment].into_iter().all(Real::is_finite) {
+    pub fn toward(&mut self, wanted: &Wanted) -> Given {
+        let Wanted { wrench, size } = *wanted;
+        let ([x, y], moment) = (wrench.force, wrench.moment);
+        if ![x, y, moment, size].into_iter().all(Real::is_finite) {
             return Given {
                 not_finite: true,
                 ..self.cut()
             };
         }
-        let force = limited(wanted.force, self.force.size);
-        let moment = clamped(wanted.moment, self.moment.size);
-        let old = self.given;
-        self.given = Wrench {
-            force: approached(old.force, force, self.force.step),
-            moment: old.moment + clamped(moment - old.moment, self.moment.step),
+        let grown = self.grown + self.step;
+        let most = Real::min(grown, 1.0);
+        let is_reached = grown >= Real::min(size, 1.0);
+        self.grown = if is_reached { f32::INFINITY } else { grown };
+        let wrench = if size <= most {
+            wrench
+        } else {
+            let part = most / size;
+            Wrench {
+                force: [x * part, y * part],
+                moment: moment * part,
+            }
         };
-        if Real::abs(moment - self.given.moment) <= f32::EPSILON * self.moment.size {
-            // Reached, except for the rounding of the last step.
-            self.given.moment = moment;
-        }
         Given {
-            wrench: self.given,
-            size_limited: force != wanted.force || moment != wanted.moment,
-            rate_limited: self.given.force != force || self.given.moment != moment,
+            wrench,
+            size_limited: size > 1.0,
+            rate_limited: !is_reached,
             not_finite: false,
         }
     }
 
-    /// Zero, immediately.
+    /// Zero, immediately; then it grows.
     pub fn cut(&mut self) -> Given {
-        self.given = Wrench::default();
+        self.grown = 0.0;
         Given::default()
     }
-}
 
-/// A number limited to a magnitude of at most `most`.
-fn clamped(x: f32, most: f32) -> f32 {
-    Real::max(Real::min(x, most), -most)
-}
-
-/// A vector shortened to a length, keeping its direction. No sum or product in it overflows.
-fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
-    let length = length * MARGIN;
-    let (wide, high) = (Real::abs(x), Real::abs(y));
-    // The usual case, without a root or a division.
-    if wide + high <= length {
-        return [x, y];
+    /// From now on it grows, from this size.
+    pub(crate) fn grow(&mut self, from: f32) {
+        self.grown = from;
     }
-    let largest = Real::max(wide, high);
-    let (u, v) = (x / largest, y / largest);
-    let size = Real::sqrt(u * u + v * v);
-    // A length beyond the largest number compares as infinity, which is correct.
-    if largest * size <= length {
-        return [x, y];
-    }
-    let scale = length / size;
-    [u * scale, v * scale]
-}
-
-/// From `from` towards `to`, at most one step.
-fn approached(from: [f32; 2], to: [f32; 2], most: f32) -> [f32; 2] {
-    let ([x, y], [to_x, to_y]) = (from, to);
-    let way = [to_x - x, to_y - y];
-    let step = limited(way, most);
-    if step == way {
-        return to;
-    }
-    // Between two forces that are not too large there is none that is.
-    let [dx, dy] = step;
-    [x + dx, y + dy]
 }

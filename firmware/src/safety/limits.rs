@@ -1,4 +1,24 @@
 //! What a haptic device can output and its damping, and the largest stiffness that it can display without doing work on the hand.
+//!
+//! # Why a stiffness below the bound is passive
+//!
+//! The force on the hand is F = K (g - x), piecewise constant: x is the hand in a tick, g where the body's holding point came to in the turn of
+//! that tick. E = K (g - x)²/2 is what the spring holds. While the force is output the hand moves by d, and gets the work
+//!
+//! ```text
+//! F d = E(x, g) - E(x + d, g) + K d²/2
+//! ```
+//!
+//! Then the next turn moves the body under the hand at its new place. There it comes to rest by itself: contacts do no work on it, friction
+//! takes some, and in a slip or a tip the spring pulls the body along, so that the spring, with the weight that it bears, holds less
+//! afterwards than before. Summed up over any motion, among any obstacles, the hand gets no more than what the spring held at first and the
+//! sum of K d²/2. In a time T, the device's damping b takes at least b d²/T: enough if b > K T/2. Thus a slip makes the force fall at once,
+//! and needs no limit of rate to be passive.
+//!
+//! A force that leaves the device a time D after the tick was right for a hand D earlier: it differs by K v D from the force that is right now,
+//! and does K v² D more work per second. Together b > K (T/2 + D). Rotation has its own spring and damping, and the same bound.
+//!
+//! Limits of size, and the growth of the force after a safe state, leave this as it is: see the governor.
 
 use core::fmt;
 use stiction_core::Real;
@@ -9,20 +29,20 @@ const LARGEST: f32 = 1e6;
 const LONGEST_PERIOD: u32 = 100_000;
 /// The longest silence (µs): one second.
 const LONGEST_SILENCE: u32 = 1_000_000;
-/// The longest time for which a force is held, and the longest delay (µs).
+/// The longest time for which a force is held, the longest delay and the longest turn (µs).
 const LONGEST_HOLD: u32 = 1_000_000;
 
 /// The limits of the force on the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The largest force (N), 0 to 1e6.
+    /// The largest force (N), 0 to 1e6. See [`Self::sized`].
     pub force: f32,
-    /// The largest moment (N·m), 0 to 1e6.
+    /// The largest moment (N·m), 0 to 1e6. See [`Self::sized`].
     pub moment: f32,
-    /// The fastest change of the force (N/s), more than 0. It must be well above k_h times the speed of the hand: a force
-    /// that lags behind the hand does work on it.
+    /// The fastest growth of the force after a safe state, or after a change of the scene (N/s), more than 0. At any other time the force
+    /// follows its demand at once: one that lags behind the hand does work on it.
     pub force_rate: f32,
-    /// The fastest change of the moment (N·m/s), more than 0. The same holds for it.
+    /// The fastest growth of the moment after a safe state, or after a change of the scene (N·m/s), more than 0.
     pub moment_rate: f32,
     /// The period of ticks (µs), 1 to 100 000.
     pub period_us: u32,
@@ -39,7 +59,7 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// 5 N, 0.1 N·m, both ramped up from zero in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
+    /// 5 N, 0.1 N·m, both reached from zero in 50 ms after a safe state; 1 kHz; silence after 20 ms; every overrun makes the force zero.
     pub const DEFAULT: Self = Self {
         force: 5.0,
         moment: 0.1,
@@ -76,7 +96,7 @@ impl Limits {
 }
 
 /// The device's own damping, and the age of the hand's pose when its force is output: with them a virtual spring of stiffness K is passive
-/// if b > K (T/2 + delay), where T is the time for which a force is held (Colgate and Schenkel).
+/// if b > K (T/2 + D), where T is the time for which a force is held, and D the sum of delay and turn (Colgate and Schenkel).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passivity {
     /// b of the device along the plane (N·s/m), its minimum over the workspace: friction of bearings and motors.
@@ -86,8 +106,11 @@ pub struct Passivity {
     /// T (µs), 1 to 1 000 000: the time between two forces that follow the hand; the period of ticks, or of samples if these come less
     /// often.
     pub hold_us: u32,
-    /// The time from the hand's pose to the first force that responds to it (µs), 0 to 1 000 000; 0 if the encoders are read in the tick.
+    /// The age of the hand's pose in the tick that takes it (µs), 0 to 1 000 000: 0 if the encoders are read there; on a line, the way of a
+    /// sample.
     pub delay_us: u32,
+    /// The longest time from a tick to the end of its turn, which outputs the force (µs), 0 to 1 000 000.
+    pub turn_us: u32,
 }
 
 impl Passivity {
@@ -103,14 +126,24 @@ impl Passivity {
         )?;
         within(P::DampingRotation, self.damping_rotation, 0.0, LARGEST)?;
         counted(P::Hold, self.hold_us, 1, LONGEST_HOLD)?;
-        counted(P::Delay, self.delay_us, 0, LONGEST_HOLD)
+        counted(P::Delay, self.delay_us, 0, LONGEST_HOLD)?;
+        counted(P::Turn, self.turn_us, 0, LONGEST_HOLD)
     }
 
     /// The bounds of k_h (N/m) and of k_theta (N·m/rad): stiffnesses below them are passive.
     pub fn bounds(&self) -> [f32; 2] {
         // Twice the time, a whole number: the bound for round numbers is round.
-        let twice_us = self.hold_us.saturating_add(self.delay_us.saturating_mul(2));
+        let late_us = self.delay_us.saturating_add(self.turn_us);
+        let twice_us = self.hold_us.saturating_add(late_us.saturating_mul(2));
         [self.damping_translation, self.damping_rotation].map(|b| b * 2e6 / twice_us as f32)
+    }
+
+    /// At a period of ticks (µs): a turn begins with a tick, so that a force is held for as many of them as the longest turn needs.
+    #[must_use]
+    pub fn at_period(self, period_us: u32) -> Self {
+        let ticks = self.turn_us.max(1).div_ceil(period_us.max(1));
+        let hold_us = self.hold_us.max(ticks.saturating_mul(period_us));
+        Self { hold_us, ..self }
     }
 
     /// Refuses stiffnesses k_h (N/m) and k_theta (N·m/rad) of a hand that the device cannot display passively. No stiffness is passive
@@ -132,9 +165,9 @@ pub enum LimitParameter {
     Force,
     /// The largest moment (N·m).
     Moment,
-    /// The fastest change of the force (N/s).
+    /// The fastest growth of the force (N/s).
     ForceRate,
-    /// The fastest change of the moment (N·m/s).
+    /// The fastest growth of the moment (N·m/s).
     MomentRate,
     /// The period of ticks (µs).
     Period,
@@ -148,6 +181,8 @@ pub enum LimitParameter {
     Hold,
     /// The age of the hand's pose (µs).
     Delay,
+    /// The longest turn (µs).
+    Turn,
     /// k_h (N/m)
     StiffnessTranslation,
     /// k_theta (N·m/rad)
@@ -168,6 +203,7 @@ impl LimitParameter {
             Self::DampingRotation => "damping of rotation (N·m·s/rad)",
             Self::Hold => "time for which a force is held (µs)",
             Self::Delay => "delay (µs)",
+            Self::Turn => "longest turn (µs)",
             Self::StiffnessTranslation => "translational stiffness k_h (N/m)",
             Self::StiffnessRotation => "rotational stiffness k_theta (N·m/rad)",
         }

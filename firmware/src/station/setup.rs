@@ -173,10 +173,9 @@ impl Setup {
                 period_us,
                 ..self.limits
             },
-            passivity: self.passivity.map(|passivity| Passivity {
-                hold_us: passivity.hold_us.max(period_us),
-                ..passivity
-            }),
+            passivity: self
+                .passivity
+                .map(|passivity| passivity.at_period(period_us)),
         }
     }
 }

@@ -1,9 +1,10 @@
-//! The device at the Olimex board, every number can be used, and the device can display the scene of the board.
+//! The example device: every number can be used, and it can display its scene on every board.
 
-use crate::with;
 use stiction_core::{Angle, Real, Wrench};
 use stiction_firmware::device::{Controller, Settings};
-use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
+use stiction_firmware::devices::pantograph::{
+    GEOMETRY, LIMITS, MOTORS, TURN_F405_US, TURN_PICO_2_US, TURN_PICO_US, passivity,
+};
 use stiction_firmware::pantograph::Kinematics;
 use stiction_scene::WrittenScene;
 
@@ -14,19 +15,18 @@ fn every_number_can_be_used() {
         motor.check().unwrap();
     }
     LIMITS.check().unwrap();
-    let passivity = PASSIVITY.unwrap();
-    passivity.check().unwrap();
-    // b > K T / 2: 0.5 N·s/m and 0.0005 N·m·s/rad at 1 kHz.
-    let [along, round] = with(passivity, |passivity| passivity.hold_us = 1_000).bounds();
-    assert!(along == 1_000.0 && (round - 1.0).abs() < 1e-6);
-    let settings = Settings {
-        limits: LIMITS,
-        passivity: PASSIVITY,
-        ..Settings::default()
-    };
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/board.toml");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/pantograph.toml");
     let scene = WrittenScene::read(file.as_ref(), f64::from(f32::MAX)).unwrap();
-    scene.described::<f32, _>(|scene| Controller::<f32, 8, 4>::new(scene, &settings).unwrap());
+    for turn_us in [TURN_F405_US, TURN_PICO_US, TURN_PICO_2_US] {
+        let passivity = passivity(turn_us);
+        passivity.check().unwrap();
+        let settings = Settings {
+            limits: LIMITS,
+            passivity: Some(passivity.at_period(LIMITS.period_us)),
+            ..Settings::default()
+        };
+        scene.described::<f32, _>(|scene| Controller::<f32, 8, 4>::new(scene, &settings).unwrap());
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 use stiction_core::Wrench;
-use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
+use stiction_firmware::devices::pantograph::{GEOMETRY, LIMITS, MOTORS, passivity};
 use stiction_firmware::pantograph::{Counters, Motor, Pantograph};
 
 /// The values of encoders and switch.
@@ -59,7 +59,8 @@ impl Bed {
         let device = Pantograph::new(&GEOMETRY, Encoders(shown.clone()), (a, b, c)).unwrap();
         let setup = stiction_firmware::station::Setup {
             limits: LIMITS,
-            passivity: PASSIVITY,
+            // Turns take no time here.
+            passivity: Some(passivity(0)),
             ..setup()
         };
         Self {

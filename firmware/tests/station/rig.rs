@@ -38,6 +38,7 @@ pub(crate) fn driven() -> Setup {
             damping_rotation: 1.0 / 1024.0,
             hold_us: 1_000,
             delay_us: 0,
+            turn_us: 0,
         }),
         ..setup()
     }

@@ -147,6 +147,16 @@ fn what_cannot_be_an_image_is_refused_before_anything_is_built() {
             "has no pins for a knob, allowed: no --device",
         ),
         ("pico no-such-scene", "box-flat"),
+        // 0.444 N·s/m, by half a tick of 1 ms and a turn of 0.75 ms.
+        (
+            "pico box-flat --device knob",
+            "k_h (N/m) is 500, allowed: less than 355.5",
+        ),
+        // 0.5 N·s/m, by half of three ticks and a turn of 2.22 ms.
+        (
+            "pico box-flat --device pantograph",
+            "k_h (N/m) is 500, allowed: less than 134.4",
+        ),
     ] {
         let message = folder.refused(&format!("image {arguments}"), &[expected]);
         assert!(!message.contains("building"), "{message}");

@@ -1,8 +1,9 @@
 //! The knob at the pins of this board: an encoder in, the PWM and the direction of a motor out. The numbers of the knob are those of an
-//! example: replace them with yours. The tests of `stiction-firmware` read `firmware/src/devices/knob.rs`, too, and report which number cannot be used.
+//! example in `firmware/src/devices/knob.rs`: replace them with yours. The tests of `stiction-firmware` report which number cannot be used.
 
 use stiction_firmware::knob::{Counter, Knob};
 use stiction_firmware::pantograph::GeometryError;
+use stiction_firmware::safety::Passivity;
 
 use super::Wired;
 use super::encoder::{self, Encoder};
@@ -12,6 +13,8 @@ use super::hal::pwm::{Pwm0, Slices};
 use super::motor::{MotorAt, motor};
 
 pub(super) use stiction_firmware::devices::knob as numbers;
+
+pub(super) const PASSIVITY: Option<Passivity> = Some(numbers::PASSIVITY);
 
 /// The device of this board.
 pub type Device = Knob<Encoder<SM0>, MotorAt<Pwm0, Gpio17>>;

@@ -2,6 +2,7 @@
 
 use embedded_hal::digital::InputPin;
 use stiction_firmware::pantograph::{Counters, GeometryError, Pantograph};
+use stiction_firmware::safety::Passivity;
 
 use super::Wired;
 use super::encoder::{self, Encoder};
@@ -13,6 +14,14 @@ use super::motor::{MotorAt, motor};
 use crate::log::not_at_home;
 
 pub(super) use stiction_firmware::devices::pantograph as numbers;
+
+/// With the longest turn of this board.
+pub(super) const PASSIVITY: Option<Passivity> =
+    Some(numbers::passivity(if cfg!(feature = "pico2") {
+        numbers::TURN_PICO_2_US
+    } else {
+        numbers::TURN_PICO_US
+    }));
 
 /// The device of this board.
 pub type Device = Pantograph<Encoders, Motors>;

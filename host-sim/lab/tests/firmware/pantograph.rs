@@ -7,6 +7,7 @@ use crate::budgets::Budget;
 use crate::chip::PANTOGRAPH;
 use std::collections::HashMap;
 use stiction_core::Hand;
+use stiction_firmware::devices::pantograph::{TURN_F405_US, passivity};
 use stiction_tests::station::client::Said;
 use stiction_wire::{Command, Drive, Mode, Reason};
 
@@ -20,7 +21,9 @@ fn the_f405_with_a_pantograph_steps_by_itself() {
     budget.holds("flash", board.image.contents.flash);
     budget.holds("variables", board.image.contents.variables);
     let info = board.info();
-    assert!(info.actuators && info.stiffest[0] == 1_000.0, "{info:?}");
+    // Ticks at 1 kHz.
+    let bounds = passivity(TURN_F405_US).at_period(1_000).bounds();
+    assert!(info.actuators && info.stiffest == bounds, "{info:?}");
     board.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));
     let answer = board.wait(|_, said| match said {
         Said::Reply(answer) => Some(answer.clone()),
