@@ -3,7 +3,7 @@
 
     python3 host-sim/schemas/write.py
 
-The names and meanings of keys and columns are read from the tables in host-sim/README.md, which tests compare with the program.
+The names and meanings of keys and columns are read from the tables in host-sim/SCENES.md and host-sim/TRACES.md, which tests compare with the program.
 This file has only what these tables lack: types, lengths of arrays, minimum values.
 """
 
@@ -14,7 +14,7 @@ import pathlib
 import re
 
 HERE = pathlib.Path(__file__).resolve().parent
-README = HERE.parent / "README.md"
+DOCUMENTS = [HERE.parent / "SCENES.md", HERE.parent / "TRACES.md"]
 
 # Raised when a previously valid file no longer is.
 VERSION = 1
@@ -34,7 +34,7 @@ def numbers(count, each=NUMBER):
 
 
 def table(text, name):
-    """The rows of a table of the README, as lists of cells."""
+    """The rows of a table of the documents, as lists of cells."""
     inside = text.split(f"<!-- {name}: begin -->")[1].split(f"<!-- {name}: end -->")[0]
     lines = [line for line in inside.splitlines() if line.startswith("| `")]
     return [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines]
@@ -276,7 +276,7 @@ def columns(text):
 
 def files():
     """The text of each written file, by its name."""
-    text = README.read_text(encoding="utf-8")
+    text = "".join(document.read_text(encoding="utf-8") for document in DOCUMENTS)
     as_json = lambda schema: json.dumps(schema, indent=2, ensure_ascii=False) + "\n"  # noqa: E731
     return {
         "scene.schema.json": as_json(scene(text)),

@@ -1,4 +1,4 @@
-//! The table of keys in the README lists the keys that the reader of scene files knows, and its capacities.
+//! The table of keys in SCENES.md lists the keys that the reader of scene files knows, and its capacities.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,14 +6,14 @@ use std::path::Path;
 
 use stiction_scene::{CORNERS, OBSTACLES, SURFACES, SceneFile, Source, VERTICES};
 
-fn readme() -> String {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
-    fs::read_to_string(file).expect("the README")
+fn document() -> String {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../SCENES.md");
+    fs::read_to_string(file).expect("the document")
 }
 
 /// The keys in the first column of the table.
 fn written() -> BTreeSet<String> {
-    let text = readme();
+    let text = document();
     let (_, table) = text.split_once("<!-- keys: begin -->").expect("a table");
     let (table, _) = table.split_once("<!-- keys: end -->").expect("its end");
     let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
@@ -56,7 +56,7 @@ fn the_table_has_the_keys_that_are_read() {
 
 #[test]
 fn the_table_has_the_capacities_of_the_reader() {
-    let words: Vec<String> = readme().split_whitespace().map(str::to_owned).collect();
+    let words: Vec<String> = document().split_whitespace().map(str::to_owned).collect();
     let text = words.join(" ");
     for capacity in [
         format!("| 1 to {VERTICES} of `[x, y]`"),
