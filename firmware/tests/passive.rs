@@ -68,7 +68,7 @@ struct Ride {
     /// Given to the hand, and taken by the damping.
     given: f64,
     taken: f64,
-    /// What the weight was lifted and let down by while the springs were reduced: it may differ by that.
+    /// What the weight was lifted and let down by while the springs were reduced, by a limit or as they grew: it may differ by that.
     borne: f64,
     /// The force grows after a safe state.
     grows: bool,
@@ -144,7 +144,7 @@ impl Ride {
             .controller
             .turn(comes.then_some(&sample), &mut self.servo);
         let before = std::mem::replace(&mut self.body, turn.pose);
-        if turn.flags.size_limited {
+        if turn.flags.size_limited || turn.flags.rate_limited {
             self.borne += self.weight * (self.height(&self.body) - self.height(&before)).abs();
         }
         self.grows = turn.flags.rate_limited;
