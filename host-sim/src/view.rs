@@ -269,7 +269,7 @@ fn prepared(args: &ViewArgs, surroundings: Surroundings) -> Result<Engine, ViewE
     let scene = Arc::clone(&stage.scene);
     report::notes(&scene.notes);
     let mut engine = Engine::new(stage, &setting, surroundings).map_err(ViewError::Scene)?;
-    engine.live.own.extend(own);
+    Arc::make_mut(&mut engine.live.own).extend(own);
     engine.board = board;
     engine.is_led =
         [args.osc_in, args.opentrack_in].iter().any(Option::is_some) || args.hand.is_some();

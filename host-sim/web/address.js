@@ -146,8 +146,8 @@ export class Address {
   }
 
   /** Packs the file of a scene of the reader, if the address has another one. @param {StateMessage} state */
-  async pack({ scene, parameters }) {
-    const of = JSON.stringify([scene, parameters]);
+  async pack(state) {
+    const of = contentOf(state);
     if (of === this.file.of) return;
     const text = await this.files.file("scene.toml", "", null);
     this.file = { of, packed: await compressed(text) };
@@ -159,6 +159,11 @@ export class Address {
     if (this.stage.state && this.isOwn(this.stage.state)) await this.pack(this.stage.state).catch((why) => this.tell(why.message));
     const { state } = this.stage;
     if (this.busy || this.view || !state || location.hash !== this.known) return;
+    if (this.isOwn(state) && this.file.of !== contentOf(state)) {
+      // It has changed meanwhile.
+      this.later();
+      return;
+    }
     const text = this.text(state);
     const hash = text && `#${text}`;
     // An empty address is that of the page.
@@ -188,6 +193,9 @@ export class Address {
     return parts.join("&");
   }
 }
+
+/** What identifies the content of a scene's file. @param {StateMessage} state */
+const contentOf = ({ scene, parameters }) => JSON.stringify([scene, parameters]);
 
 /** Compresses a text for an address. @param {string} text */
 async function compressed(text) {

@@ -43,7 +43,8 @@ export class Editor {
     this.seen = stage.state;
     this.timer = 0;
     this.looking = 0;
-    this.sending = false;
+    /** The models are being sent. @type {Promise<void> | null} */
+    this.sending = null;
     this.open = true;
     /** @type {Pen | null} */
     this.pen = null;
@@ -236,22 +237,25 @@ export class Editor {
   }
 
   /** Sends the model, each one after the answer to the previous one, until the solver has received the newest. */
-  async send() {
-    if (this.sending) {
-      this.later();
-      return;
+  send() {
+    this.sending ??= this.sendNewest().finally(() => { this.sending = null; });
+    return this.sending;
+  }
+
+  async sendNewest() {
+    /** @type {Model | null} */
+    let sent = null;
+    while (sent !== this.model) {
+      sent = this.model;
+      try {
+        const answer = JSON.parse(await this.feed().file("edit", this.title, editOf(sent)));
+        this.title = answer.scene;
+        this.applied = sent;
+        this.problem = "";
+      } catch (why) {
+        this.problem = /** @type {Error} */ (why).message;
+      }
     }
-    this.sending = true;
-    const { model } = this;
-    try {
-      const answer = JSON.parse(await this.feed().file("edit", this.title, editOf(model)));
-      this.title = answer.scene;
-      this.applied = model;
-      this.problem = "";
-    } catch (why) {
-      this.problem = /** @type {Error} */ (why).message;
-    }
-    this.sending = false;
     if (this.open) this.update();
   }
 

@@ -18,4 +18,6 @@ mod handlers;
 mod uart;
 mod watchdog;
 
+#[cfg(test)]
+pub(crate) use cache::MISS;
 pub use chip::{Chip, FLASH, MEGAHERTZ, VECTORS, length};

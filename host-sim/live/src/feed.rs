@@ -30,6 +30,8 @@ pub struct Latest {
     pub meter: Option<Arc<Meter>>,
     /// The scene as it is after a reset.
     pub stage: Stage,
+    /// Scenes other than the bundled ones, the newest last.
+    pub own: Arc<Vec<Stage>>,
     /// The number type.
     pub number: Number,
     /// A client, and the value it sent with the newest sample in the record.

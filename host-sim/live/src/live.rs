@@ -46,7 +46,7 @@ pub struct Live {
     /// The path that the hand follows instead.
     pub replay: Option<Replay>,
     /// Scenes other than the bundled ones, the newest last.
-    pub own: Vec<Stage>,
+    pub own: Arc<Vec<Stage>>,
     /// Why the scene's file, in its present form, cannot be shown.
     pub scene_problem: Option<String>,
     /// The number of the newest tick.
@@ -86,7 +86,7 @@ impl Live {
             times: StepTimes::default(),
             holder: Holder::default(),
             replay: None,
-            own: Vec::new(),
+            own: Arc::default(),
             scene_problem: None,
             tick: 0,
             paused: false,
@@ -241,11 +241,12 @@ impl Live {
 
     /// Keeps a scene; it replaces another one of the same name.
     pub fn keep(&mut self, stage: Stage) {
-        self.own.retain(|own| own.scene.title != stage.scene.title);
-        if self.own.len() == MOST_OWN {
-            self.own.remove(0);
+        let scenes = Arc::make_mut(&mut self.own);
+        scenes.retain(|own| own.scene.title != stage.scene.title);
+        if scenes.len() == MOST_OWN {
+            scenes.remove(0);
         }
-        self.own.push(stage);
+        scenes.push(stage);
     }
 
     /// Returns the scenes that can be shown, those of clients first; `with_obstacles`: includes those with obstacles.
@@ -309,6 +310,7 @@ impl Live {
             frame: Arc::clone(&pair.frame),
             scene: Arc::clone(&pair.setting.scene),
             stage: self.stage.clone(),
+            own: Arc::clone(&self.own),
             number: pair.setting.number,
             meter: pair.meter.clone(),
             echo: self.echoes.shown().clone(),

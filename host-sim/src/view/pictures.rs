@@ -13,12 +13,15 @@ use tokio::task::spawn_blocking;
 use super::server::{Hub, problem};
 use stiction_live::scenes;
 
-/// Returns the scene of a name: the present one, or a bundled one.
+/// Returns the scene of a name: the present one, one of the clients', or a bundled one.
 fn source(hub: &Hub, name: &str) -> Option<Source> {
     let latest = hub.feed.read().latest.clone();
-    let shown = latest.filter(|latest| latest.stage.scene.title == name);
-    let shown = shown.map(|latest| latest.stage.scene.source().clone());
-    shown.or_else(|| scenes::find(FilePath::new(name)))
+    let own = latest.and_then(|latest| {
+        let mut known = std::iter::once(&latest.stage).chain(latest.own.iter());
+        let named = known.find(|stage| stage.scene.title == name);
+        named.map(|stage| stage.scene.source().clone())
+    });
+    own.or_else(|| scenes::find(FilePath::new(name)))
 }
 
 /// `NAME.svg`.

@@ -173,7 +173,8 @@ liveTest("a scene is drawn, changed, undone, saved, opened and run", async (benc
   await live.scene("box-flat");
   await live.page.reload();
   await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
-  await live.page.waitForSelector(`[data-scene="${own}"] svg`, { state: "attached" });
+  await live.page.locator(`[data-scene="${own}"]`).scrollIntoViewIfNeeded();
+  await live.page.waitForSelector(`[data-scene="${own}"] svg`);
   await live.scene(own);
   // Changes by the sliders are undone by a reset, and by the button without one.
   await live.page.fill("#type-static", "0.2");
@@ -220,9 +221,8 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
     await live.scene("box-flat");
     await edits(live);
     // A link shows the scene that was drawn to everyone who opens it, in a browser that has never seen it.
-    await live.until(() => /file=/.test(location.hash));
     const { scene, parameters } = await live.state();
-    await live.until(() => !/file=$/.test(location.hash));
+    await live.until((title) => location.hash.includes(`scene=${title}&file=`), scene.title);
     const link = await live.page.evaluate(() => location.href);
     const elsewhere = await shared().get().newContext();
     const other = new Live(await elsewhere.newPage(), host.origin);

@@ -58,6 +58,15 @@ async function draw(live, corners) {
   await live.until((count) => window.stiction.state?.scene.body.length === count, corners);
 }
 
+/** Runs in the page: whether its address has this file of a scene. @param {string} text */
+async function isInAddress(text) {
+  const packed = new URLSearchParams(location.hash.slice(1)).get("file") ?? "";
+  const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
+  if (letters === "") return false;
+  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  return await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text() === text;
+}
+
 for (const viewport of WINDOWS) {
   const name = `${viewport.width} by ${viewport.height}`;
   test(`a stranger at ${name} sees a slip, changes friction, draws, saves and sends a link`, { skip: missingPage || shared().missing }, async () => {
@@ -92,12 +101,14 @@ for (const viewport of WINDOWS) {
       await press(live, '.editor-bar [aria-label="Save the scene as a file"]');
       const file = await coming;
       assert.match(file.suggestedFilename(), /^my-.*\.toml$/);
-      assert.match(readFileSync(await file.path(), "utf8"), /^\[body\]\nvertices = \[(\[[^\]]*\],? ?){6}\]/m);
+      const text = readFileSync(await file.path(), "utf8");
+      assert.match(text, /^\[body\]\nvertices = \[(\[[^\]]*\],? ?){6}\]/m);
 
-      await live.until(() => /file=\w/.test(location.hash));
+      const { title } = (await live.state()).scene;
+      await live.until(isInAddress, text);
       const other = await newPage();
       await other.page.goto(await page.evaluate(() => location.href));
-      await other.until(([title]) => window.stiction?.state?.scene.title === title, [(await live.state()).scene.title]);
+      await other.until(([title]) => window.stiction?.state?.scene.title === title, [title]);
       const [mine, theirs] = [await live.state(), await other.state()];
       assert.deepEqual(theirs.scene.body, mine.scene.body);
       assert.deepEqual(theirs.parameters, mine.parameters);

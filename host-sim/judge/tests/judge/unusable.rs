@@ -154,7 +154,7 @@ fn scene_that_is_none_is_refused_with_key_and_line() {
         (
             "[[surface]]\nname = \"wall\"",
             "[[obstacle]]\nvertices = [[2.0, 0.0], [3.0, 0.5], [3.0, 0.0]]\n[[surface]]\nname = \"wall\"",
-            "line 24: `obstacle[0].vertices[2]` is [3.0, 0.0], allowed: ",
+            "line 24: `obstacle[0].vertices` is in clockwise order, allowed: ",
         ),
     ] {
         let error = changed(from, to).expect_err("an error").to_string();

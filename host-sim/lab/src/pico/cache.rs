@@ -8,7 +8,7 @@ const SETS: usize = ((16 * 1024) >> LINE) / WAYS;
 
 /// Cycles of the chip for which a line is awaited, at the least: 8 clocks for the address, 4 until the flash answers and 16 for the line
 /// over four wires (W25Q080 datasheet, fast read quad I/O, continuous), each of two cycles, as the boot loader for this flash sets them.
-pub(super) const MISS: u64 = 2 * (8 + 4 + 16);
+pub(crate) const MISS: u64 = 2 * (8 + 4 + 16);
 
 #[derive(Debug)]
 pub(crate) struct Cache {
