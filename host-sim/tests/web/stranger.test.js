@@ -58,14 +58,15 @@ async function draw(live, corners) {
   await live.until((count) => window.stiction.state?.scene.body.length === count, corners);
 }
 
-/** Runs in the page: whether its address has this file of a scene. @param {string} text */
-async function isInAddress(text) {
-  const packed = new URLSearchParams(location.hash.slice(1)).get("file") ?? "";
-  const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
-  if (letters === "") return false;
-  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  return await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text() === text;
-}
+/** Waits until the address has this file of a scene. @param {Live} live @param {string} text */
+const linked = ({ page }, text) => page.evaluate(async (wanted) => {
+  const file = async () => {
+    const packed = new URLSearchParams(location.hash.slice(1)).get("file") ?? "";
+    const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+  };
+  while (!location.hash.includes("&file=") || await file() !== wanted) await new Promise(requestAnimationFrame);
+}, text);
 
 for (const viewport of WINDOWS) {
   const name = `${viewport.width} by ${viewport.height}`;
@@ -105,7 +106,7 @@ for (const viewport of WINDOWS) {
       assert.match(text, /^\[body\]\nvertices = \[(\[[^\]]*\],? ?){6}\]/m);
 
       const { title } = (await live.state()).scene;
-      await live.until(isInAddress, text);
+      await linked(live, text);
       const other = await newPage();
       await other.page.goto(await page.evaluate(() => location.href));
       await other.until(([title]) => window.stiction?.state?.scene.title === title, [title]);
