@@ -248,7 +248,7 @@ fn sine(random: &mut Random, about: Pose, from: f64) -> (f64, impl Fn(f64) -> Po
     let size = 10.0_f64.powf(-part(random));
     let amplitude = [0.01, 0.01, 0.1].map(|most| most * size * (2.0 * part(random) - 1.0));
     let phase = [0.0; 3].map(|_: f64| part(random) * std::f64::consts::TAU);
-    let is_line = random.bits() % 2 == 0;
+    let is_line = random.bits() & 1 == 0;
     let hand = move |time: f64| {
         let angle = (time - from) * frequency * std::f64::consts::TAU;
         std::array::from_fn(|i| {
