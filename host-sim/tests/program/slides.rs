@@ -159,13 +159,13 @@ fn a_trace_without_the_key_is_checked_all_the_same() {
     folder.refused(check, &["`sliding` of contact 0 is 2, allowed: -1, 0, 1"]);
 }
 
-/// The README's table of columns has those of a trace of a run with a budget of a peg in its hole, with the names of all states, events
+/// The table of columns in TRACES.md has those of a trace of a run with a budget of a peg in its hole, with the names of all states, events
 /// and statuses.
 #[test]
 fn the_table_of_columns_is_that_of_a_trace() {
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
-    let readme = fs::read_to_string(readme).expect("the README");
-    let (_, table) = readme
+    let document = Path::new(env!("CARGO_MANIFEST_DIR")).join("TRACES.md");
+    let document = fs::read_to_string(document).expect("the document");
+    let (_, table) = document
         .split_once("<!-- columns: begin -->")
         .expect("a table");
     let (table, _) = table.split_once("<!-- columns: end -->").expect("its end");

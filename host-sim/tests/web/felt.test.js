@@ -193,6 +193,7 @@ liveTest("an animation of the scene is saved, which shows its slips in real time
   assert.match(name, /^box-flat-\d{8}-\d{6}\.gif$/);
   const { count, seconds, differ, width, height } = await page.evaluate(async (data) => {
     const decoder = new ImageDecoder({ data: Uint8Array.from(atob(data), (c) => c.charCodeAt(0)), type: "image/gif" });
+    await decoder.tracks.ready;
     await decoder.completed;
     const { frameCount } = decoder.tracks.selectedTrack ?? { frameCount: 0 };
     const images = await Promise.all(Array.from({ length: frameCount }, (_, frameIndex) => decoder.decode({ frameIndex })));

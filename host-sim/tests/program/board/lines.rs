@@ -116,7 +116,7 @@ fn with_obstacle(vertices: &str) -> String {
 #[test]
 fn a_scene_that_cannot_be_used_is_said_before_anything_is_opened() {
     let (folder, _) = place(&with_obstacle("[[0.5, 0.0], [0.6, 0.1], [0.6, 0.0]]"));
-    let parts = ["scene.toml, line ", "obstacle[0].vertices["];
+    let parts = ["scene.toml, line ", "`obstacle[0].vertices`"];
     assert_error("obstacle", &board(&folder, ""), &parts);
     folder.write(
         "scene.toml",
