@@ -142,7 +142,10 @@ fn a_force_that_has_grown_follows_at_once_and_one_that_falls_always_does() {
     governor.toward(&along(2.0));
     let given = governor.toward(&along(-2.0));
     let [x, _] = given.wrench.force;
-    assert!((-0.2..-0.05).contains(&x) && given.rate_limited, "{given:?}");
+    assert!(
+        (-0.2..-0.05).contains(&x) && given.rate_limited,
+        "{given:?}"
+    );
 }
 
 #[test]
