@@ -2,6 +2,7 @@
 //! programs give them, and state their units; columns that a path does not have are skipped.
 
 use super::placement::AngleUnit;
+use crate::source::excerpt;
 
 /// The numbers of a record, by their own names.
 pub(super) const NAMES: [&str; 10] = ["t", "x", "y", "z", "phi", "qx", "qy", "qz", "qw", "held"];
@@ -92,7 +93,7 @@ impl Columns {
                 continue;
             };
             if let Some(before) = columns.places[number] {
-                let (known, first) = (NAMES[number], &header[before]);
+                let (known, first, name) = (NAMES[number], excerpt(&header[before]), excerpt(name));
                 return Err(format!(
                     "the header has `{known}` twice, as {first:?} and as {name:?}, allowed: once; delete or rename the other column"
                 ));
@@ -114,6 +115,7 @@ impl Columns {
         let Some(unit) = column.unit.as_deref() else {
             return Ok(());
         };
+        let name = excerpt(name);
         let unknown =
             |allowed: &str| format!("the unit of {name:?} is not known, allowed: {allowed}");
         let known = |units: &[(&str, f64)]| {
@@ -313,6 +315,15 @@ mod tests {
             columns.field(X, &["0", "1", "2", "3", "4", "5", "6", "7"]),
             Some("3")
         );
+    }
+
+    #[test]
+    fn a_message_about_a_long_name_fits_on_a_screen() {
+        let long = "\u{f}".repeat(2000);
+        for header in [format!("t,x,y,{long} x,phi"), format!("t [{long}],x,y,phi")] {
+            let problem = places(&header).expect_err("a message");
+            assert!(problem.chars().count() < 2000, "{problem}");
+        }
     }
 
     #[test]
