@@ -130,7 +130,9 @@ liveTest("no button covers a value or a name", async (bench) => {
       const values = texts.filter((/** @type {any} */ { text }) => /^[NT] /.test(text)).length;
       assert.ok(values <= 4, `${values} values`);
       for (const { text, left, top, right, bottom } of texts) {
-        near += Number(right > group.x - 60 && top < group.y + group.height && group.y < bottom);
+        // What is this near (px) was written with regard to the buttons.
+        const beside = 60;
+        near += Number(right > group.x - beside && top < group.y + group.height + beside && group.y - beside < bottom);
         for (const other of buttons) {
           const covers = other && left < other.x + other.width && other.x < right && top < other.y + other.height && other.y < bottom;
           assert.ok(!covers, `“${text}” is behind the buttons at ${other?.y} px`);
