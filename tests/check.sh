@@ -255,7 +255,7 @@ if is_all; then
     missing 'cargo-fuzz, or a C++ compiler' 'cargo install cargo-fuzz --locked && apt-get install -y --no-install-recommends g++' || true
   else
     # Two at a time, one for each core.
-    (fuzz_for_a_minute wire 600000 && fuzz_for_a_minute scene_file 1300000 && fuzz_for_a_minute hand_path 9000000) & texts=$!
+    (fuzz_for_a_minute wire 600000 && fuzz_for_a_minute scene_file 1300000 && fuzz_for_a_minute hand_path 3000000) & texts=$!
     # Of some three thousand new inputs one finds a known kind of fault (tests/README.md), so a longer search would fail by chance.
     fuzz_for_a_minute solver 2000
     fuzz_for_a_minute obstacles 2500
