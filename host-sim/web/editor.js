@@ -110,18 +110,12 @@ export class Editor {
 
   /** Sends the scene to the solver immediately and closes the editor, so that the hand can be used. */
   async tryIt() {
-    clearTimeout(this.timer);
-    this.timer = 0;
-    await this.send();
-    if (this.problem === "") this.close();
+    if (await this.sendNow()) this.close();
   }
 
   /** Sends the scene to the solver immediately, and saves it as a file. */
   async save() {
-    clearTimeout(this.timer);
-    this.timer = 0;
-    await this.send();
-    if (this.problem === "") byId("save-scene").click();
+    if (await this.sendNow()) byId("save-scene").click();
   }
 
   /** @param {KeyboardEvent} event */
@@ -234,6 +228,14 @@ export class Editor {
   /** Sends the model soon. */
   later() {
     if (!this.timer) this.timer = window.setTimeout(() => { this.timer = 0; this.send(); }, DEBOUNCE);
+  }
+
+  /** Sends the model immediately; returns false if the solver refuses it. */
+  async sendNow() {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    await this.send();
+    return this.problem === "";
   }
 
   /** Sends the model, each one after the answer to the previous one, until the solver has received the newest. */

@@ -42,7 +42,7 @@ function give(file, name) {
  * Returns a file's name from the scene and the local time: box-flat-20260131-235959.png.
  * @param {Stage} stage @param {string} ending
  */
-function namer(stage, ending) {
+function nameOf(stage, ending) {
   const time = new Date();
   const scene = (stage.state?.scene.title ?? "scene").replace(/[^\p{L}\p{N}._-]+/gu, "-");
   const parts = [time.getMonth() + 1, time.getDate(), time.getHours(), time.getMinutes(), time.getSeconds()];
@@ -62,7 +62,7 @@ const streamOfPage = () => navigator.mediaDevices.getDisplayMedia(/** @type {Dis
 
 /** Saves a picture of the scene, or of the page. @param {Shown} shown @param {boolean} ofPage */
 export async function takePicture({ stage, tell }, ofPage) {
-  const name = namer(stage, "png");
+  const name = nameOf(stage, "png");
   const { canvas, ctx } = newCanvas(SIZE);
   if (ofPage) {
     const stream = await streamOfPage();
@@ -102,7 +102,7 @@ export async function toggle(shown, begin) {
 /** Films the scene, or the page. @param {boolean} ofPage */
 export const film = (ofPage) => async (/** @type {Shown} */ { stage, tell }, /** @type {() => void} */ ended) => {
   const [mimeType, ending] = KINDS.find(([kind]) => MediaRecorder.isTypeSupported(kind)) ?? ["", "webm"];
-  const name = namer(stage, ending);
+  const name = nameOf(stage, ending);
   const { canvas, ctx } = newCanvas(SIZE);
   const stream = ofPage ? await streamOfPage() : canvas.captureStream();
   const timer = window.setInterval(() => { if (!ofPage) stage.paint(ctx); }, INTERVAL);
@@ -125,7 +125,7 @@ export const film = (ofPage) => async (/** @type {Shown} */ { stage, tell }, /**
 /** Animates the scene. @param {Shown} shown @param {() => void} ended */
 export async function animate({ stage, tell }, ended) {
   const { GIFEncoder, quantize, applyPalette } = await import("./gifenc/gifenc.js");
-  const name = namer(stage, "gif");
+  const name = nameOf(stage, "gif");
   const { ctx } = newCanvas(SMALL);
   const gif = GIFEncoder();
   const begin = performance.now();

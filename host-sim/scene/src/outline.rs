@@ -68,7 +68,7 @@ fn distance(a: Point, b: Point) -> f64 {
 }
 
 /// The largest distance of two corners.
-fn size(corners: &[Point]) -> f64 {
+pub(crate) fn size(corners: &[Point]) -> f64 {
     let distances = corners
         .iter()
         .flat_map(|&a| corners.iter().map(move |&b| distance(a, b)));

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::text::{self, nearest};
+use crate::text::{self, unknown};
 
 /// Unusable input: the file, the line, the problem there and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,10 +110,7 @@ fn key_of(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<String> {
 fn unknown_key(message: &str) -> Option<String> {
     let (key, rest) = message.strip_prefix("unknown field `")?.split_once('`')?;
     let allowed: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
-    let meant = nearest(key, allowed.iter().copied());
-    let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
-    let allowed = allowed.join(", ");
-    Some(format!("unknown key `{key}`{meant} (allowed: {allowed})"))
+    Some(unknown("key", key, &allowed))
 }
 
 /// A section of the whole file with one pair of brackets instead of two, or the other way round.

@@ -7,7 +7,7 @@
 
 mod nearest;
 
-pub use nearest::nearest;
+pub use nearest::{nearest, unknown};
 
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -60,6 +60,21 @@ const steps = (from) => `import { Solver } from "${from}";
   const frame = solver.step(0.004, 0.02, 0);
 `;
 
+/**
+ * Shows the page of a folder, as a bundler has made it if there is such a page, and returns what a condition in it gives at last.
+ * @param {import("playwright-core").Browser} browser @param {string} folder @param {string} condition
+ */
+async function given(browser, folder, condition) {
+  const bundled = join(folder, "dist");
+  const host = await Host.start(existsSync(bundled) ? bundled : folder);
+  const page = await browser.newPage();
+  await page.goto(host.origin);
+  const value = await (await page.waitForFunction(condition)).jsonValue();
+  await page.close();
+  await host.kill();
+  return value;
+}
+
 test("it runs in a page and in a worker, as it is and by a bundler", options, async () => {
   const { Solver } = await load();
   const solver = new Solver("box-flat");
@@ -79,17 +94,10 @@ test("it runs in a page and in a worker, as it is and by a bundler", options, as
         worker.onmessage = ({ data }) => (window.there = data);`,
       );
       writeFileSync(join(folder, "worker.js"), `${steps(from)} postMessage(frame.wrench);`);
-      const bundled = from === "stiction";
-      if (bundled) {
+      if (from === "stiction") {
         await build({ root: folder, logLevel: "error", worker: { format: "es" }, build: { target: "es2022" } });
       }
-      const host = await Host.start(bundled ? join(folder, "dist") : folder);
-      const page = await browser.newPage();
-      await page.goto(host.origin);
-      const given = await page.waitForFunction("window.there && [window.here, window.there]");
-      assert.deepEqual(await given.jsonValue(), [wrench, wrench], from);
-      await page.close();
-      await host.kill();
+      assert.deepEqual(await given(browser, folder, "window.there && [window.here, window.there]"), [wrench, wrench], from);
     }
   } finally {
     await browser.close();
@@ -183,17 +191,11 @@ test("a worker with init answers a message that is posted before the wasm is loa
           }
         };`,
       );
-      const bundled = from === "stiction/init";
       // Without top-level await, the bundler's default targets do.
-      if (bundled) await build({ root: folder, logLevel: "error", worker: { format: "es" } });
-      const host = await Host.start(bundled ? join(folder, "dist") : folder);
-      const page = await browser.newPage();
-      await page.goto(host.origin);
-      const answers = await (await page.waitForFunction("window.answers?.length === 2 && window.answers")).jsonValue();
+      if (from === "stiction/init") await build({ root: folder, logLevel: "error", worker: { format: "es" } });
+      const answers = await given(browser, folder, "window.answers?.length === 2 && window.answers");
       assert.deepEqual(answers[0], expected, from);
       assert.match(answers[1], /no scene "nowhere"/);
-      await page.close();
-      await host.kill();
     }
   } finally {
     await browser.close();

@@ -4,7 +4,7 @@
 //! as if it had that type.
 
 use js_sys::{Array, Float32Array, Float64Array, Object, Reflect};
-use stiction_scene::text::nearest;
+use stiction_scene::text::unknown;
 use wasm_bindgen::prelude::*;
 
 /// The error for an argument or option.
@@ -76,12 +76,11 @@ pub(crate) fn keys(options: &JsValue, known: &[&str]) -> Result<(), JsError> {
     if options.is_undefined() {
         return Ok(());
     }
-    let allowed = known.join(", ");
     let Some(object) = options
         .dyn_ref::<Object>()
         .filter(|_| !Array::is_array(options))
     else {
-        let allowed = format!("an object with any of {allowed}");
+        let allowed = format!("an object with any of {}", known.join(", "));
         return Err(refused("options", options, &allowed));
     };
     for key in Object::keys(object)
@@ -89,10 +88,7 @@ pub(crate) fn keys(options: &JsValue, known: &[&str]) -> Result<(), JsError> {
         .filter_map(|key| key.as_string())
     {
         if !known.contains(&key.as_str()) {
-            let meant = nearest(&key, known.iter().copied());
-            let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
-            let problem = format!("unknown option `{key}`{meant} (allowed: {allowed})");
-            return Err(JsError::new(&problem));
+            return Err(JsError::new(&unknown("option", &key, known)));
         }
     }
     Ok(())

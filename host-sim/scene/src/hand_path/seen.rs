@@ -4,6 +4,7 @@ use stiction_core::Hand;
 
 use super::placement::Placement;
 use super::{HandPath, Sample};
+use crate::outline;
 use crate::written::WrittenScene;
 
 /// The size (m) of a body that is a point: as wide as the hand that holds it.
@@ -153,11 +154,7 @@ fn home(scene: &WrittenScene) -> [f64; 3] {
 }
 
 fn size(scene: &WrittenScene) -> f64 {
-    let distances = scene.vertices.iter().flat_map(|a| {
-        let distance = move |b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-        scene.vertices.iter().map(distance)
-    });
-    match distances.fold(0.0, f64::max) {
+    match outline::size(&scene.vertices) {
         0.0 => HAND_BREADTH,
         size => size,
     }

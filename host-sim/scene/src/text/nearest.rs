@@ -15,6 +15,16 @@ pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
     best.map(|(_, name)| name)
 }
 
+/// The message about a word that is no known name of a key or an option: the name that was probably meant, and all.
+pub fn unknown(what: &str, word: &str, names: &[&str]) -> String {
+    let meant = nearest(word, names.iter().copied());
+    let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
+    format!(
+        "unknown {what} `{word}`{meant} (allowed: {})",
+        names.join(", ")
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::nearest;
