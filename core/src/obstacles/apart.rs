@@ -62,14 +62,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         index: u8,
     ) -> Option<R> {
         let (o, at) = (self.obstacle(index), i.at());
-        let far = self.distance_bound(&o, i.g);
-        if far > b.way.doubled() || self.is_behind_contacts(body, index) {
-            return Some(if far > b.way.doubled() { far } else { R::HUGE });
-        }
-        let own = self.own_axis(body, index);
-        let axis = match own {
+        let axis = match self.own_axis(body, index) {
             Some(normal) => self.axis(&o, normal, at),
-            None => self.widest(&o, at)?.axis,
+            None => {
+                let far = self.distance_bound(&o, i.g);
+                if far > b.way.doubled() {
+                    return Some(far);
+                }
+                if self.is_behind_contacts(body, &o) {
+                    return Some(R::HUGE);
+                }
+                self.widest(&o, at)?.axis
+            }
         };
         let was = body.at();
         let before = self.axis(&o, axis.normal, was);
@@ -102,7 +106,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         }
     }
-    /// The axis of a contact with an obstacle.
+    /// The axis of a contact with an obstacle. Its line may go on in sides of other obstacles (R35), so the body may be far from the obstacle.
     fn own_axis(&self, body: &Body<R>, index: u8) -> Option<Normal> {
         let own = body
             .contacts
@@ -110,15 +114,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             .filter(|&c| self.obstacle_of(c) == Some(index));
         own.last().and_then(|c| self.normal_of(c))
     }
-    /// What lies behind the side of a contact is as far as that side lets the body come.
-    fn is_behind_contacts(&self, body: &Body<R>, index: u8) -> bool {
-        let o = self.obstacle(index);
-        let is_own = |c: Contact| self.obstacle_of(c) == Some(index);
-        !body.contacts.iter().any(is_own)
-            && body.contacts.iter().any(|c| match c.feature {
-                Feature::Vertex { side, .. } => self.is_behind(&o, side),
-                Feature::Corner { .. } => false,
-            })
+    /// What the body does not touch and what lies behind the side of a contact is as far as that side lets the body come.
+    fn is_behind_contacts(&self, body: &Body<R>, o: &Obstacle<R>) -> bool {
+        body.contacts.iter().any(|c| match c.feature {
+            Feature::Vertex { side, .. } => self.is_behind(o, side),
+            Feature::Corner { .. } => false,
+        })
     }
 }
 
@@ -132,17 +133,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
     ) -> Option<Ended<R>> {
         let statics = self.watched.statics;
         for (index, o) in statics.obstacles() {
-            let far = statics.distance_bound(&o, self.hi.instant.g);
-            if far > on.bound.way.doubled() {
-                *room = room.min(far);
-                continue;
-            }
-            if statics.is_behind_contacts(self.watched.body, index) {
-                continue;
-            }
-            let left = match statics.own_axis(self.watched.body, index) {
+            let body = self.watched.body;
+            let left = match statics.own_axis(body, index) {
                 Some(normal) => self.judge_own(on, found, &o, normal),
-                None => self.judge_other(on, found, &o),
+                None => {
+                    let far = statics.distance_bound(&o, self.hi.instant.g);
+                    if far > on.bound.way.doubled() {
+                        Ok(far)
+                    } else if statics.is_behind_contacts(body, &o) {
+                        continue;
+                    } else {
+                        self.judge_other(on, found, &o)
+                    }
+                }
             };
             match left {
                 Ok(gap) => *room = room.min(gap),

@@ -76,6 +76,35 @@ impl Floor {
         }
         // The load stays where pieces are on both sides.
         let along = end - GAP;
+        let keys = [(0.0, 0.0), (along, 0.02), (0.3 * along, -0.02)];
+        Self::dragged(draw, pieces, friction, keys)
+    }
+
+    /// Two blocks side by side, several times as long as the box, which the hand drags from one to the other and tips over: another edge of it
+    /// lands far from the block on which it began.
+    pub fn of_blocks(number: u64) -> Self {
+        let draw = &mut Draw::new(0xB10C_0000 + number);
+        let mu = draw.between(0.05, 0.4);
+        let friction = [mu, mu * draw.one(&[1.0, 0.8, 0.5])];
+        let [left, right] = [draw.between(1.0, 2.0), draw.between(4.5, 5.5)];
+        let block = |from: f64, to: f64| vec![[from, -1.0], [to, -1.0], [to, 0.0], [from, 0.0]];
+        let joint = draw.between(-0.4, 0.4);
+        let mut pieces = vec![block(joint - left, joint), block(joint, joint + right)];
+        if draw.below(2) == 0 {
+            pieces.reverse();
+        }
+        let (far, tilt) = (draw.between(2.5, 4.0), draw.between(0.2, 0.6));
+        let keys = [(0.0, tilt), (far, tilt), (far - 0.5, -tilt)];
+        Self::dragged(draw, pieces, friction, keys)
+    }
+
+    /// Pieces in any direction, and where along them the hand presses the box down and drags it to, with its tilt there.
+    fn dragged(
+        draw: &mut Draw,
+        pieces: Vec<Vec<Point>>,
+        friction: [f64; 2],
+        keys: [(f64, f64); 3],
+    ) -> Self {
         let any = draw.between(-1.0, 1.0);
         let angle = draw.one(&[0.0, 0.25, 0.5, 1.0, any]) * PI;
         let turned = |points: &[Point]| placed(points, [0.0, 0.0, angle]);
@@ -89,15 +118,20 @@ impl Floor {
             [x, y, angle + phi]
         };
         let grip = draw.between(0.0, 0.2);
+        let [(from, tilt), ..] = keys;
+        // The lower corner of a tilted box is above the floor.
+        let height = 0.02 + 0.5 * BOX[0] * tilt.sin().abs();
+        let [x, y] = placed(&[[0.0, grip]], [from, height, tilt])[0];
         let setup = Setup::block(BOX[0], BOX[1])
-            .at(pose([0.0, 0.02], 0.0))
+            .at(pose([from, height], tilt))
             .held_at([0.0, grip])
             .springs(1.0, draw.one(&[0.02, 0.2]));
+        let [begin, far, back] = keys.map(|(x, tilt)| pose([x, grip - DEEP], tilt));
         let keys = [
-            (0, pose([0.0, grip + 0.02], 0.0)),
-            (FRAMES / 10, pose([0.0, grip - DEEP], 0.0)),
-            (FRAMES * 7 / 10, pose([along, grip - DEEP], 0.02)),
-            (FRAMES, pose([0.3 * along, grip - DEEP], -0.02)),
+            (0, pose([x, y], tilt)),
+            (FRAMES / 10, begin),
+            (FRAMES * 7 / 10, far),
+            (FRAMES, back),
         ];
         let up = turned(&[[0.0, 1.0]])[0];
         Self {

@@ -3,6 +3,7 @@
 use super::{Among, Obstacle, Run};
 use crate::draw::Draw;
 use crate::number::Number;
+use crate::run::polyline;
 use crate::setup::Setup;
 use stiction_core::Evolution;
 use stiction_judge::Frame;
@@ -25,8 +26,8 @@ pub struct Insertion {
     pub among: Among,
     /// Its meter.
     pub meter: Meter,
-    /// x, y (m), phi (rad) of the hand, frame by frame.
-    pub hands: Vec<[f64; 3]>,
+    /// x, y (m), phi (rad) of the hand where it begins, and where it ends after a straight way.
+    pub ends: [[f64; 3]; 2],
 }
 
 /// The outcome of an insertion.
@@ -91,19 +92,24 @@ impl Insertion {
             .springs(k_h, k_theta);
         let [x, y] = setup.grip();
         let down = BEVEL + DEEP + 0.004;
-        let hand = |frame: usize| [x, y - down * frame as f64 / FRAMES as f64, phi];
         let among = Among { setup, obstacles };
         Self {
             meter: meter(&among),
             among,
-            hands: (0..=FRAMES).map(hand).collect(),
+            ends: [[x, y, phi], [x, y - down, phi]],
         }
+    }
+
+    /// x, y (m), phi (rad) of the hand in each of so many equal frames, and before the first.
+    pub fn hands(&self, frames: usize) -> Vec<[f64; 3]> {
+        polyline(&self.ends, frames)
     }
 
     /// The outcome in a number type.
     pub fn end<R: Number>(&self, evolution: Evolution) -> End {
-        let mut run = Run::<R>::start(&self.among, evolution, self.hands[0]);
-        for &hand in &self.hands[1..] {
+        let hands = self.hands(FRAMES);
+        let mut run = Run::<R>::start(&self.among, evolution, hands[0]);
+        for &hand in &hands[1..] {
             run.step(hand);
         }
         self.judged(&run.frame)

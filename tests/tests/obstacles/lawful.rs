@@ -8,7 +8,7 @@ use stiction_tests::{Number, test_each, times};
 
 /// Scenes of 401 frames.
 fn number_of_scenes() -> u64 {
-    times(10, 200)
+    times(10, 1000)
 }
 /// Rooms of 100 jumps: over all number types and evolutions more than 10⁵ jumps.
 fn number_of_rooms() -> u64 {

@@ -21,8 +21,7 @@ fn apart(one: &Frame, other: &Frame) -> f64 {
 }
 
 /// Where a run over the pieces differs from that on the half-plane, or is not lawful.
-fn fault<R: Number>(number: u64, evolution: Evolution) -> Option<String> {
-    let floor = Floor::of(number);
+fn fault<R: Number>(floor: &Floor, evolution: Evolution) -> Option<String> {
     let laws = Laws::new::<R>(&floor.among);
     let start = floor.hands[0];
     let mut run = Run::<R>::start(&floor.among, evolution, start);
@@ -40,22 +39,34 @@ fn fault<R: Number>(number: u64, evolution: Evolution) -> Option<String> {
         if frame.status != Status::Ok || !broken.is_empty() || away > AWAY + slip {
             let (status, contacts) = (frame.status.name(), &frame.contacts);
             return Some(format!(
-                "floor {number}, frame {i}: {away:.1e} away, {status}, {broken:?}: {contacts:?}"
+                "frame {i}: {away:.1e} away, {status}, {broken:?}: {contacts:?}"
             ));
         }
     }
     None
 }
 
-test_each!(cases::pieces_of_a_level_floor_are_one);
+/// All floors of a kind, on which a box has to move as on a half-plane.
+fn are_one<R: Number>(floor_of: fn(u64) -> Floor, evolution: Evolution) {
+    let faults: Vec<_> = (0..number_of_floors())
+        .filter_map(|number| Some((number, fault::<R>(&floor_of(number), evolution)?)))
+        .collect();
+    assert!(faults.is_empty(), "{} {evolution:?}: {faults:#?}", R::NAME);
+}
+
+test_each!(
+    cases::pieces_of_a_level_floor_are_one,
+    cases::long_blocks_side_by_side_are_one
+);
 
 mod cases {
     use super::*;
 
     pub(super) fn pieces_of_a_level_floor_are_one<R: Number>(evolution: Evolution) {
-        let faults: Vec<_> = (0..number_of_floors())
-            .filter_map(|number| fault::<R>(number, evolution))
-            .collect();
-        assert!(faults.is_empty(), "{} {evolution:?}: {faults:#?}", R::NAME);
+        are_one::<R>(Floor::of, evolution);
+    }
+
+    pub(super) fn long_blocks_side_by_side_are_one<R: Number>(evolution: Evolution) {
+        are_one::<R>(Floor::of_blocks, evolution);
     }
 }
