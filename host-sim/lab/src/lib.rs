@@ -21,6 +21,8 @@ pub mod measure;
 #[cfg(feature = "figures")]
 pub mod obstacles;
 #[cfg(feature = "figures")]
+pub mod rates;
+#[cfg(feature = "figures")]
 pub mod trade;
 #[cfg(feature = "figures")]
 pub mod worst;

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use stiction_lab::footprint::FootprintArgs;
 use stiction_lab::markdown::Destination;
-use stiction_lab::{budget, footprint, lawful, measure, obstacles, trade, worst};
+use stiction_lab::{budget, footprint, lawful, measure, obstacles, rates, trade, worst};
 
 /// Measures stiction
 #[derive(Parser)]
@@ -42,6 +42,8 @@ enum Command {
     },
     /// Residuals of random scenes, the range of number types
     Measure,
+    /// Slips of the same hand at several rates of frames
+    Rates,
     /// The cost of single frames of ordinary use at 1 kHz, in operations on numbers
     Worst {
         /// The number of scenes of each kind
@@ -69,6 +71,7 @@ fn run(command: Command, output: Destination) -> Result<(), Box<dyn Error>> {
         Command::Obstacles => obstacles::obstacles(output),
         Command::Lawful { hand } => lawful::lawful(hand.as_deref(), output),
         Command::Measure => Ok(measure::measure(output)?),
+        Command::Rates => rates::rates(output),
         Command::Worst { scenes } => Ok(worst::worst(scenes, output)?),
     }
 }

@@ -1,14 +1,22 @@
 //! The worst residuals of random scenes, and the range of every number type.
 
+use std::collections::BTreeMap;
 use std::io;
+
 use stiction_core::{Evolution, Fixed, Status};
+use stiction_host_sim::columns::thousands;
 use stiction_tests::Number;
 use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
+use stiction_tests::obstacles::survey::{Kind, look};
+use stiction_tests::obstacles::worlds::FRAMES;
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
 
 use crate::markdown::{Destination, Table};
+
+/// Random scenes among obstacles.
+const WORLDS: u64 = 1000;
 
 fn survey<R: Number>(evolution: Evolution, table: &mut Table) {
     let (mut frames, mut limited, mut broken) = (0, 0, 0);
@@ -27,6 +35,24 @@ fn survey<R: Number>(evolution: Evolution, table: &mut Table) {
     let counts = [frames, broken, limited].map(|count: u32| count.to_string());
     let residual = format!("{residual:.1e}");
     table.row(words.into_iter().chain(counts).chain([residual]));
+}
+
+/// Adds a row: the frames among obstacles of a number type that break a law, and the statuses that occur.
+fn among_obstacles<R: Number>(evolution: Evolution, table: &mut Table) {
+    let (mut unlawful, mut statuses) = (0, BTreeMap::new());
+    for number in 0..WORLDS {
+        let report = look::<R>((Kind::Worlds, number), evolution);
+        unlawful += report.unlawful.len();
+        for (name, count) in report.statuses {
+            *statuses.entry(name).or_insert(0) += count;
+        }
+    }
+    let statuses: Vec<String> = (statuses.iter())
+        .map(|(name, count)| format!("{name} {count}"))
+        .collect();
+    let words = [R::NAME, evolution.name()].map(str::to_owned);
+    let frames = thousands(WORLDS * FRAMES as u64);
+    table.row((words.into_iter()).chain([frames, unlawful.to_string(), statuses.join(", ")]));
 }
 
 /// A summary of how a number type handles the values of a sweep, in both evolutions: where it keeps its bound, and what
@@ -92,9 +118,16 @@ pub fn measure(output: Destination) -> io::Result<()> {
         survey::<f64>(evolution, &mut table);
         survey::<Fixed>(evolution, &mut table);
     }
+    let mut obstacles = Table::new("number | evolution | frames: | unlawful: | status not ok");
+    for evolution in Evolution::ALL {
+        among_obstacles::<f32>(evolution, &mut obstacles);
+        among_obstacles::<f64>(evolution, &mut obstacles);
+        among_obstacles::<Fixed>(evolution, &mut obstacles);
+    }
     let text = format!(
         "Written by `cargo run --release -p stiction-lab -- measure --write`: 1000 random scenes, 200 frames each; residual: the largest\n\
-         unbalanced force / largest force, or moment / (largest force · L), of any frame:\n\n{table}\n{}",
+         unbalanced force / largest force, or moment / (largest force · L), of any frame:\n\n{table}\n{}\n\n\
+         {WORLDS} random scenes among obstacles:\n\n{obstacles}",
         ranges()
     );
     output.put("tests/README.md", "measured", &text)
