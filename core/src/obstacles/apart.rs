@@ -4,7 +4,7 @@
 use super::Obstacle;
 use super::axes::{At, Axis, Normal, speed};
 use crate::bounds::Bound;
-use crate::contact::{Contact, Feature};
+use crate::contact::Feature;
 use crate::events::{Ending, Judging};
 use crate::found::Found;
 use crate::judge::Track;

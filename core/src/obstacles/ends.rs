@@ -208,6 +208,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         let other = self.body.contacts.iter().position(ends_here);
         self.replace(k, next.with(left.sense));
+        if is_turned {
+            self.comes_from_front();
+        }
         if is_turned && let Some(other) = other {
             // Both ends of what lay in one line are here: the line is left.
             self.let_go(other);

@@ -199,8 +199,13 @@ fn is_alike<R: Real>(a: Vec2<R>, b: Vec2<R>) -> bool {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// The body leaves all contacts. A point or rod remembers in front of what it was: on a thin wall its gaps do not say so.
+    /// The body leaves all contacts.
     pub(crate) fn lift(&mut self) {
+        self.comes_from_front();
+        self.body.lift();
+    }
+    /// A point or rod remembers in front of what it is: on a thin wall its gaps do not say so.
+    pub(crate) fn comes_from_front(&mut self) {
         let (statics, body) = (self.statics, &mut *self.body);
         if statics.world.has_obstacles() && statics.world.vertices.len() < 3 {
             let normals = (body.contacts.iter()).map(|c| statics.frame_here(c, body.at()).n);
@@ -208,6 +213,5 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             body.was.at = body.holding + front * (R::TOUCH * R::from_int(8));
             body.was.angle = body.angle;
         }
-        body.lift();
     }
 }

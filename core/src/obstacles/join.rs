@@ -123,7 +123,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             at,
             old,
             tol: within.doubled(),
-            steps: flat > 1 || flat == 1 && depth > within,
+            steps: (flat > 1 || flat == 1 && depth > within) && self.is_on_side(touched, at),
         };
         let ends = self.outermost(&joining, flat);
         // Beside its side nothing is touched but what lies between: the contact there, of another kind than the one that is held.
@@ -151,9 +151,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         } = *joining;
         if steps {
             let mut span = Span::NONE;
-            if self.is_on_side(touched, at) {
-                span.take(touched, R::ZERO, R::ZERO);
-            }
+            span.take(touched, R::ZERO, R::ZERO);
             for k in old.iter().filter(|&k| self.is_flat(touched, k, at)) {
                 span.take(k, self.along_line(joining, k), R::ZERO);
             }

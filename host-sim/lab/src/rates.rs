@@ -21,12 +21,12 @@ const INSERTION: usize = 1;
 const PEGS: u64 = 100;
 
 /// A scene with its hand, and how often it slips.
-enum Case {
+enum Trial {
     Bundled(Box<SceneFile>),
     Peg(Box<Insertion>),
 }
 
-impl Case {
+impl Trial {
     fn slips<R: Number + Real<Si: SiFloat>>(&self, rate: usize) -> u32 {
         match self {
             Self::Bundled(scene) => bundled_slips::<R>(scene, rate),
@@ -50,18 +50,18 @@ fn peg_slips<R: Number>(insertion: &Insertion, rate: usize) -> u32 {
     hands[1..].iter().map(|&hand| run.step(hand).slips).sum()
 }
 
-/// The slips of every case at every rate.
-fn slips<R: Number + Real<Si: SiFloat>>(cases: &[Case]) -> Vec<[u32; RATES.len()]> {
-    let at_rates = |case: &Case| RATES.map(|rate| case.slips::<R>(rate));
-    cases.iter().map(at_rates).collect()
+/// The slips of every trial at every rate.
+fn slips<R: Number + Real<Si: SiFloat>>(trials: &[Trial]) -> Vec<[u32; RATES.len()]> {
+    let at_rates = |trial: &Trial| RATES.map(|rate| trial.slips::<R>(rate));
+    trials.iter().map(at_rates).collect()
 }
 
 /// A row for each number type.
-fn count(group: &str, cases: &[Case], table: &mut Table) {
+fn count(group: &str, trials: &[Trial], table: &mut Table) {
     let types = [
-        ("f64", slips::<f64>(cases)),
-        ("f32", slips::<f32>(cases)),
-        ("fixed", slips::<Fixed>(cases)),
+        ("f64", slips::<f64>(trials)),
+        ("f32", slips::<f32>(trials)),
+        ("fixed", slips::<Fixed>(trials)),
     ];
     for (name, slips) in types {
         let sums: [u32; RATES.len()] = std::array::from_fn(|k| slips.iter().map(|at| at[k]).sum());
@@ -82,10 +82,10 @@ pub fn rates(output: Destination) -> Result<(), Box<dyn Error>> {
     for (name, text) in scenes::ALL {
         let source = Source::new(format!("{name}.toml"), *text);
         let scene = SceneFile::parse(source, NumberType::F32.limit())?;
-        bundled.push(Case::Bundled(Box::new(scene)));
+        bundled.push(Trial::Bundled(Box::new(scene)));
     }
     let pegs: Vec<_> = (0..PEGS)
-        .map(|i| Case::Peg(Box::new(Insertion::of(i))))
+        .map(|i| Trial::Peg(Box::new(Insertion::of(i))))
         .collect();
     let rates = RATES.map(|rate| format!("{rate} Hz:")).join(" | ");
     let mut table = Table::new(&format!("scenes | number | {rates} | differ:"));

@@ -19,13 +19,33 @@ const LIMIT: Duration = Duration::from_secs(30);
 /// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with the rest.
 const MOST: usize = 10;
 
+/// Statuses that ordinary use has no reason for.
+const UNSURE: &[&str] = &["ambiguous", "iteration-limit", "saturated"];
+
+/// Scenes in which a body stops without balance, by number type and evolution (known, not fixed): in most of their frames a rod that has slid
+/// between two obstacles which meet, or into the hollow of two thin walls.
+const KNOWN_WORLDS: &[(&str, &str, &[u64])] = &[
+    ("f32", "path", &[192, 586, 692]),
+    ("f32", "frame", &[192, 586]),
+    ("fixed", "path", &[192, 586]),
+    ("fixed", "frame", &[192, 586]),
+    ("f64", "path", &[192, 586]),
+    ("f64", "frame", &[192, 586, 596]),
+];
+
 /// The fault of a scene.
 fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Option<String> {
     let work = move || look::<R>((scenes, number), evolution);
     match within(LIMIT, work) {
         Outcome::Done(report) => {
-            let (frame, findings) = report.unlawful.first()?;
-            Some(format!("frame {frame}: {findings:?}"))
+            let unlawful = report.unlawful.first();
+            let unlawful = unlawful.map(|(frame, findings)| format!("frame {frame}: {findings:?}"));
+            let unsure = || {
+                let mut names = report.statuses.keys();
+                let name = names.find(|name| scenes == Kind::Worlds && UNSURE.contains(name))?;
+                Some((*name).to_owned())
+            };
+            unlawful.or_else(unsure)
         }
         Outcome::Panic(words) => Some(words),
         Outcome::Late => Some(format!("more than {LIMIT:?}")),
@@ -49,7 +69,7 @@ const KNOWN_ROOMS: &[(&str, &str, &[u64])] = &[
 /// No scene has a fault, no room except the known ones, and each of those still has one: a fix must remove it from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind, evolution: Evolution) {
     let (count, known) = match scenes {
-        Kind::Worlds => (number_of_scenes(), [].as_slice()),
+        Kind::Worlds => (number_of_scenes(), KNOWN_WORLDS),
         Kind::Rooms => (number_of_rooms(), KNOWN_ROOMS),
     };
     let mut odd = Vec::new();
