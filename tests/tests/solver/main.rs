@@ -28,4 +28,5 @@ mod slips;
 mod snapshot;
 mod swings;
 mod symmetry;
+mod tangent;
 mod work;
