@@ -126,7 +126,7 @@ pub fn measure(output: Destination) -> io::Result<()> {
     }
     let text = format!(
         "Written by `cargo run --release -p stiction-lab -- measure --write`: 1000 random scenes, 200 frames each; residual: the largest\n\
-         unbalanced force / largest force, or moment / (largest force · L), of any frame:\n\n{table}\n{}\n\n\
+         unbalanced force / largest force, or moment / (largest force · L), of any frame:\n\n{table}\n{}\n\
          {WORLDS} random scenes among obstacles:\n\n{obstacles}",
         ranges()
     );
