@@ -7,6 +7,7 @@ use crate::bounds::Bound;
 use crate::contact::Feature;
 use crate::events::{Ending, Judging};
 use crate::found::Found;
+use crate::geometry::Vec2;
 use crate::judge::Track;
 use crate::motion::{Instant, Kind, Motion};
 use crate::real::Real;
@@ -65,12 +66,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let axis = match self.own_axis(body, index) {
             Some(normal) => self.axis(&o, normal, at),
             None => {
-                let far = self.distance_bound(&o, i.g);
-                if far > b.way.doubled() {
-                    return Some(far);
-                }
-                if self.is_behind_contacts(body, &o) {
-                    return Some(R::HUGE);
+                if let Some(room) = self.out_of_reach(body, &o, i.g, b) {
+                    return Some(room);
                 }
                 self.widest(&o, at)?.axis
             }
@@ -114,12 +111,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             .filter(|&c| self.obstacle_of(c) == Some(index));
         own.last().and_then(|c| self.normal_of(c))
     }
-    /// What the body does not touch and what lies behind the side of a contact is as far as that side lets the body come.
-    fn is_behind_contacts(&self, body: &Body<R>, o: &Obstacle<R>) -> bool {
-        body.contacts.iter().any(|c| match c.feature {
+    /// The room before an obstacle that the body does not touch, if it needs no axis: it is farther away than a window leads, or behind the side
+    /// of a contact, and so as far as that side lets the body come.
+    fn out_of_reach(&self, body: &Body<R>, o: &Obstacle<R>, g: Vec2<R>, b: &Bound<R>) -> Option<R> {
+        let far = self.distance_bound(o, g);
+        if far > b.way.doubled() {
+            return Some(far);
+        }
+        let is_behind = body.contacts.iter().any(|c| match c.feature {
             Feature::Vertex { side, .. } => self.is_behind(o, side),
             Feature::Corner { .. } => false,
-        })
+        });
+        is_behind.then_some(R::HUGE)
     }
 }
 
@@ -136,16 +139,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             let body = self.watched.body;
             let left = match statics.own_axis(body, index) {
                 Some(normal) => self.judge_own(on, found, &o, normal),
-                None => {
-                    let far = statics.distance_bound(&o, self.hi.instant.g);
-                    if far > on.bound.way.doubled() {
-                        Ok(far)
-                    } else if statics.is_behind_contacts(body, &o) {
-                        continue;
-                    } else {
-                        self.judge_other(on, found, &o)
-                    }
-                }
+                None => match statics.out_of_reach(body, &o, self.hi.instant.g, &on.bound) {
+                    Some(room) => Ok(room),
+                    None => self.judge_other(on, found, &o),
+                },
             };
             match left {
                 Ok(gap) => *room = room.min(gap),

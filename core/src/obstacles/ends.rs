@@ -210,10 +210,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.replace(k, next.with(left.sense));
         if is_turned {
             self.comes_from_front();
-        }
-        if is_turned && let Some(other) = other {
-            // Both ends of what lay in one line are here: the line is left.
-            self.let_go(other);
+            if let Some(other) = other {
+                // Both ends of what lay in one line are here: the line is left.
+                self.let_go(other);
+            }
         }
         // On ground of another friction the slide is not in balance.
         is_turned || statics.friction(left) != statics.friction(next)

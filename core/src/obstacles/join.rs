@@ -15,8 +15,8 @@ struct Joining<'a, R> {
     old: &'a Contacts,
     /// Gaps within this are closed.
     tol: R,
-    /// Those on one side of the body, or in one line with it, are more than one, or it is behind them: the body comes to lie over a step that
-    /// is none.
+    /// It is on its side, and those on one side of the body, or in one line with it, are more than one, or it is behind them: the body comes to
+    /// lie over a step that is none.
     steps: bool,
 }
 
