@@ -169,6 +169,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         Curvature { k, j, q }
     }
 
+    /// [`Self::curvature`], and in `pair` the bounds of a pair that it is made of.
+    #[inline(always)]
+    pub(crate) fn curvature_with(
+        &self,
+        m: &Motion<R>,
+        i: &Instant<R>,
+        at: Extent<R>,
+        pair: &mut Option<PairSup<R>>,
+    ) -> Curvature<R> {
+        if m.kind == Kind::Pair {
+            self.pair_curvature(m, pair.insert(self.pair_sup(m, i, at)))
+        } else {
+            self.curvature(m, i, at)
+        }
+    }
     /// |xi_p| at most (E13): |f||h_p| of a slide; a slip moves its foot by p, and what else there is places the foot by u alone.
     pub(crate) fn foot_per_p(&self, m: &Motion<R>) -> R {
         match m.kind {

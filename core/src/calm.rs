@@ -38,6 +38,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             [only] if self.turns(*only) => Calm::Unsure,
             [only] if only.sense.slides() => self.slides_calmly(body, to),
             [_] => self.turns_calmly(body, to),
+            [only, _] if only.sense.slides() && self.is_edge(&body.contacts) => {
+                self.edge_slides_calmly(body, to)
+            }
             [_, _, ..] => Calm::Unsure,
         }
     }
@@ -104,6 +107,24 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         self.arrives(body, to, (&m, &i), &bound)
     }
 
+    /// An edge that slides.
+    #[inline(never)]
+    fn edge_slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+        let first = body.contacts.first();
+        let n = self.frame(first, body.rotation, body.holding).n;
+        let friction = self.friction(first);
+        let may_press = |hand: &HandPose<R>| {
+            let load = self.load(body, hand);
+            friction.threshold + n.dot(load.force) < R::of_balance(load.size())
+        };
+        let may_press = !body.stiction && (may_press(&body.hand) || may_press(to));
+        if may_press || !self.slides_straight(body, first.sense, to) {
+            return Calm::Unsure;
+        }
+        body.hand = *to;
+        Calm::End
+    }
+
     /// The balance at the end of a displacement of a motion in the angle, with the bounds of the window in between, if that is certified.
     #[inline(always)]
     fn calm_end(&self, body: &Body<R>, m: &Motion<R>, p: R) -> Option<(Instant<R>, Bound<R>)> {
@@ -111,7 +132,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let u = body.angle;
         self.place_inlined(m, Spot { u, p }, Some(body.rotation), &mut i);
         let pace = self
-            .certified_inlined(m, &i, self.residual_after(m, &i, p))
+            .certified_inlined(m, &i, self.residual_after(m, &i, p), &mut None)
             .ok()?;
         let u = u + self.first_step(m, &i);
         self.place_inlined(m, Spot { u, p }, None, &mut i);
@@ -154,7 +175,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The least gap at the end of a window; none if one may close on it.
     #[inline(never)]
-    fn least_gap(
+    pub(crate) fn least_gap(
         &self,
         body: &Body<R>,
         m: &Motion<R>,
@@ -303,7 +324,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             s0: -i.e_u,
             s1: self.e_up(m, i) * i.p - i.e_u,
         };
-        let pace = self.certified(m, i, residual).ok()?;
+        let pace = self.certified(m, i, residual, &mut None).ok()?;
         // The known balance is the one of this branch.
         if (i.u - angle).abs() > pace.extent.strip {
             return None;

@@ -146,23 +146,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     }
     /// N* - N in one line, D_c less the length of a slip otherwise; the latter by value alone.
     fn memory(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> Value<R> {
-        let [c1, c2] = self.motion.contacts;
-        if self.body.stiction {
+        let m = self.motion;
+        let has_threshold = |c| self.statics.friction(c).threshold < R::HUGE;
+        if self.body.stiction || !m.contacts.into_iter().any(has_threshold) {
             return Value::NONE;
         }
-        if !self.statics.is_even(c1, c2) {
+        if !m.pair.even {
             return Value {
-                v: self.statics.room_to_stiction(self.motion, i, couple),
+                v: self.statics.room_to_stiction(m, i, couple),
                 d: R::ZERO,
             };
         }
-        let friction = self.statics.friction(c1);
-        if friction.threshold >= R::HUGE {
-            return Value::NONE;
-        }
-        let n = self.statics.frame(c1, i.rotation, i.g).n;
+        let n = self.statics.frame(m.first(), i.rotation, i.g).n;
         Value {
-            v: friction.threshold + n.dot(i.force),
+            v: self.statics.friction(m.first()).threshold + n.dot(i.force),
             d: n.dot(rates.force),
         }
     }
@@ -177,8 +174,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         let h_p = m.hand_p.at.length_bound();
         let [r1, r2] = sup.r;
         let [f1, f2] = sup.f;
-        let [c1, c2] = m.contacts;
-        let is_line = c1.is_in_line(c2);
         match function {
             Function::Foot(which) => {
                 let tangent = which.other().of(sup.f);
@@ -200,8 +195,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 let moment_p = couple_p + r.value * h_p;
                 Order::Second(bend + moment_p * on.p_bend)
             }
-            // In one line N* - N; otherwise monotonous.
-            Function::Memory if is_line => {
+            // N* - N of contacts that bear any couple; otherwise monotonous.
+            Function::Memory if m.pair.even => {
                 let bend = sup.holding.along(&on.pace, R::ZERO);
                 Order::Second(bend + h_p * on.p_bend)
             }

@@ -1,10 +1,8 @@
 //! What is known of a window of a motion.
 
 use crate::bounds::{Bound, Curvature, Extent, Pace};
-use crate::motion::{Instant, Kind, Motion};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
-use crate::world::Statics;
 
 /// What is known of a window, along x from 0 to 1 on it.
 #[derive(Clone, Copy, Debug)]
@@ -48,19 +46,6 @@ impl<R: Real> Judging<R> {
             drive: R::ZERO,
             stable: R::ZERO,
             width: R::ZERO,
-        }
-    }
-    /// The bounds of a pair, if the motion is one.
-    #[inline(never)]
-    pub(crate) fn find_pair<const V: usize, const S: usize, const C: usize>(
-        &mut self,
-        statics: &Statics<'_, R, V, S, C>,
-        motion: &Motion<R>,
-        i: &Instant<R>,
-        at: Extent<R>,
-    ) {
-        if motion.kind == Kind::Pair {
-            self.pair = Some(statics.pair_sup(motion, i, at));
         }
     }
 }

@@ -107,6 +107,7 @@ mod cone;
 mod contact;
 mod couple;
 mod driven;
+mod edge;
 mod ending;
 mod errand;
 mod event;

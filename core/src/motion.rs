@@ -66,7 +66,11 @@ pub(crate) struct Pair<R> {
     pub(crate) slope: R,
     /// |u| up to which the bounds of the position hold.
     pub(crate) reach: R,
-    /// The reactions are at an angle whose sine is 1/8 or more.
+    /// They are in one line: the motion is straight, the angle stays.
+    pub(crate) line: bool,
+    /// In one line, with one friction: they bear any couple.
+    pub(crate) even: bool,
+    /// Their force tells the reactions, not only their moments.
     pub(crate) spread: bool,
     /// The reactions count on the way, not only at its end.
     pub(crate) pressed: bool,
@@ -95,6 +99,8 @@ impl<R: Real> Motion<R> {
                 flip: R::ONE,
                 slope: R::ONE,
                 reach: R::HUGE,
+                line: false,
+                even: false,
                 spread: false,
                 pressed: true,
             },

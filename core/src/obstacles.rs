@@ -192,7 +192,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// Two contacts in one line are of equal friction.
     pub(crate) fn is_even(&self, a: Contact, b: Contact) -> bool {
-        self.is_in_line(a, b) && (C == 0 || self.friction(a) == self.friction(b))
+        self.is_in_line(a, b) && self.has_one_friction(a, b)
+    }
+    /// Two contacts in one line are of equal friction; those of one side are.
+    pub(crate) fn has_one_friction(&self, a: Contact, b: Contact) -> bool {
+        C == 0 || a.is_in_line(b) && !a.is_corner() || self.friction(a) == self.friction(b)
     }
     /// What touches what, by the indices of the description.
     pub(crate) fn touch_of(&self, contact: Contact) -> Touch {

@@ -1,7 +1,7 @@
 //! Two contacts that slide together: placement, balance, velocities of the feet, shares of the load (STATICS 3). Moments about the first
 //! contact.
 
-use crate::contact::{Contact, Sense};
+use crate::contact::Sense;
 use crate::couple::Couple;
 use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2, Wrench};
@@ -33,11 +33,21 @@ fn through_first<R: Real>(f: Vec2<R>, b: Wrench<R>, c: Wrench<R>) -> R {
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// The slide of the body's first two contacts, with given contacts' friction, in the direction of `sense` (1 or -1) times (g_y, -g_x).
     pub(crate) fn pair(&self, body: &Body<R>, hand_p: HandPose<R>, sense: R) -> Motion<R> {
+        let frames = self.frames(body.contacts.pair(), body.rotation, body.holding);
+        self.pair_of(body, hand_p, sense, &frames)
+    }
+    /// [`Self::pair`], with the frames of both contacts.
+    pub(crate) fn pair_of(
+        &self,
+        body: &Body<R>,
+        hand_p: HandPose<R>,
+        sense: R,
+        frames: &[Frame<R>; 2],
+    ) -> Motion<R> {
         let mut m = Motion::new(Kind::Pair, body, hand_p);
-        let frames = self.frames(m.contacts, body.rotation, body.holding);
         let [first, second] = frames;
-        let [_, second_contact] = m.contacts;
-        let g = gap_slope(&frames);
+        let [c1, c2] = m.contacts;
+        let g = gap_slope(frames);
         let slope = g.length();
         let twist = Vec2::new(g.y, -g.x) * (sense / slope);
         let apart = (second.r - first.r).length_bound();
@@ -46,16 +56,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         } else {
             apart + R::ONE + R::HALF.halved()
         };
+        let line = self.is_in_line(c1, c2);
         m.pair = Pair {
             twist,
             flip: R::ONE,
             slope,
-            // In one line the angle stays: the motion is straight.
-            reach: if self.is_in_line(m.first(), second_contact) {
+            reach: if line {
                 R::HUGE
             } else {
                 slope / (bend * R::from_int(5))
             },
+            line,
+            even: line && self.has_one_friction(c1, c2),
             spread: false,
             pressed: true,
         };
@@ -82,19 +94,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if m.contacts.iter().any(|contact| !contact.sense.slides()) {
             m.pair.reach = m.pair.reach.min(R::ahead());
         }
-        m.pair.flip = self.flip(&m.contacts, &frames, v);
+        m.pair.flip = self.flip(&m, frames, v);
         let [c1, c2] = m.contacts;
         let sine = self.edge(c1, &first).f.cross(self.edge(c2, &second).f);
-        m.pair.spread = sine.abs() >= R::HALF.halved().halved();
+        m.pair.spread = sine.abs() >= R::spread();
         m
     }
     /// The sign of E such that E > 0 drives: that of the product of X = w_1×w_2 and the drag's opposite.
-    fn flip(&self, contacts: &[Contact; 2], [first, second]: &[Frame<R>; 2], v: [R; 2]) -> R {
-        let [c1, c2] = *contacts;
+    fn flip(&self, m: &Motion<R>, [first, second]: &[Frame<R>; 2], v: [R; 2]) -> R {
+        let [c1, c2] = m.contacts;
         let [v1, v2] = v;
         let r12 = second.r - first.r;
         let f1 = self.edge(c1, first).f;
-        let w2 = if self.is_even(c1, c2) {
+        let w2 = if m.pair.even {
             Wrench::COUPLE
         } else {
             Wrench::at(r12, self.edge(c2, second).f)
@@ -132,12 +144,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         i.foot = m.foot + tau.x * i.u;
         let mut tangent = tau;
         for _ in 0..4 {
-            let (c, frames) = self.seat_first(m, i);
-            let [first, second] = &frames;
-            // In one line a vertex and a corner slide to each other: where they meet the second gap tells nothing of the angle.
-            if m.pair.reach == R::HUGE && first.turns != second.turns {
+            // A vertex and a corner slide to each other: where they meet the second gap tells nothing of the angle.
+            if m.pair.line && c1.is_corner() != c2.is_corner() {
                 break;
             }
+            let (c, frames) = self.seat_first(m, i);
             let g = gap_slope(&frames);
             // d gap/dy = g·(i tau); z_u = (g_y, -g_x)/D
             let across = R::ONE / g.dot(tau.turned());
@@ -169,8 +180,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// w_2 and its derivative by u: (f_2, r12×f_2). Two contacts in one line with one friction bear any couple, however near they are to each
     /// other: there a couple of 1.
     fn second(&self, m: &Motion<R>, k: &Couple<R>) -> [Wrench<R>; 2] {
-        let [c1, c2] = m.contacts;
-        if self.is_even(c1, c2) {
+        if m.pair.even {
             return [Wrench::COUPLE, Wrench::ZERO];
         }
         let ([_, f2], [_, f2_u], [r1_u, r2_u]) = (k.f, k.f_u, k.r_u);
@@ -284,9 +294,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The pair has enough to its stiction: N rises to N* in one line, a slip would be as long as D_c otherwise.
     pub(crate) fn has_stiction(&self, m: &Motion<R>, i: &Instant<R>) -> bool {
-        let [c1, c2] = m.contacts;
-        if self.is_even(c1, c2) {
-            self.friction(c1).is_pressed(self.normal_of_edge(m, i))
+        if m.pair.even {
+            self.friction(m.first())
+                .is_pressed(self.normal_of_edge(m, i))
         } else {
             self.room_to_stiction(m, i, &self.couple(m, i)) <= R::ZERO
         }

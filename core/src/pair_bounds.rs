@@ -47,11 +47,7 @@ fn bends<R: Real, const THIRD: bool>(m: &Motion<R>, apart: R, u: R) -> Bends<R> 
     } else {
         let h = apart + R::ONE + R::HALF.halved();
         // 0 in one line.
-        let part = if m.pair.reach < R::HUGE {
-            h / slope
-        } else {
-            R::ZERO
-        };
+        let part = if m.pair.line { R::ZERO } else { h / slope };
         let z2 = part * R::from_int(11) / R::from_int(8);
         let z3 = third::<R, THIRD>(|| part * (R::ONE + R::HALF + z2.doubled().doubled()));
         (tau.y.abs() + z2 * u, z2, z3)

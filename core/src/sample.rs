@@ -91,9 +91,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 rotation: body.rotation,
             }
         };
-        on.pace = statics.window(motion, begin, x, &mut self.hi.instant)?;
+        on.pace = statics.window(motion, begin, x, &mut self.hi.instant, &mut on.pair)?;
         let i = &self.hi.instant;
-        on.find_pair(statics, motion, i, on.pace.extent);
         on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
         Ok(())
     }
@@ -114,11 +113,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             way: R::ZERO,
             strip: width,
         };
-        on.find_pair(statics, motion, i, extent);
-        let curvature = match &on.pair {
-            Some(sup) => statics.pair_curvature(motion, sup),
-            None => statics.curvature(motion, i, extent),
-        };
+        let curvature = statics.curvature_with(motion, i, extent, &mut on.pair);
         on.pace = Pace {
             rate: width,
             bent: R::ZERO,
@@ -159,7 +154,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             extent,
         };
         let go = statics.foot_per_p(motion) * on.p_bend;
-        on.find_pair(statics, motion, i, extent);
+        if motion.kind == Kind::Pair {
+            on.pair = Some(statics.pair_sup(motion, i, extent));
+        }
         on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
         let [_, xi2] = &mut on.bound.foot;
         *xi2 = *xi2 + go;

@@ -5,7 +5,7 @@ use crate::cone::{ConeEdge, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::geometry::Wrench;
 use crate::list::gather;
-use crate::motion::{Instant, Motion};
+use crate::motion::Motion;
 use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose, gap_slope};
 use crate::thresholds::Thresholds;
@@ -249,40 +249,32 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         out
     }
-    /// Two contacts that slide: on their edges.
+    /// Two contacts that slide: along the edges of their cones, in balance. Where these differ enough they bear the force, since over a short
+    /// lever the moment tells less; otherwise each bears the moment about the other.
     fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
-        let [first, second] = body.contacts.pair();
-        if self.is_even(first, second) {
+        let contacts = body.contacts.pair();
+        let [a, b] = contacts;
+        if self.is_even(a, b) {
             return self.edge_shares(body);
         }
-        let m = self.sliding_pair(body, HandPose::REST);
-        let mut i = self.placed_at_start(&m);
-        // In the pose of the answer: one on both gaps anew differs by its rounding, times a long lever over a short one.
-        let [of_first, of_second] = self.frames(m.contacts, body.rotation, body.holding);
+        let [first, second] = &self.frames(contacts, body.rotation, body.holding);
         let load = self.present_load(body);
-        (i.rotation, i.g, i.r, i.r2) = (body.rotation, body.holding, of_first.r, of_second.r);
-        (i.force, i.moment) = (load.force, load.moment);
-        let normal = self.balanced_shares(&m, &i);
+        let (f1, f2) = (self.edge(a, first).f, self.edge(b, second).f);
+        let sine = f1.cross(f2);
+        let sizes = if sine.abs() >= R::spread() {
+            let force = load.force;
+            [f2.cross(force) / sine, force.cross(f1) / sine]
+        } else {
+            let r12 = second.r - first.r;
+            let [m1, m2] = [first, second].map(|at| load.moment - at.r.cross(load.force));
+            [m2 / r12.cross(f1), -m1 / r12.cross(f2)]
+        };
         let mut out = [[R::ZERO; 2]; 2];
-        for ((slot, n), c) in out.iter_mut().zip(normal).zip([first, second]) {
+        for ((slot, size), c) in out.iter_mut().zip(sizes).zip(contacts) {
             let cone = self.friction(c).sliding;
-            *slot = [n, -c.sense.along(n * cone.sin / cone.cos)];
+            *slot = [size * cone.cos, -c.sense.along(size * cone.sin)];
         }
         out
-    }
-    /// The normal reactions of a pair in balance: those that bear the force where their directions differ enough, since over a short lever the
-    /// moment tells less.
-    fn balanced_shares(&self, m: &Motion<R>, i: &Instant<R>) -> [R; 2] {
-        if !m.pair.spread {
-            return self.shares(m, i).normal;
-        }
-        let [f1, f2] = self.couple(m, i).f;
-        let sine = f1.cross(f2);
-        let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
-        [
-            f2.cross(i.force) / sine * cos1,
-            i.force.cross(f1) / sine * cos2,
-        ]
     }
     /// Two contacts in one line: N_2 by the moment about the first (E20), T in proportion to N.
     fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
@@ -333,14 +325,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// a foot that turns back goes the same way in both.
     pub(crate) fn sliding_pair(&self, body: &Body<R>, hand_p: HandPose<R>) -> Motion<R> {
         let pair = body.contacts.pair();
-        let frames = pair.map(|c| self.frame(c, body.rotation, body.holding));
+        let frames = self.frames(pair, body.rotation, body.holding);
         let [first, second] = &frames;
         let g = gap_slope(&frames);
         let velocity = first.t * g.y + first.r.turned() * g.x;
         let [v1, v2] = [first, second].map(|frame| frame.advance(velocity, -g.x));
         let [c1, c2] = pair;
         let along = c1.sense.along(v1) + c2.sense.along(v2);
-        self.pair(body, hand_p, if along < R::ZERO { -R::ONE } else { R::ONE })
+        let sense = if along < R::ZERO { -R::ONE } else { R::ONE };
+        self.pair_of(body, hand_p, sense, &frames)
     }
 }
 

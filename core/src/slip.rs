@@ -1,13 +1,12 @@
 //! At the frozen hand one contact or two slide on to mu_d N (STATICS 11).
 
-use crate::contact::Sense;
+use crate::contact::{Contact, Sense};
 use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
 use crate::events::{Ending, Watch, Which};
 use crate::modes::{Mode, Pressing};
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
-use crate::search::Ended;
 use crate::state::HandPose;
 use crate::step::Step;
 use crate::thresholds::Thresholds;
@@ -30,6 +29,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return self.slide_on(sense);
         }
         let motion = if statics.is_edge(&self.body.contacts) {
+            let hand = self.body.hand;
+            if statics.slides_straight(self.body, sense, &hand) {
+                let next = self.stopped_together(pair.map(|c| c.with(sense)), true);
+                return self.settled(next);
+            }
             statics.pair_along(self.body, HandPose::REST, sense)
         } else {
             let driven = |pressing| statics.driven(self.body, &self.body.hand, [0, 1], pressing);
@@ -139,12 +143,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.run(Stage::Joint, motion, Watch::JointSlip, end, true);
     }
     /// A slip of two has ended.
-    pub(crate) fn slipped_together(&mut self, ended: &Ended<R>) {
-        let m = self.errand.search.motion;
+    pub(crate) fn slipped_together(&mut self, m: &Motion<R>, ending: Ending) {
         let senses = m.contacts.map(|c| c.sense);
         let [sense, _] = senses;
-        let next = match ended.ending {
-            Ending::Stopped => self.stopped_together(&m, senses),
+        let next = match ending {
+            Ending::Stopped => self.stopped_together(m.contacts, m.pair.pressed),
             Ending::Touch(feature) => {
                 self.touch(feature);
                 Next::Relax(sense)
@@ -155,11 +158,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.hand_on(which.index(), which.of([first, second]));
                 self.handed(self.body.contacts.first().sense)
             }
-            Ending::Opens(which) => match self.opens_in_slip(&m, which) {
+            Ending::Opens(which) => match self.opens_in_slip(m, which) {
                 Some(next) => next,
                 None => return,
             },
-            Ending::End | Ending::GoesOn | Ending::Halt => match self.again(&m) {
+            Ending::End | Ending::GoesOn | Ending::Halt => match self.again(m) {
                 Some(on) => return self.slide_together(on),
                 // Nothing drives it on.
                 None => Next::Relax(sense),
@@ -172,13 +175,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         self.settled(next);
     }
-    /// In balance: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
-    fn stopped_together(&mut self, m: &Motion<R>, senses: [Sense; 2]) -> Next {
-        let [first, second] = m.contacts;
+    /// In balance, after a slip of two with their senses: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
+    /// `pressed`: their reactions counted on the way.
+    fn stopped_together(&mut self, contacts: [Contact; 2], pressed: bool) -> Next {
+        let [first, second] = contacts;
         let statics = self.statics;
-        let feet = m
-            .contacts
-            .map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
+        let feet = contacts.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
         let moved = feet
             .iter()
             .zip(self.errand.feet)
@@ -188,7 +190,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let [normal, _] = statics.reaction(self.body);
             statics.friction(first).is_pressed(normal)
         } else {
-            m.contacts.iter().zip(moved.clone()).any(|(c, way)| {
+            contacts.iter().zip(moved.clone()).any(|(c, way)| {
                 let friction = statics.friction(*c);
                 friction.threshold < R::HUGE && way.abs() >= friction.memory
             })
@@ -198,9 +200,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             self.log.slip(length);
         }
         self.body.stiction = is_pressed;
-        let [sense, _] = senses;
-        if is_edge && !m.pair.pressed || !is_edge && !self.press_in_balance(senses) {
-            return Next::Relax(sense);
+        let senses = contacts.map(|c| c.sense);
+        if is_edge && !pressed || !is_edge && !self.press_in_balance(senses) {
+            return Next::Relax(first.sense);
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);

@@ -78,12 +78,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// The smallest part of a step that leaves plain data behind.
     fn piece(&mut self, to: HandPose<R>, more: &mut impl FnMut() -> bool) {
         self.log.work = self.log.work.saturating_add(1);
-        if self.errand.is_still() {
+        let was_still = self.errand.is_still();
+        if was_still {
             self.set_out(to);
         } else {
             self.go_on(more);
         }
-        if C > 0 && self.errand.is_still() && self.errand.search.motion.kind == Kind::Pair {
+        let may_have_slid = !was_still || self.body.contacts.first().sense.slides();
+        if self.statics.world.has_obstacles() && self.errand.is_still() && may_have_slid {
             self.statics.widen(self.body);
         }
         if self.errand.is_still() {
@@ -215,7 +217,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             Stage::Fly(leg) => self.flown(leg, &ended),
             Stage::Slip(sense) => self.slipped(sense, ended.ending),
-            Stage::Joint => self.slipped_together(&ended),
+            Stage::Joint => {
+                let m = self.errand.search.motion;
+                self.slipped_together(&m, ended.ending);
+            }
             Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields | Stage::Path => {}
         }
     }
@@ -280,27 +285,26 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return;
         }
         self.body.slack = R::ZERO;
-        let pressed = self.presses(way);
-        let borne = self.statics.borne(self.body, &to);
-        let at = |p: R| {
-            if p >= way.whole {
-                to
-            } else {
-                self.body.hand.moved(&way.per_p, p)
+        let (p, ending) = if let Some((part, sense)) = self.statics.edge_yields(self.body, &to) {
+            (part * way.whole, Ending::Yields(sense))
+        } else {
+            match (self.statics.borne(self.body, &to), self.presses(way)) {
+                (Borne::Until(part), Some(p)) if part * way.whole <= p => {
+                    (part * way.whole, Ending::GivesWay)
+                }
+                (Borne::Until(part), None) => (part * way.whole, Ending::GivesWay),
+                (Borne::Until(_) | Borne::All(_), Some(p)) => (p, Ending::Pressed),
+                (Borne::All(slack), None) => {
+                    self.body.hand = to;
+                    return self.stay(slack);
+                }
             }
         };
-        let (hand, ending) = match (borne, pressed) {
-            (Borne::Until(part), Some(p)) if part * way.whole <= p => {
-                (at(part * way.whole), Ending::GivesWay)
-            }
-            (Borne::Until(part), None) => (at(part * way.whole), Ending::GivesWay),
-            (Borne::Until(_) | Borne::All(_), Some(p)) => (at(p), Ending::Pressed),
-            (Borne::All(slack), None) => {
-                self.body.hand = to;
-                return self.stay(slack);
-            }
+        self.body.hand = if p >= way.whole {
+            to
+        } else {
+            self.body.hand.moved(&way.per_p, p)
         };
-        self.body.hand = hand;
         self.errand.stage = Stage::At(ending);
     }
     /// The contacts bear the load, and any one that differs by less than the slack, without a jam.

@@ -267,11 +267,11 @@ fn bounds_hold_on_every_accepted_window() {
         if begin.e.abs() > 1e-12 || begin.e_u >= 0.0 {
             continue;
         }
-        let Ok(pace) = statics.window(&m, Begin::At(&begin), way, &mut end) else {
+        let mut pair = None;
+        let Ok(pace) = statics.window(&m, Begin::At(&begin), way, &mut end, &mut pair) else {
             continue;
         };
         accepted[round % CASES.len()] += 1;
-        let pair = (m.kind == Kind::Pair).then(|| statics.pair_sup(&m, &end, pace.extent));
         let bound = statics.bound(&m, &end, &pace, pair.as_ref());
         let points = followed(&world, &grip, &m, &begin, way);
         let last = points.last().expect("points");

@@ -105,6 +105,10 @@ pub(crate) trait Thresholds: Real {
     fn beside() -> Self {
         Self::MICRO.doubled().doubled()
     }
+    /// 1/8 (1): reactions at an angle with a larger sine are known by their force to 8 roundings.
+    fn spread() -> Self {
+        Self::HALF.halved().halved()
+    }
     /// 64 (k_h L): larger reactions are not distinguished from a jam. Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)

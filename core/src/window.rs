@@ -3,6 +3,7 @@
 use crate::bounds::{Curvature, Extent, Pace};
 use crate::geometry::Rotation;
 use crate::motion::{Instant, Kind, Motion, Spot};
+use crate::pair_bounds::PairSup;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
@@ -29,7 +30,7 @@ pub(crate) struct Along<R> {
 pub(crate) enum Begin<'a, R> {
     /// An instant in balance.
     At(&'a Instant<R>),
-    /// u and p in balance, with R(u) if u is an angle: not placed yet.
+    /// u and p in balance, with the rotation there: not placed yet.
     Spot {
         spot: Spot<R>,
         rotation: Rotation<R>,
@@ -38,7 +39,7 @@ pub(crate) enum Begin<'a, R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// The end of a window of a curve, from a beginning in balance to p1, if the window is certainly on one stable branch: the instant in
-    /// `out`, and bounds. Otherwise the part of the window that may be.
+    /// `out`, and bounds, in `pair` those of a pair. Otherwise the part of the window that may be.
     #[inline(never)]
     pub(crate) fn window(
         &self,
@@ -46,6 +47,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         begin: Begin<'_, R>,
         p1: R,
         out: &mut Instant<R>,
+        pair: &mut Option<PairSup<R>>,
     ) -> Result<Pace<R>, R> {
         let (first, residual) = match begin {
             Begin::At(i) => {
@@ -56,12 +58,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 (i, Residual { way, e1, s0, s1 })
             }
             Begin::Spot { spot, rotation } => {
-                let known = (m.kind != Kind::Pair).then_some(rotation);
-                self.place(m, Spot { p: p1, ..spot }, known, out);
+                self.place(m, Spot { p: p1, ..spot }, Some(rotation), out);
                 (&*out, self.residual_after(m, out, p1 - spot.p))
             }
         };
-        let pace = self.certified(m, first, residual)?;
+        let pace = self.certified(m, first, residual, pair)?;
         let (spot, step) = match begin {
             Begin::At(i) => (Spot { u: i.u, p: p1 }, residual.e1 / residual.s1),
             Begin::Spot { spot, .. } => (Spot { p: p1, ..spot }, self.first_step(m, out)),
@@ -79,15 +80,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             s1: -i.e_u,
         }
     }
-    /// One stable branch of balance on a window, with the bounds of its rates: (E9), (E10). Otherwise the part of the window that may be.
+    /// One stable branch of balance on a window, with the bounds of its rates and those of a pair: (E9), (E10). Otherwise the part of the
+    /// window that may be.
     #[inline(never)]
     pub(crate) fn certified(
         &self,
         m: &Motion<R>,
         i: &Instant<R>,
         residual: Residual<R>,
+        pair: &mut Option<PairSup<R>>,
     ) -> Result<Pace<R>, R> {
-        self.certified_inlined(m, i, residual)
+        self.certified_inlined(m, i, residual, pair)
     }
     /// [`Self::certified`], compiled into the caller: what it knows of the motion is decided there.
     #[inline(always)]
@@ -96,6 +99,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         m: &Motion<R>,
         i: &Instant<R>,
         Residual { way, e1, s0, s1 }: Residual<R>,
+        pair: &mut Option<PairSup<R>>,
     ) -> Result<Pace<R>, R> {
         let chord = self.chord(m, i) * way * way;
         let slope = s0.min(s1) - chord / R::from_int(8);
@@ -109,7 +113,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         // (E9)
         let step = (e1 + chord / R::from_int(8)) * inverse;
         let strip = step.doubled();
-        let curvature = self.curvature(m, i, Extent { way, strip });
+        let curvature = self.curvature_with(m, i, Extent { way, strip }, pair);
         let (k, j) = (curvature.k.scaled(unit), curvature.j.scaled(unit));
         let rho = k * step * inverse;
         if rho > R::HALF.halved() {

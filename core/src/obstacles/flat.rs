@@ -65,7 +65,8 @@ impl<R: Real> Span<R> {
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
     /// A point or rod goes to a pose, and remembers where it came from.
     pub(crate) fn leave_behind(&self, body: &mut Body<R>, to: At<R>) {
-        if C > 0 && self.world.vertices.len() < 3 && self.moves(body, to) {
+        let is_thin = self.world.vertices.len() < 3;
+        if self.world.has_obstacles() && is_thin && self.moves(body, to) {
             (body.was.at, body.was.angle) = (body.holding, body.angle);
         }
     }
