@@ -35,6 +35,8 @@ pub(crate) enum Borne<R> {
     All(R),
     /// Up to this part of it.
     Until(R),
+    /// Up to this part of it, where a slip of an edge begins in this sense.
+    Slips(R, Sense),
 }
 
 /// The cone of the reactions of all contacts.
@@ -195,6 +197,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// How long the contacts bear the load along the hand's displacement to another pose, as a part of it.
     #[inline(never)]
     pub(crate) fn borne(&self, body: &Body<R>, to: &HandPose<R>) -> Borne<R> {
+        if let Some(borne) = self.borne_by_edge(body, to) {
+            return borne;
+        }
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
         let (begin, end) = (self.present_load(body), self.load(body, to));

@@ -2,6 +2,7 @@
 //! along its slip.
 
 use crate::bounds::Bound;
+use crate::cone::Borne;
 use crate::contact::Sense;
 use crate::frame::{Foot, Frame};
 use crate::geometry::Wrench;
@@ -12,36 +13,42 @@ use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// Both ends press beyond doubt under a load: each bears the moment about the other.
-    fn ends_press(&self, [first, second]: &[Frame<R>; 2], load: Wrench<R>) -> bool {
+    /// How much the load has to change until an end does not press: each bears the moment about the other.
+    fn ends_press(&self, [first, second]: &[Frame<R>; 2], load: Wrench<R>) -> R {
         let side = (second.r - first.r).cross(first.n).sign();
-        let [m1, m2] = [first, second].map(|at| load.moment - at.r.cross(load.force));
-        [-m1, m2]
-            .iter()
-            .all(|&m| m * side > R::of_release(load.size()))
+        let [of_second, of_first] = [first, second].map(|about| {
+            let moment = (load.moment - about.r.cross(load.force)) * side;
+            (moment, about.r.x.abs().max(about.r.y.abs()).max(R::ONE))
+        });
+        let ((m2, size2), (m1, size1)) = (of_second, of_first);
+        (-m2 / size2).min(m1 / size1)
     }
-    /// The part of the hand's displacement to another pose after which the friction of an edge with stiction gives way, if it does and both
-    /// ends press on all of it; and the sense of the slip.
+    /// How long an edge with stiction bears the load along the hand's displacement to another pose, if both ends press beyond doubt on all of
+    /// it: two ends and the friction of both are the facets of its cone.
     #[inline(never)]
-    pub(crate) fn edge_yields(&self, body: &Body<R>, to: &HandPose<R>) -> Option<(R, Sense)> {
+    pub(crate) fn borne_by_edge(&self, body: &Body<R>, to: &HandPose<R>) -> Option<Borne<R>> {
         if !body.stiction || !self.is_edge(&body.contacts) {
             return None;
         }
         let frames = self.frames(body.contacts.pair(), body.rotation, body.holding);
-        let loads = [self.present_load(body), self.load(body, to)];
-        let ([first, _], [_, end]) = (&frames, loads);
+        let (begin, end) = (self.present_load(body), self.load(body, to));
+        let released = R::of_release(end.size());
+        let slack = self.ends_press(&frames, end);
+        if slack <= released || self.ends_press(&frames, begin) <= released {
+            return None;
+        }
+        let [first, _] = &frames;
         let cone = self.friction(body.contacts.first()).fixed;
         let sense = Sense::of(first.t.dot(end.force));
-        let [v0, v1] = loads.map(|load| {
+        let [v0, v1] = [begin, end].map(|load| {
             let (n, pull) = (-first.n.dot(load.force), first.t.dot(load.force));
             n * cone.sin - sense.along(pull) * cone.cos
         });
-        let yields = v1 < -R::of_balance(end.size());
-        if !yields || !loads.iter().all(|&load| self.ends_press(&frames, load)) {
-            return None;
+        if v1 >= -R::of_balance(end.size()) {
+            return Some(Borne::All(slack.min(v1.max(R::ZERO))));
         }
         let v0 = v0.max(R::ZERO);
-        Some((v0 / (v0 - v1), sense))
+        Some(Borne::Slips(v0 / (v0 - v1), sense))
     }
     /// An edge slides in a sense to its balance at a pose of the hand, where e·F = 0, if certainly both ends press and no gap closes on the way:
     /// the body is there, the hand where it was.
@@ -75,8 +82,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         let frames_there = self.frames(contacts, i.rotation, i.g);
         let [_, second] = &frames_there;
-        let ends = [(&frames, begin), (&frames_there, end)];
-        let is_pressed = ends.into_iter().all(|(f, load)| self.ends_press(f, load));
+        let released = R::of_release(begin.size());
+        let mut ends = [(&frames, begin), (&frames_there, end)].into_iter();
+        let is_pressed = ends.all(|(frames, load)| self.ends_press(frames, load) > released);
         let stays = self.is_short_of_end(c1, foot) && self.is_short_of_end(c2, second.foot(i.g));
         let way = sense.along(delta);
         if way <= R::ZERO || !is_pressed || !stays {

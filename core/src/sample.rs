@@ -96,6 +96,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());
         Ok(())
     }
+    /// The body a last step of Newton's iteration beyond the end of the window.
+    pub(crate) fn step_on(&mut self, dx: R) {
+        let Watched {
+            statics,
+            motion,
+            direction,
+            ..
+        } = self.watched;
+        let (x, i) = (self.bracket.hi + dx, &mut self.hi.instant);
+        if let Some(branch) = &self.bracket.branch {
+            place_by_u(statics, motion, (branch, x), i);
+        } else if motion.frozen {
+            let u = self.u0 + direction * x;
+            statics.place(motion, Spot { u, p: R::ZERO }, None, i);
+        } else {
+            let from = Spot { u: i.u, p: x };
+            statics.balance(motion, from, self.hi.rates.u * dx, i);
+        }
+    }
     /// At a frozen hand: x is u.
     fn place_frozen(&mut self, x: R, on: &mut Judging<R>) -> Result<(), R> {
         let Watched {

@@ -198,7 +198,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if found.crossing.is_some() || found.unsure {
             return self.shrink(&found);
         }
-        self.go_on(&found, &mut on, room)
+        self.go_on(&found, &on, room)
     }
     /// The window is too wide, or something crosses zero on it.
     fn shrink(&mut self, found: &Found<R>) -> Option<Ended<R>> {
@@ -243,7 +243,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         None
     }
     /// The window is certain: the motion ends at its end, or the next window begins there.
-    fn go_on(&mut self, found: &Found<R>, on: &mut Judging<R>, room: R) -> Option<Ended<R>> {
+    fn go_on(&mut self, found: &Found<R>, on: &Judging<R>, room: R) -> Option<Ended<R>> {
         self.bracket.room = room;
         let (hi, w, end) = (self.bracket.hi, self.bracket.width(), self.bracket.end);
         if let Some((ending, dx)) = found.hit {
@@ -265,10 +265,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 // No number is in between.
                 return Some(self.ended_high(ending, hi, left));
             }
-            if is_step && (self.place(x, on).is_ok() || self.bracket.branch.is_some()) {
-                return Some(self.ended_high(ending, x, left));
+            if is_step {
+                self.step_on(dx);
             }
-            return Some(self.ended_high(ending, hi, left));
+            return Some(self.ended_high(ending, if is_step { x } else { hi }, left));
         }
         if hi >= end {
             // Along u the end is that of the bounds.

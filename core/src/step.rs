@@ -285,19 +285,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return;
         }
         self.body.slack = R::ZERO;
-        let (p, ending) = if let Some((part, sense)) = self.statics.edge_yields(self.body, &to) {
-            (part * way.whole, Ending::Yields(sense))
-        } else {
-            match (self.statics.borne(self.body, &to), self.presses(way)) {
-                (Borne::Until(part), Some(p)) if part * way.whole <= p => {
-                    (part * way.whole, Ending::GivesWay)
-                }
-                (Borne::Until(part), None) => (part * way.whole, Ending::GivesWay),
-                (Borne::Until(_) | Borne::All(_), Some(p)) => (p, Ending::Pressed),
-                (Borne::All(slack), None) => {
-                    self.body.hand = to;
-                    return self.stay(slack);
-                }
+        let borne = self.statics.borne(self.body, &to);
+        let (p, ending) = match (borne, self.presses(way)) {
+            (Borne::Slips(part, sense), _) => (part * way.whole, Ending::Yields(sense)),
+            (Borne::Until(part), Some(p)) if part * way.whole <= p => {
+                (part * way.whole, Ending::GivesWay)
+            }
+            (Borne::Until(part), None) => (part * way.whole, Ending::GivesWay),
+            (Borne::Until(_) | Borne::All(_), Some(p)) => (p, Ending::Pressed),
+            (Borne::All(slack), None) => {
+                self.body.hand = to;
+                return self.stay(slack);
             }
         };
         self.body.hand = if p >= way.whole {
