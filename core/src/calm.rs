@@ -228,10 +228,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let Some(place) = self.calm_place(m, q, end.p, &mut i) else {
             return Calm::Unsure;
         };
-        let Some(bound) = self.certified_back(m, &i, body.angle) else {
-            return Calm::Unsure;
-        };
-        if place.p >= end.p || place.fall.doubled() * place.p < bound.holding {
+        // The known balance is the one of this branch; up to the place the margin bends by its part of the window, squared.
+        let part = place.p / end.p;
+        let is_known = part < R::ONE && (i.u - body.angle).abs() <= whole.theta;
+        if !is_known || place.fall.doubled() * place.p < whole.holding * (part * part) {
             return Calm::Unsure;
         }
         self.leave_behind(body, i.at());

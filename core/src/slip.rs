@@ -21,13 +21,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A slip begins, in a sense of the first contact.
     pub(crate) fn slip(&mut self, sense: Sense) {
         self.errand.runs = 0;
-        let statics = self.statics;
-        let pair = self.body.contacts.pair();
-        self.errand.feet = pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
         if self.body.contacts.len() == 1 {
             self.errand.feet = [self.body.foot; 2];
             return self.slide_on(sense);
         }
+        let statics = self.statics;
+        let pair = self.body.contacts.pair();
+        self.errand.feet = pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
         let motion = if statics.is_edge(&self.body.contacts) {
             let hand = self.body.hand;
             if statics.slides_straight(self.body, sense, &hand) {
