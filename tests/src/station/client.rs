@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 use stiction_wire::{
-    Command, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType, Pose, Reason,
+    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Mode, NumberType, Pose, Reason,
     Reference, Reply, Report, SceneCommand, Subject,
 };
 
@@ -30,6 +30,7 @@ pub enum Said {
         sequence: u8,
         time: u32,
     },
+    KnobInfo(KnobInfo),
 }
 
 /// A reply.
@@ -91,6 +92,7 @@ impl From<Report<'_>> for Said {
                 sequence: pong.sequence,
                 time: pong.time,
             },
+            Report::KnobInfo(info) => Self::KnobInfo(info),
         }
     }
 }

@@ -6,6 +6,7 @@ use rp2040_emu::{Config, Emulator, ROM_SIZE};
 use super::bus::{Fabric, Own, TIMER};
 use super::cache::MISS;
 use super::handlers::{FIRST_INTERRUPT, Handlers};
+use super::rom::{self, Call, ERASED, FLASH_SIZE};
 
 /// The start of the flash.
 pub const FLASH: u32 = 0x1000_0000;
@@ -25,6 +26,8 @@ const UART0_INTERRUPT: u8 = 20;
 pub struct Chip {
     emulator: Emulator,
     flash: Vec<u8>,
+    /// How often the flash was erased or programmed.
+    writes: u32,
     own: Own,
     /// The next time at which a peripheral does something on its own (cycles).
     next: u64,
@@ -50,13 +53,15 @@ impl std::fmt::Debug for Chip {
 
 impl Chip {
     /// A chip after power-up, with the contents of its flash, which starts at [`FLASH`].
-    pub fn new(flash: Vec<u8>) -> Self {
+    pub fn new(mut flash: Vec<u8>) -> Self {
+        flash.resize(FLASH_SIZE, ERASED);
         let mut emulator = Emulator::new(Config::default());
-        emulator.load_bootrom(&[0; ROM_SIZE]);
+        emulator.load_bootrom(&rom::contents());
         emulator.load_flash(&flash);
         let mut chip = Self {
             emulator,
             flash,
+            writes: 0,
             own: Own::default(),
             next: 0,
             reset_at: 0,
@@ -72,6 +77,7 @@ impl Chip {
         self.emulator.reset();
         self.emulator.bus.gpio_in = self.levels;
         self.emulator.direct_boot_from_flash(VECTORS);
+        self.own.flash_is_away = false;
         self.reset_at = self.own.now;
         self.settle();
     }
@@ -84,6 +90,16 @@ impl Chip {
     /// How often the watchdog has reset it.
     pub const fn resets(&self) -> u32 {
         self.resets
+    }
+
+    /// The contents of its flash: what remains without power.
+    pub fn flash(&self) -> &[u8] {
+        &self.flash
+    }
+
+    /// How often its flash has been erased or programmed.
+    pub const fn flash_writes(&self) -> u32 {
+        self.writes
     }
 
     /// The cycles since power-up for which the core would have waited for its flash, at the least; they are not in [`Self::cycles`].
@@ -212,6 +228,9 @@ impl Chip {
     /// Executes one instruction, or the entry of an exception. Returns the cycles that it took.
     pub fn step(&mut self) -> u64 {
         let at = self.at();
+        if (at as usize) < ROM_SIZE {
+            return self.call_rom(at);
+        }
         let active = self.emulator.bus.ppb[0].active;
         // The crate's core does not let an interrupt preempt another one.
         let hides = active != 0 && self.is_preempted(active);
@@ -220,7 +239,7 @@ impl Chip {
             bus.ppb[0].active = 0;
         }
         let own = &mut self.own;
-        own.cache.read(at);
+        own.read_flash(at);
         let mut cycles = u64::from(cores[0].step(&mut Fabric { bus, own }));
         if hides {
             bus.ppb[0].active |= active;
@@ -246,6 +265,52 @@ impl Chip {
             self.settle();
         }
         cycles
+    }
+
+    /// Executes a function of the ROM at once, and returns from it.
+    ///
+    /// # Panics
+    /// There is no such function, or it is called in a way in which the chip's would not do what is expected.
+    fn call_rom(&mut self, at: u32) -> u64 {
+        let arguments = [0, 1, 2].map(|number| self.register(number));
+        let call = Call::at(at, arguments);
+        let call = call.unwrap_or_else(|| panic!("{at:#x} is no function of the ROM: {self:?}"));
+        assert!(call.is_aligned(), "{call:?}");
+        let cycles = call.cycles();
+        if self.own.watchdog.due() <= self.own.now + cycles {
+            self.pass(self.own.watchdog.due().saturating_sub(self.own.now));
+            self.settle();
+            return cycles;
+        }
+        match call {
+            Call::Found(function) => self.set_register(0, function),
+            Call::Connect => {}
+            Call::Leave => self.own.flash_is_away = true,
+            Call::Erase(from, bytes) => {
+                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
+                self.flash[from..from + bytes].fill(ERASED);
+                self.written();
+            }
+            Call::Program(to, from, bytes) => {
+                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
+                // Programming clears bits, and sets none.
+                let page = self.bytes(from, bytes as u32);
+                for (place, byte) in self.flash[to..].iter_mut().zip(page) {
+                    *place &= byte;
+                }
+                self.written();
+            }
+        }
+        let back = self.register(14) & !1;
+        self.core_mut().regs.set_pc(back);
+        self.pass(cycles);
+        self.settle();
+        cycles
+    }
+
+    fn written(&mut self) {
+        self.emulator.load_flash(&self.flash);
+        self.writes += 1;
     }
 
     /// Whether a pending interrupt has a higher priority than all active ones.
