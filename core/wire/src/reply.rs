@@ -235,8 +235,8 @@ impl Subject {
             [0, ..] => Some(Self::Command),
             [TICK_RATE, ..] => Some(Self::TickRate),
             [LINE_RATE, ..] => Some(Self::LineRate),
-            [code @ KNOB.., ..] => {
-                let number = KnobNumber::ALL.get(code.saturating_sub(KNOB));
+            [number, ..] if number >= KNOB => {
+                let number = KnobNumber::ALL.get(number.saturating_sub(KNOB));
                 number.copied().map(Self::Knob)
             }
             _ => parameter_of(code).map(Self::Scene),

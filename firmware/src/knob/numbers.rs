@@ -169,7 +169,11 @@ fn of_geometry(error: GeometryError) -> KnobError {
             (KnobNumber::Origin, "")
         }
     };
-    let [least, most] = error.allowed;
+    let [least, most] = match (number, error.allowed) {
+        // More than 0 is no nearest value.
+        (KnobNumber::TorqueLimit, [_, most]) => [f32::NAN, most],
+        (_, allowed) => allowed,
+    };
     KnobError {
         number,
         value: error.value,

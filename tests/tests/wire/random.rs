@@ -102,12 +102,13 @@ impl Random {
     fn subject(&mut self) -> Subject {
         let (i, j) = (self.below(256), self.below(256));
         let of_obstacles = Subject::Scene(self.parameter());
+        let of_knob = Subject::Knob(self.one(&KnobNumber::ALL));
         self.one(&[
             of_obstacles,
             Subject::Command,
             Subject::TickRate,
             Subject::LineRate,
-            Subject::Knob(self.one(&KnobNumber::ALL)),
+            of_knob,
             Subject::Scene(Parameter::VertexCount),
             Subject::Scene(Parameter::Vertex(i)),
             Subject::Scene(Parameter::Start),

@@ -1,12 +1,14 @@
 //! The chip: one core of the RP2040, its memory and its peripherals, one instruction after another.
 
+mod rom;
+
 use rp2040_emu::core::CortexM0Plus;
 use rp2040_emu::{Config, Emulator, ROM_SIZE};
 
 use super::bus::{Fabric, Own, TIMER};
 use super::cache::MISS;
 use super::handlers::{FIRST_INTERRUPT, Handlers};
-use super::rom::{self, Call, ERASED, FLASH_SIZE};
+use rom::{ERASED, FLASH_SIZE};
 
 /// The start of the flash.
 pub const FLASH: u32 = 0x1000_0000;
@@ -265,52 +267,6 @@ impl Chip {
             self.settle();
         }
         cycles
-    }
-
-    /// Executes a function of the ROM at once, and returns from it.
-    ///
-    /// # Panics
-    /// There is no such function, or it is called in a way in which the chip's would not do what is expected.
-    fn call_rom(&mut self, at: u32) -> u64 {
-        let arguments = [0, 1, 2].map(|number| self.register(number));
-        let call = Call::at(at, arguments);
-        let call = call.unwrap_or_else(|| panic!("{at:#x} is no function of the ROM: {self:?}"));
-        assert!(call.is_aligned(), "{call:?}");
-        let cycles = call.cycles();
-        if self.own.watchdog.due() <= self.own.now + cycles {
-            self.pass(self.own.watchdog.due().saturating_sub(self.own.now));
-            self.settle();
-            return cycles;
-        }
-        match call {
-            Call::Found(function) => self.set_register(0, function),
-            Call::Connect => {}
-            Call::Leave => self.own.flash_is_away = true,
-            Call::Erase(from, bytes) => {
-                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
-                self.flash[from..from + bytes].fill(ERASED);
-                self.written();
-            }
-            Call::Program(to, from, bytes) => {
-                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
-                // Programming clears bits, and sets none.
-                let page = self.bytes(from, bytes as u32);
-                for (place, byte) in self.flash[to..].iter_mut().zip(page) {
-                    *place &= byte;
-                }
-                self.written();
-            }
-        }
-        let back = self.register(14) & !1;
-        self.core_mut().regs.set_pc(back);
-        self.pass(cycles);
-        self.settle();
-        cycles
-    }
-
-    fn written(&mut self) {
-        self.emulator.load_flash(&self.flash);
-        self.writes += 1;
     }
 
     /// Whether a pending interrupt has a higher priority than all active ones.

@@ -4,7 +4,7 @@
 
 use rp2040_emu::ROM_SIZE;
 
-use super::chip::MEGAHERTZ;
+use super::{Chip, MEGAHERTZ};
 
 /// Bytes of the flash.
 pub(super) const FLASH_SIZE: usize = 2 << 20;
@@ -23,7 +23,7 @@ const PROGRAM: u32 = 0x110;
 
 /// What a function does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Call {
+enum Call {
     /// Returns where a function begins.
     Found(u32),
     Connect,
@@ -37,7 +37,7 @@ pub(super) enum Call {
 
 impl Call {
     /// The function that begins at an address, with its arguments.
-    pub(super) fn at(address: u32, [a, b, c]: [u32; 3]) -> Option<Self> {
+    fn at(address: u32, [a, b, c]: [u32; 3]) -> Option<Self> {
         Some(match address {
             LOOK_UP => Self::Found(match &b.to_le_bytes()[..2] {
                 b"IF" => CONNECT | 1,
@@ -55,7 +55,7 @@ impl Call {
     }
 
     /// The time that the flash takes at most (cycles).
-    pub(super) const fn cycles(self) -> u64 {
+    const fn cycles(self) -> u64 {
         const MS: u64 = MEGAHERTZ as u64 * 1_000;
         match self {
             Self::Found(_) | Self::Connect | Self::Leave => 1,
@@ -65,12 +65,60 @@ impl Call {
     }
 
     /// Whether offset and size are those of sectors, or of pages.
-    pub(super) const fn is_aligned(self) -> bool {
+    const fn is_aligned(self) -> bool {
         match self {
             Self::Found(_) | Self::Connect | Self::Leave => true,
             Self::Erase(at, bytes) => at % SECTOR == 0 && bytes % SECTOR == 0,
             Self::Program(at, _, bytes) => at % PAGE == 0 && bytes % PAGE == 0,
         }
+    }
+}
+
+impl Chip {
+    /// Executes a function of the ROM at once, and returns from it.
+    ///
+    /// # Panics
+    /// There is no such function, or it is called in a way in which the chip's would not do what is expected.
+    pub(super) fn call_rom(&mut self, at: u32) -> u64 {
+        let arguments = [0, 1, 2].map(|number| self.register(number));
+        let call = Call::at(at, arguments);
+        let call = call.unwrap_or_else(|| panic!("{at:#x} is no function of the ROM: {self:?}"));
+        assert!(call.is_aligned(), "{call:?}");
+        let cycles = call.cycles();
+        if self.own.watchdog.due() <= self.own.now + cycles {
+            self.pass(self.own.watchdog.due().saturating_sub(self.own.now));
+            self.settle();
+            return cycles;
+        }
+        match call {
+            Call::Found(function) => self.set_register(0, function),
+            Call::Connect => {}
+            Call::Leave => self.own.flash_is_away = true,
+            Call::Erase(from, bytes) => {
+                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
+                self.flash[from..from + bytes].fill(ERASED);
+                self.written();
+            }
+            Call::Program(to, from, bytes) => {
+                assert!(self.own.flash_is_away, "{call:?} of a flash that is read");
+                // Programming clears bits, and sets none.
+                let page = self.bytes(from, bytes as u32);
+                for (place, byte) in self.flash[to..].iter_mut().zip(page) {
+                    *place &= byte;
+                }
+                self.written();
+            }
+        }
+        let back = self.register(14) & !1;
+        self.core_mut().regs.set_pc(back);
+        self.pass(cycles);
+        self.settle();
+        cycles
+    }
+
+    fn written(&mut self) {
+        self.emulator.load_flash(&self.flash);
+        self.writes += 1;
     }
 }
 
