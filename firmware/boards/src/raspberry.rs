@@ -226,7 +226,8 @@ fn start(
     }
 }
 
-#[cfg_attr(not(all(feature = "knob", feature = "pantograph")), allow(dead_code))]
+// A device uses a part of it.
+#[allow(dead_code)]
 struct Wired<'a> {
     pio: pac::PIO0,
     pwm: pac::PWM,

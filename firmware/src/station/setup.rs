@@ -123,7 +123,7 @@ impl Setup {
     /// Checks that the board would start with a knob of these numbers.
     pub(crate) fn admits(&self, numbers: &KnobNumbers) -> Result<(), Trouble> {
         check(numbers).map_err(|error| Trouble::of_knob(Reason::Number, &error))?;
-        let period_us = 1_000_000 / u32::from(self.mode.tick_rate.max(1));
+        let period_us = self.settings(&self.mode).limits.period_us;
         admit(numbers, self.scene.stiffness_translation, period_us)
             .map_err(|error| Trouble::of_knob(Reason::NotPassive, &error))
     }

@@ -127,7 +127,7 @@ fn a_start_with_stored_numbers_has_their_hand_and_their_torque() {
     for pages in [[&stored, &EMPTY], [&EMPTY, &stored]] {
         let (mut rig, shown, bench) = started(pages);
         assert_eq!(asked(&mut rig).source, KnobSource::Stored);
-        rig.mode(|mode| mode.forces_every = 1);
+        rig.mode(|mode| (mode.pose_every, mode.forces_every) = (0, 1));
         for count in 0..200u16 {
             // It counts down.
             shown.0.set(count.wrapping_neg());
