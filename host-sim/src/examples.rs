@@ -38,6 +38,7 @@ info: stiction info --emulate
 info: stiction info --port auto
 knob: stiction knob --port auto > knob.toml
 knob: stiction knob knob.toml --port auto
+knob: stiction knob --emulate pico
 image: stiction image pico
 image: stiction image pico ladder --out ladder.uf2
 code: stiction code table-edge --name table

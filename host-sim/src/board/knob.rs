@@ -144,7 +144,11 @@ fn key(number: KnobNumber) -> String {
 pub fn knob(args: &KnobArgs) -> Result<(), BoardError> {
     let file = args.numbers.as_deref().map(NumbersFile::read).transpose()?;
     stop::listen();
-    let (mut address, mut inbox) = (args.connect.address(Image::Plain)?, Inbox::new());
+    if let Some(board) = args.connect.emulated().filter(|board| !board.has_knob()) {
+        let problem = format!("{} has no pins for a knob, allowed: --emulate pico", board.name());
+        return Err(BoardError::Refused(problem));
+    }
+    let (mut address, mut inbox) = (args.connect.address(Image::Knob)?, Inbox::new());
     let timeout = args.connect.timeout();
     let (mut session, about) = Session::begin(&mut address, &mut inbox, timeout, Instant::now())?;
     let info = match file {
