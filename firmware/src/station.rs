@@ -45,8 +45,8 @@ use outbox::Outbox;
 use report::Reported;
 use stiction_core::{Real, Wrench};
 use stiction_wire::{
-    Command, Decoder, Fault, Frame, Health, KnobNumbers, Mode, Reply, Report, Stepping, frame_bytes,
-    scene_bytes,
+    Command, Decoder, Fault, Frame, Health, KnobNumbers, Mode, Reply, Report, Stepping,
+    frame_bytes, scene_bytes,
 };
 
 /// The program of a board: R, V, S and C are those of its scene, N the bytes of the longest frame that it accepts.

@@ -69,18 +69,13 @@ impl Board for Microbit {
     const ROOM: usize = 256;
     const MEMORY: () = ();
 
-    fn start(
-        chip: pac::Peripherals,
-        _: cortex_m::Peripherals,
-        (): &mut (),
-        setup: &Setup,
-    ) -> PartsOf<Self> {
+    fn start(chip: pac::Peripherals, _: cortex_m::Peripherals, (): &mut ()) -> PartsOf<Self> {
         // The crystal: the internal oscillator is too inaccurate for a serial line.
         let _ = Clocks::new(chip.CLOCK).enable_ext_hfosc();
         Parts {
             uart: Uart::new(chip.UART0, &chip.GPIO),
             usb: (),
-            clock: Clock::new(chip.TIMER0, setup.mode.tick_rate),
+            clock: Clock::new(chip.TIMER0, Self::SETUP.mode.tick_rate),
             watchdog: Wdt::new(chip.WDT),
             device: NO_DEVICE,
         }

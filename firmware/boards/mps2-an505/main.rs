@@ -117,16 +117,11 @@ impl Board for An505 {
     const ROOM: usize = 1_024;
     const MEMORY: () = ();
 
-    fn start(
-        _: chip::Peripherals,
-        core: cortex_m::Peripherals,
-        (): &mut (),
-        setup: &Setup,
-    ) -> PartsOf<Self> {
+    fn start(_: chip::Peripherals, core: cortex_m::Peripherals, (): &mut ()) -> PartsOf<Self> {
         Parts {
             uart: Uart::start(),
             usb: (),
-            clock: Clock::start(core.SYST, setup.mode.tick_rate),
+            clock: Clock::start(core.SYST, Self::SETUP.mode.tick_rate),
             watchdog: NoWatchdog,
             device: NO_DEVICE,
         }

@@ -92,12 +92,7 @@ impl Board for Olimex {
     const ROOM: usize = 1_024;
     const MEMORY: () = ();
 
-    fn start(
-        chip: pac::Peripherals,
-        core: cortex_m::Peripherals,
-        (): &mut (),
-        setup: &Setup,
-    ) -> PartsOf<Self> {
+    fn start(chip: pac::Peripherals, core: cortex_m::Peripherals, (): &mut ()) -> PartsOf<Self> {
         let mut systick = core.SYST;
         prime(&chip.RCC);
         let config = Config::hse(8.MHz())
@@ -110,7 +105,7 @@ impl Board for Olimex {
         chip.TIM5.cr1().modify(|_, w| w.cen().set_bit());
 
         systick.set_clock_source(SystClkSource::Core);
-        let clock = Clock::start(chip.TIM5, systick, setup.mode.tick_rate);
+        let clock = Clock::start(chip.TIM5, systick, Self::SETUP.mode.tick_rate);
 
         let a = chip.GPIOA.split(&mut rcc);
         let uart = Uart::start(chip.USART2, (a.pa2, a.pa3), &mut rcc);

@@ -63,9 +63,8 @@ macro_rules! app {
 
             #[init(local = [memory: Memory = $board::MEMORY])]
             fn init(cx: init::Context) -> (Shared, Local) {
-                let setup = $board::setup(&SETUP);
-                let program = work::program(setup);
-                let parts = $board::start(cx.device, cx.core, cx.local.memory, setup);
+                let program = work::program($board::setup(&SETUP));
+                let parts = $board::start(cx.device, cx.core, cx.local.memory);
                 let shared = Shared {
                     clock: parts.clock,
                     servo: Servo::new(parts.device),

@@ -64,12 +64,11 @@ pub trait Board {
     /// The memory before the start.
     const MEMORY: Self::Memory;
 
-    /// Starts everything, with the ticks per second of its setup, and no motor driven.
+    /// Starts everything, with the ticks per second of [`Self::SETUP`], and no motor driven.
     fn start(
         chip: Self::Chip,
         core: cortex_m::Peripherals,
         memory: &'static mut Self::Memory,
-        setup: &'static Setup,
     ) -> PartsOf<Self>;
 
     /// Its description with what it has stored; nothing by default.

@@ -134,9 +134,8 @@ impl<B: Pico> Board for B {
         chip: pac::Peripherals,
         _: cortex_m::Peripherals,
         memory: &'static mut Memory,
-        setup: &'static Setup,
     ) -> PartsOf<Self> {
-        start(chip, memory, setup, B::number)
+        start(chip, memory, &Self::SETUP, B::number)
     }
 
     #[cfg(feature = "knob")]
@@ -170,7 +169,7 @@ impl<B: Pico> Board for B {
 fn start(
     mut chip: pac::Peripherals,
     memory: &'static mut Memory,
-    setup: &'static Setup,
+    described: &Setup,
     number: fn() -> [u8; NUMBER],
 ) -> Parts<Clock, Device, Uart, Usb, Dog> {
     let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
@@ -212,7 +211,7 @@ fn start(
         pins,
         resets,
         was_reset: Dog::has_reset(),
-        setup,
+        described,
     };
     let Ok(device) = device::start(wired) else {
         stop()
@@ -220,7 +219,7 @@ fn start(
     Parts {
         uart,
         usb: Usb::start(memory, bus, number()),
-        clock: Clock::new(timer, setup.mode.tick_rate),
+        clock: Clock::new(timer, described.mode.tick_rate),
         device,
         watchdog: Dog::start(watchdog),
     }
@@ -235,7 +234,8 @@ struct Wired<'a> {
     resets: &'a mut pac::RESETS,
     /// The watchdog has reset the board since it was switched on.
     was_reset: bool,
-    setup: &'static Setup,
+    /// The board without what it has stored.
+    described: &'a Setup,
 }
 
 /// The watchdog.

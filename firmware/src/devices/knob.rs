@@ -11,8 +11,8 @@ use stiction_wire::KnobNumbers;
 /// What a maker measures or reads off data sheets: `firmware/knob.toml` has the same numbers. A stiffness that is not passive with the damping
 /// is refused, including that of the compiled-in scene: then the board does not start, and `stiction image` does not build it.
 pub const NUMBERS: KnobNumbers = KnobNumbers {
-    origin: [0.0, 0.0345],  // m: the tool of `firmware/scenes/knob.toml` is pressed 5.5 mm deep
-    radius: 0.015,          // m
+    origin: [0.0, 0.0345], // m: the tool of `firmware/scenes/knob.toml` is pressed 5.5 mm deep
+    radius: 0.015,         // m
     counts_per_turn: 2_400, // of a disc with 600 lines
     encoder_reversed: false,
     torque_constant: 0.04, // N·m/A, without a gear

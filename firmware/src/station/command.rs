@@ -1,8 +1,8 @@
 //! Commands (FRAME 4.3 to 4.7): carried out, or refused with the reason; a refused command changes nothing.
 
 use super::intake::Intake;
-use super::refusal::Trouble;
 use super::knob::{NO_KNOB, RESTARTS};
+use super::refusal::Trouble;
 use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
 use crate::obstacles::{NOWHERE, StoredObstacles};

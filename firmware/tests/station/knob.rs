@@ -164,7 +164,12 @@ fn a_number_that_cannot_be_used_is_refused_by_its_name_with_the_nearest() {
         (|n| n.origin[0] = f32::NAN, KnobNumber::Origin, none, "10"),
         (|n| n.radius = 0.0, KnobNumber::Radius, 0.001, "0.001"),
         (|n| n.radius = 11.0, KnobNumber::Radius, 10.0, "10"),
-        (|n| n.counts_per_turn = 3, KnobNumber::CountsPerTurn, 4.0, "4"),
+        (
+            |n| n.counts_per_turn = 3,
+            KnobNumber::CountsPerTurn,
+            4.0,
+            "4",
+        ),
         (
             |n| n.counts_per_turn = u32::MAX,
             KnobNumber::CountsPerTurn,
@@ -268,7 +273,10 @@ fn every_flipped_bit_of_what_is_stored_is_found_and_the_motor_is_off() {
         // The former numbers are still there.
         let former = page(&with(OTHERS, |n| n.radius = 0.02));
         let read = Stored::read([&torn, &former]).info(&NUMBERS, &described());
-        assert_eq!((read.source, read.numbers.radius), (KnobSource::Stored, 0.02));
+        assert_eq!(
+            (read.source, read.numbers.radius),
+            (KnobSource::Stored, 0.02)
+        );
     }
     let mut damaged = stored;
     damaged[5] ^= 4;

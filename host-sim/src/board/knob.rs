@@ -40,7 +40,7 @@ pub struct KnobArgs {
 /// The file. Its keys are the names in FRAME 4.9.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Document {
+struct KnobDocument {
     origin: Spanned<[f64; 2]>,
     radius: Spanned<f64>,
     counts_per_turn: Spanned<u32>,
@@ -52,7 +52,7 @@ struct Document {
     damping: Spanned<f64>,
 }
 
-impl Document {
+impl KnobDocument {
     fn numbers(&self) -> KnobNumbers {
         let single = |value: &Spanned<f64>| *value.get_ref() as f32;
         KnobNumbers {
@@ -85,14 +85,14 @@ impl Document {
 /// A file whose numbers a board with a suitable scene can use.
 struct NumbersFile {
     source: Source,
-    document: Document,
+    document: KnobDocument,
     numbers: KnobNumbers,
 }
 
 impl NumbersFile {
     fn read(file: &Path) -> Result<Self, InputError> {
         let source = Source::read(file)?;
-        let document: Document = source.toml()?;
+        let document: KnobDocument = source.toml()?;
         let numbers = document.numbers();
         let read = Self {
             source,
@@ -145,7 +145,10 @@ pub fn knob(args: &KnobArgs) -> Result<(), BoardError> {
     let file = args.numbers.as_deref().map(NumbersFile::read).transpose()?;
     stop::listen();
     if let Some(board) = args.connect.emulated().filter(|board| !board.has_knob()) {
-        let problem = format!("{} has no pins for a knob, allowed: --emulate pico", board.name());
+        let problem = format!(
+            "{} has no pins for a knob, allowed: --emulate pico",
+            board.name()
+        );
         return Err(BoardError::Refused(problem));
     }
     let (mut address, mut inbox) = (args.connect.address(Image::Knob)?, Inbox::new());
@@ -221,15 +224,43 @@ fn text(board: &str, info: &KnobInfo) -> String {
         damping,
     } = info.numbers;
     let rows = [
-        ("origin", format!("[{x:?}, {y:?}]"), "m: the hand at power-up"),
+        (
+            "origin",
+            format!("[{x:?}, {y:?}]"),
+            "m: the hand at power-up",
+        ),
         ("radius", format!("{radius:?}"), "m"),
-        ("counts_per_turn", counts_per_turn.to_string(), "of the encoder: four per line of its disc"),
-        ("encoder_reversed", encoder_reversed.to_string(), "it counts up when the knob turns clockwise"),
-        ("torque_constant", format!("{torque_constant:?}"), "N·m/A, of the motor at the knob"),
-        ("full_current", format!("{full_current:?}"), "A at full duty"),
+        (
+            "counts_per_turn",
+            counts_per_turn.to_string(),
+            "of the encoder: four per line of its disc",
+        ),
+        (
+            "encoder_reversed",
+            encoder_reversed.to_string(),
+            "true: it counts up when the knob turns clockwise",
+        ),
+        (
+            "torque_constant",
+            format!("{torque_constant:?}"),
+            "N·m/A, of the motor at the knob",
+        ),
+        (
+            "full_current",
+            format!("{full_current:?}"),
+            "A at full duty",
+        ),
         ("torque_limit", format!("{torque_limit:?}"), "N·m"),
-        ("motor_reversed", motor_reversed.to_string(), "a high level at the direction pin turns the knob clockwise"),
-        ("damping", format!("{damping:?}"), "N·m·s/rad, about the knob's axis"),
+        (
+            "motor_reversed",
+            motor_reversed.to_string(),
+            "true: a high level at the direction pin turns the knob clockwise",
+        ),
+        (
+            "damping",
+            format!("{damping:?}"),
+            "N·m·s/rad, about the knob's axis",
+        ),
     ];
     let rows = rows.map(|(key, value, what)| {
         let entry = format!("{key} = {value}");

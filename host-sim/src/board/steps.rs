@@ -44,7 +44,9 @@ impl Parts {
             Said::Pose(_) => self.pose.is_none(),
             Said::Forces(_) => self.forces.is_none(),
             Said::Events(_) => self.events.is_none(),
-            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong | Said::Knob(_) => false,
+            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong | Said::Knob(_) => {
+                false
+            }
         }
     }
 }

@@ -108,8 +108,15 @@ fn the_emulated_pico_takes_the_numbers_of_a_knob() {
     }
     let folder = Folder::new();
     let example = include_str!("../../../firmware/knob.toml");
-    folder.write("mine.toml", example.replace("radius = 0.015", "radius = 0.01"));
+    folder.write(
+        "mine.toml",
+        example.replace("radius = 0.015", "radius = 0.01"),
+    );
     if let Some(said) = emulated(&folder, "knob mine.toml --emulate pico") {
-        assert_all("knob", &said, &["pico: stored on the board", "radius = 0.01 "]);
+        assert_all(
+            "knob",
+            &said,
+            &["pico: stored on the board", "radius = 0.01 "],
+        );
     }
 }

@@ -114,7 +114,11 @@ fn the_numbers_of_a_board_are_a_file_that_it_takes() {
     let folder = Folder::new();
     board(&folder.file("line"), EMPTY, WITH_NUMBERS, false);
     let said = folder.done("knob --socket line --timeout 20");
-    let parts = ["a thread: compiled in, none are stored", "radius = 0.015 ", "# m"];
+    let parts = [
+        "a thread: compiled in, none are stored",
+        "radius = 0.015 ",
+        "# m",
+    ];
     assert_all("knob", &said, &parts);
     // On a smaller one the same damping is more.
     let other = said.replace("radius = 0.015 ", "radius = 0.012 ");
@@ -138,22 +142,40 @@ fn a_number_that_cannot_be_used_is_named_with_its_line_before_anything_is_sent()
         (
             "radius = 0.015",
             "radius = 0",
-            &["mine.toml, line 5", "`radius` is 0.0 m, allowed: 0.001 to 10, the limit: 0.001 m"][..],
+            &[
+                "mine.toml, line 5",
+                "`radius` is 0.0 m, allowed: 0.001 to 10, the limit: 0.001 m",
+            ][..],
         ),
         (
             "counts_per_turn = 2400",
             "counts_per_turn = 2.5",
-            &["line 6", "`counts_per_turn` is floating point `2.5`, allowed: a whole number"],
+            &[
+                "line 6",
+                "`counts_per_turn` is floating point `2.5`, allowed: a whole number",
+            ],
         ),
         (
             "torque_limit = 0.05",
             "torque_limit = 0.07",
-            &["line 10", "`torque_limit` is 0.07 N·m, allowed: more than 0, at most", "the limit: 0.06 N·m"],
+            &[
+                "line 10",
+                "`torque_limit` is 0.07 N·m, allowed: more than 0, at most",
+                "the limit: 0.06 N·m",
+            ],
         ),
-        ("damping = 1e-4", "damping = nan", &["line 15", "`damping` is NaN"]),
+        (
+            "damping = 1e-4",
+            "damping = nan",
+            &["line 15", "`damping` is NaN"],
+        ),
         ("damping = 1e-4", "", &["missing field `damping`"]),
         ("radius =", "radios =", &["line 5", "radios", "radius"]),
-        ("motor_reversed = false", "motor_reversed = 1", &["line 11", "`motor_reversed` is integer `1`"]),
+        (
+            "motor_reversed = false",
+            "motor_reversed = 1",
+            &["line 11", "`motor_reversed` is integer `1`"],
+        ),
     ] {
         assert!(EXAMPLE.contains(from), "{from}");
         folder.write("mine.toml", EXAMPLE.replacen(from, to, 1));
@@ -173,10 +195,19 @@ fn what_a_board_refuses_is_named_with_its_line() {
     board(&folder.file("line"), EMPTY, WITH_NUMBERS, false);
     // Half of the stiffness is passive with it.
     folder.write("mine.toml", EXAMPLE.replace("1e-4", "5e-5"));
-    let parts = ["mine.toml, line 15", "`damping` is 5e-5 N·m·s/rad", "passive", "the limit: 9.84"];
+    let parts = [
+        "mine.toml, line 15",
+        "`damping` is 5e-5 N·m·s/rad",
+        "passive",
+        "the limit: 9.84",
+    ];
     folder.refused("knob mine.toml --socket line --timeout 20", &parts);
     let said = folder.done("knob --socket line --timeout 20");
-    assert_all("unchanged", &said, &["none are stored", "damping = 0.0001 "]);
+    assert_all(
+        "unchanged",
+        &said,
+        &["none are stored", "damping = 0.0001 "],
+    );
 }
 
 #[test]
@@ -187,7 +218,14 @@ fn a_board_without_a_knob_says_so() {
     folder.write("knob.toml", EXAMPLE);
     for line in ["knob", "knob knob.toml"] {
         let line = format!("{line} --socket line --timeout 20");
-        folder.refused(&line, &["the board refuses the", "knob", "allowed: for a board with a knob"]);
+        folder.refused(
+            &line,
+            &[
+                "the board refuses the",
+                "knob",
+                "allowed: for a board with a knob",
+            ],
+        );
     }
 }
 

@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 use stiction_wire::{
-    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Mode, NumberType, Pose, Reason,
-    Reference, Reply, Report, SceneCommand, Subject,
+    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Mode, NumberType,
+    Pose, Reason, Reference, Reply, Report, SceneCommand, Subject,
 };
 
 /// Reports of a board that own their data; FRAME.md describes them.

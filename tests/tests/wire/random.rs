@@ -11,8 +11,8 @@ use stiction_core::{
 use stiction_wire::FaultKind;
 use stiction_wire::{
     Command, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, KnobInfo, KnobNumber,
-    KnobNumbers, KnobSource, List, Mode, NumberType, ObstacleList, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand,
-    Stepping, Subject, Text,
+    KnobNumbers, KnobSource, List, Mode, NumberType, ObstacleList, Parameters, Pong, Pose, Reason,
+    Reference, Reply, Report, Reset, SceneCommand, Stepping, Subject, Text,
 };
 
 /// Random numbers (splitmix64).

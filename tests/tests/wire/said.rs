@@ -8,8 +8,8 @@ use serde_json::{Map, Value as Json};
 use std::collections::BTreeMap;
 use stiction_core::{Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench};
 use stiction_wire::{
-    Command, Events, Info, KnobNumber, KnobNumbers, KnobSource, List, Mode, Pose, Reason, Report, SceneCommand,
-    Subject,
+    Command, Events, Info, KnobNumber, KnobNumbers, KnobSource, List, Mode, Pose, Reason, Report,
+    SceneCommand, Subject,
 };
 
 /// The value of a field. Floats are compared by their bits.

@@ -5,6 +5,7 @@ use stiction_firmware::knob::{Counter, Knob, KnobSettings, Stored};
 use stiction_firmware::pantograph::GeometryError;
 use stiction_firmware::safety::Passivity;
 use stiction_firmware::station::Setup;
+use stiction_wire::KnobInfo;
 
 use super::encoder::{self, Encoder};
 use super::hal::gpio::bank0::Gpio17;
@@ -27,10 +28,14 @@ impl Counter for Encoder<SM0> {
     }
 }
 
+/// The present numbers.
+fn present(described: &Setup) -> KnobInfo {
+    Stored::read(flash::pages()).info(&numbers::NUMBERS, described)
+}
+
 /// The board with its present numbers.
 pub(super) fn setup(described: &'static Setup) -> &'static Setup {
-    let info = Stored::read(flash::pages()).info(&numbers::NUMBERS, described);
-    let setup = described.clone().with_knob(info);
+    let setup = described.clone().with_knob(present(described));
     match cortex_m::singleton!(: Setup = setup) {
         Some(setup) => setup,
         None => stop(),
@@ -43,12 +48,11 @@ pub(super) fn setup(described: &'static Setup) -> &'static Setup {
 /// An error in the numbers.
 pub(super) fn start(wired: Wired<'_>) -> Result<Device, GeometryError> {
     let (pins, resets) = (wired.pins, wired.resets);
-    let present = wired.setup.knob.map_or(numbers::NUMBERS, |knob| knob.numbers);
     let KnobSettings {
         geometry,
         motor: constants,
         ..
-    } = KnobSettings::new(&present);
+    } = KnobSettings::new(&present(wired.described).numbers);
     let (mut pio, machine, ..) = wired.pio.split(resets);
     let program = encoder::install(&mut pio);
     let counter = Encoder::start(&program, machine, pins.encoders.left);

@@ -83,19 +83,28 @@ fn numbers_over_the_line_are_those_of_the_hand_and_the_motor_from_then_on() {
     assert_eq!(asked(&mut bench), compiled_in);
     for (refused, reason, number) in [
         (
-            KnobNumbers { radius: 0.0, ..OTHERS },
+            KnobNumbers {
+                radius: 0.0,
+                ..OTHERS
+            },
             Reason::Number,
             KnobNumber::Radius,
         ),
         // The stiffness of the scene is 350 N/m.
         (
-            KnobNumbers { damping: 1e-4, ..OTHERS },
+            KnobNumbers {
+                damping: 1e-4,
+                ..OTHERS
+            },
             Reason::NotPassive,
             KnobNumber::Damping,
         ),
     ] {
         let answer = bench.ask(Command::Knob(refused));
-        assert_eq!((answer.reason, answer.subject), (reason, Subject::Knob(number)));
+        assert_eq!(
+            (answer.reason, answer.subject),
+            (reason, Subject::Knob(number))
+        );
     }
     bench.chip.run(RESTART_MS * MS);
     assert_eq!((bench.chip.flash_writes(), bench.chip.resets()), (0, 0));
@@ -113,9 +122,15 @@ fn numbers_over_the_line_are_those_of_the_hand_and_the_motor_from_then_on() {
     let [along, duty] = driven(&mut bench, -40);
     let x = 0.001 + 0.02 * 40.0 / 4_096.0 * std::f64::consts::TAU;
     // The square of the tilt, 0.04 rad, is left out.
-    assert!((along / statics(x, 0.006) - 1.0).abs() < 0.005, "{along} N at {x} m");
+    assert!(
+        (along / statics(x, 0.006) - 1.0).abs() < 0.005,
+        "{along} N at {x} m"
+    );
     // It is connected the other way round. A period of the PWM has 6 250 counts.
-    assert!((-duty * 0.1 - 0.02 * along).abs() < 1.5 * 0.1 / 6_250.0, "{duty}");
+    assert!(
+        (-duty * 0.1 - 0.02 * along).abs() < 1.5 * 0.1 / 6_250.0,
+        "{duty}"
+    );
     assert_eq!(bench.health().drive, Drive::On);
 }
 
