@@ -6,6 +6,7 @@ use crate::with;
 use std::cell::Cell;
 use std::rc::Rc;
 use stiction_core::Description;
+use stiction_firmware::device::Source;
 use stiction_firmware::devices::knob::{GEOMETRY, MOTOR, NUMBERS};
 use stiction_firmware::knob::{Counter, Knob, KnobSettings, PAGE, Stored, page};
 use stiction_firmware::pantograph::Motor;
@@ -127,17 +128,15 @@ fn a_start_with_stored_numbers_has_their_hand_and_their_torque() {
     for pages in [[&stored, &EMPTY], [&EMPTY, &stored]] {
         let (mut rig, shown, bench) = started(pages);
         assert_eq!(asked(&mut rig).source, KnobSource::Stored);
-        rig.mode(|mode| (mode.pose_every, mode.forces_every) = (0, 1));
         for count in 0..200u16 {
             // It counts down.
             shown.0.set(count.wrapping_neg());
             rig.tick();
         }
-        let forces = rig.reports().filter_map(|said| match said {
-            Said::Forces { feedback, .. } => Some(feedback.force),
-            _ => None,
-        });
-        let [along, up] = forces.last().expect("forces");
+        let [along, up] = rig.force.force;
+        let [x, y] = rig.servo.device.sample(0).unwrap().hand.position;
+        let wanted = 0.01 + 0.03 * 199.0 / 4_096.0 * core::f32::consts::TAU;
+        assert!((x - wanted).abs() < 1e-7 && y == 0.03, "{x} {wanted}");
         // The hand goes to the right over the box, which it presses down by 20 mm.
         assert!(along < 0.0 && up > 0.0, "{along} {up}");
         let torque = 0.03 * along;
@@ -146,13 +145,6 @@ fn a_start_with_stored_numbers_has_their_hand_and_their_torque() {
         // Clockwise by a low level, as the motor is reversed.
         assert!(!*bench.high.borrow());
     }
-    let mut knob = {
-        let settings = KnobSettings::new(&OTHERS);
-        let motor = Motor::new(Bench::default(), Bench::default(), settings.motor).unwrap();
-        Knob::new(&settings.geometry, Shown::default(), motor).unwrap()
-    };
-    use stiction_firmware::device::Source;
-    assert_eq!(knob.sample(0).unwrap().hand.position, [0.01, 0.03]);
 }
 
 #[test]
