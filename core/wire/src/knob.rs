@@ -13,8 +13,11 @@ use crate::layout::{coded, layout};
 /// let wire = frame.encode(&mut wire).expect("room for it");
 ///
 /// let mut board = Decoder::<64>::new();
-/// let received = wire.iter().find_map(|&byte| board.push::<Command>(byte)).expect("a frame");
-/// assert_eq!(received.map(|frame| frame.message), Ok(Command::Knob(numbers)));
+/// let received = wire.iter().find_map(|&byte| {
+///     let frame = board.push::<Command>(byte)?.ok()?;
+///     Some(frame.message == Command::Knob(numbers))
+/// });
+/// assert_eq!(received, Some(true));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KnobNumbers {

@@ -167,6 +167,12 @@ mod tests {
         let sunk = (of(Parameter::Overlap(1)), 0.25, nothing, "at most 1e-5");
         let many = (of(Parameter::CornerCount), 17.0, 16.0, "0 to 16");
         let whole = (Subject::Command, 0.0, nothing, "");
+        let torque = (
+            Subject::Knob(KnobNumber::TorqueLimit),
+            0.25,
+            0.125,
+            "at most that at full duty",
+        );
         for (command, reason, (subject, value, limit, allowed), expected) in [
             (
                 "mode",
@@ -199,6 +205,12 @@ mod tests {
                 many,
                 "the number of corners of all obstacles is 17.0, the board has no time, no room or no use for it, allowed: 0 to 16, the \
                  nearest: 16.0",
+            ),
+            (
+                "knob",
+                Reason::Number,
+                torque,
+                "the torque limit of the knob is 0.25 N·m, allowed: at most that at full duty, the nearest: 0.125 N·m",
             ),
             (
                 "scene",
