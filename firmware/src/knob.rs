@@ -6,8 +6,19 @@
 //!   tau = r Fx       the power of the torque is that of the force, tau dq = Fx dx
 //! ```
 //!
+//! ```text
+//! numbers.rs  what follows from the numbers that the maker of a knob measures
+//! stored.rs   these numbers in the flash of a board
+//! ```
+//!
 //! There is no home position: the hand is at x0 when the board starts. With a damping b of the knob about its axis (N·m·s/rad), the damping
 //! along x is b / r^2: this is the value for [`Passivity`](crate::safety::Passivity).
+
+mod numbers;
+mod stored;
+
+pub use numbers::{KnobError, KnobSettings, admit, check};
+pub use stored::{PAGE, Stored, page};
 
 use crate::device::{Actuators, Outage, Sample, Source};
 use crate::pantograph::{GeometryError, Joint, KnobGeometry, Motor, MotorFault};
@@ -61,6 +72,7 @@ impl<C: Counter, M> Knob<C, M> {
 
 impl<C: Counter, M> Source for Knob<C, M> {
     const MEASURES: bool = true;
+    const HAS_NUMBERS: bool = true;
 
     fn sample(&mut self, now_us: u32) -> Option<Sample> {
         let angle = self.angle()?;

@@ -13,6 +13,7 @@
 //!          link.take --> | Decoder -- commands --> command.rs --> outbox.rs        | --> link.send
 //!                        |                         refusal.rs                      |
 //!                        +---------------------------------------------------------+
+//! knob.rs: other numbers for its knob, with which it restarts
 //! setup.rs: the description of the board; the modes for which it has the time and the line
 //! watch.rs: its health, for a log that is written in another context
 //! ```
@@ -23,6 +24,7 @@
 
 mod command;
 mod intake;
+mod knob;
 mod outbox;
 mod refusal;
 mod report;
@@ -38,11 +40,13 @@ use crate::device::{Actuators, Begun, Controller, LockServo, Refusal, Sample, Se
 use crate::safety::Flags;
 use command::Next;
 use intake::Intake;
+use knob::Restart;
 use outbox::Outbox;
 use report::Reported;
 use stiction_core::{Real, Wrench};
 use stiction_wire::{
-    Command, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping, frame_bytes, scene_bytes,
+    Command, Decoder, Fault, Frame, Health, KnobNumbers, Mode, Reply, Report, Stepping,
+    frame_bytes, scene_bytes,
 };
 
 /// The program of a board: R, V, S and C are those of its scene, N the bytes of the longest frame that it accepts.
@@ -71,6 +75,8 @@ struct Desk<R: Real, const V: usize, const S: usize, const C: usize> {
     latched: bool,
     /// The longest turn (ns).
     worst_tick: u32,
+    /// Numbers of the knob that were accepted.
+    restart: Option<Restart>,
 }
 
 impl<R, const V: usize, const S: usize, const C: usize, const N: usize> Station<R, V, S, C, N>
@@ -102,6 +108,7 @@ where
                 flags: Flags::default(),
                 latched: false,
                 worst_tick: 0,
+                restart: None,
             },
         })
     }
@@ -117,6 +124,9 @@ where
         let Begun { now_us, sample } = servo.lock(Servo::begin);
         self.listen::<D>(now_us, link);
         let force = self.desk.step(now_us, sample, link, servo);
+        if D::HAS_NUMBERS {
+            self.desk.stop_for_restart(now_us, link, servo);
+        }
         self.desk.tell_health(self.decoder.faults(), now_us, link);
         let took = link.now_ns().wrapping_sub(begun);
         self.desk.worst_tick = self.desk.worst_tick.max(took);
@@ -163,6 +173,11 @@ where
         &self.desk.flags
     }
 
+    /// The numbers of a knob that the board is to store now, and then to restart; its device is off.
+    pub fn restarts_with(&self) -> Option<&KnobNumbers> {
+        self.desk.restart.as_ref().and_then(Restart::due)
+    }
+
     /// The counts.
     pub fn health(&self) -> Health {
         self.desk.health(self.decoder.faults())
@@ -188,6 +203,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
         match &frame.message {
             Command::Hand(_) | Command::Tracker(_) if D::MEASURES => {
                 return self.refuse_sample(&frame, now_us, link);
+            }
+            Command::Knob(numbers) if D::HAS_NUMBERS => {
+                return self.replace_knob(numbers, frame.reference(), now_us, link);
+            }
+            Command::AskKnob if D::HAS_NUMBERS => {
+                return self.tell_knob(frame.reference(), now_us, link);
             }
             Command::Hand(hand) => self.intake.hand(*hand, frame.sequence),
             Command::Tracker(sample) => self.intake.tracker(sample, frame.sequence),

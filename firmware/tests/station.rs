@@ -5,6 +5,7 @@ mod bits;
 mod commands;
 mod faulty_line;
 mod flood;
+mod knob;
 mod late_turns;
 mod modes;
 mod no_commands;

@@ -24,6 +24,8 @@ import zlib
 
 VERSION = 4
 PARAMETERS = ("ffffBf", "k_h k_theta mu_s mu_d has_memory memory")
+KNOB = ("fffIBfffBf", "origin_x origin_y radius counts_per_turn encoder_reversed torque_constant full_current torque_limit"
+        " motor_reversed damping")
 MODE = ("BBBBBHHHH", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every")
 
 # name: type, layout in the notation of the module struct, the fields, and the variable part after them
@@ -38,6 +40,8 @@ LAYOUTS = {
     "hello": (0x06, "", "", None),
     "ping": (0x07, "", "", None),
     "reset": (0x08, "B", "what", None),
+    "knob": (0x09, *KNOB, None),
+    "ask-knob": (0x0a, "", "", None),
     "pose": (0x80, "ffffBHB", "x y theta depth flags events sample", None),
     "forces": (0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
                [("contacts", "contact", "BBBffffffb")]),
@@ -48,6 +52,7 @@ LAYOUTS = {
     "health": (0x94, "B" + 15 * "I", "drive ticks missed_ticks samples late_samples lost_frames unsent worst_step"
                " worst_tick too_long cobs crc version unknown_type length value", None),
     "pong": (0x95, "BI", "ping_sequence ping_time", None),
+    "knob-info": (0x96, "B" + KNOB[0], "source " + KNOB[1], None),
 }
 STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"]
 EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "slide", "stop", "grasp", "release"]
@@ -169,7 +174,8 @@ def require(holds):
 
 def check_codes(message):
     """Checks that flags and codes are defined."""
-    most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "actuators": 1, "drive": 2}
+    most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "actuators": 1, "drive": 2,
+            "encoder_reversed": 1, "motor_reversed": 1, "source": 2}
     if message["type"] in ("hand", "tracker"):
         most["held"] = 1
     for field, limit in most.items():
@@ -187,7 +193,7 @@ def check_codes(message):
         contacts = [message[f"contact_{i}"] for i in range(message["contacts"])]
         require(all(one[-1] in (-1, 0, 1) for one in contacts))
         require(all(one[0] < 128 or one[1] < 255 for one in contacts))
-    require(message.get("subject", 0) in [*range(25), 32, 33])
+    require(message.get("subject", 0) in [*range(25), 32, 33, *range(48, 55)])
 
 
 class Decoder:

@@ -1,4 +1,4 @@
-//! `stiction board` and `stiction info`: send a hand's motion in real time to a board on a serial port, behind a socket or in an
+//! `stiction board`, `stiction info` and `stiction knob`: send a hand's motion in real time to a board on a serial port, behind a socket or in an
 //! emulator. The wire format is that of `core/wire/FRAME.md`.
 //!
 //! ```text
@@ -16,6 +16,7 @@ mod emulate;
 mod error;
 mod feed;
 mod info;
+mod knob;
 mod latency;
 mod line;
 mod link;
@@ -47,6 +48,7 @@ pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
 pub use emulate::EmulatedBoard;
 pub use error::BoardError;
+pub use knob::{KnobArgs, knob};
 pub(crate) use live::{Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::board::{BoardArgs, InfoArgs, board, info};
+use crate::board::{BoardArgs, InfoArgs, KnobArgs, board, info, knob};
 use crate::check::{CheckArgs, check};
 use crate::code::{CodeArgs, code};
 use crate::figures::{FiguresArgs, figures};
@@ -62,6 +62,8 @@ pub enum Command {
     Board(BoardArgs),
     /// Print what a board says about itself
     Info(InfoArgs),
+    /// Print the numbers of a board's knob, or store others on the board
+    Knob(KnobArgs),
     /// Build the image of a board: UF2 for its drive, or ELF for a debug probe
     Image(ImageArgs),
     /// Print a scene as C code, for the C library
@@ -132,6 +134,7 @@ fn done(command: Command) -> ExitCode {
         Command::Sweep(args) => sweep(&args),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
+        Command::Knob(args) => knob(&args).map(|()| true).map_err(Into::into),
         Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),
         Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
         Command::Scenes(args) => scenes(&args).map(|()| true),

@@ -36,6 +36,9 @@ board: stiction board box-flat --verify --emulate pico
 board: stiction board ladder --port auto --out board.jsonl
 info: stiction info --emulate
 info: stiction info --port auto
+knob: stiction knob --port auto > knob.toml
+knob: stiction knob knob.toml --port auto
+knob: stiction knob --emulate pico
 image: stiction image pico
 image: stiction image pico ladder --out ladder.uf2
 code: stiction code table-edge --name table

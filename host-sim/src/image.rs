@@ -244,6 +244,9 @@ fn described(
                 &format!("  wiring and parts: firmware/wiring/{name}.svg, firmware/README.md\n");
         }
         text += "  then: stiction info --port auto\n";
+        if args.device == Some(Device::Knob) {
+            text += "  the numbers of your knob: stiction knob --port auto\n";
+        }
     }
     text
 }

@@ -2,6 +2,7 @@
 
 use crate::fault::FaultKind;
 use crate::field::{Field, Fields, Sink};
+use crate::knob::KnobNumbers;
 use crate::layout::{coded, layout};
 use crate::message::Wire;
 use crate::mode::Mode;
@@ -9,8 +10,8 @@ use crate::scene::SceneCommand;
 use stiction_core::{Hand, TrackerSample};
 
 /// A message to the board. Each one except the samples of the hand is answered: [`Command::Hello`] by
-/// [`Report::Info`](crate::Report::Info), [`Command::Ping`] by [`Report::Pong`](crate::Report::Pong), the others by
-/// [`Report::Reply`](crate::Report::Reply).
+/// [`Report::Info`](crate::Report::Info), [`Command::Ping`] by [`Report::Pong`](crate::Report::Pong), [`Command::AskKnob`] by
+/// [`Report::KnobInfo`](crate::Report::KnobInfo), the others by [`Report::Reply`](crate::Report::Reply).
 ///
 /// ```
 /// use stiction_core::Hand;
@@ -43,6 +44,10 @@ pub enum Command<'a> {
     Ping,
     /// Back to the start.
     Reset(Reset),
+    /// Other numbers of the board's knob: it stores them and restarts.
+    Knob(KnobNumbers),
+    /// Asks for the numbers of the board's knob.
+    AskKnob,
 }
 
 /// The four parameters of the paper and the memory length; the friction is that of every surface. Finite, or the command is refused.
@@ -85,6 +90,8 @@ const MODE: u8 = 0x05;
 const HELLO: u8 = 0x06;
 const PING: u8 = 0x07;
 const RESET: u8 = 0x08;
+const KNOB: u8 = 0x09;
+const ASK_KNOB: u8 = 0x0a;
 
 impl Command<'_> {
     /// The name of the message.
@@ -98,6 +105,8 @@ impl Command<'_> {
             Self::Hello => "hello",
             Self::Ping => "ping",
             Self::Reset(_) => "reset",
+            Self::Knob(_) => "knob",
+            Self::AskKnob => "ask-knob",
         }
     }
 }
@@ -113,6 +122,8 @@ impl<'a> Wire<'a> for Command<'a> {
             Self::Hello => HELLO,
             Self::Ping => PING,
             Self::Reset(_) => RESET,
+            Self::Knob(_) => KNOB,
+            Self::AskKnob => ASK_KNOB,
         }
     }
 
@@ -123,8 +134,9 @@ impl<'a> Wire<'a> for Command<'a> {
             Self::Parameters(parameters) => parameters.put(sink),
             Self::Scene(scene) => scene.write(sink),
             Self::Mode(mode) => mode.put(sink),
-            Self::Hello | Self::Ping => {}
+            Self::Hello | Self::Ping | Self::AskKnob => {}
             Self::Reset(reset) => reset.put(sink),
+            Self::Knob(numbers) => numbers.put(sink),
         }
     }
 
@@ -138,6 +150,8 @@ impl<'a> Wire<'a> for Command<'a> {
             HELLO => fields.exactly(0).map(|()| Self::Hello),
             PING => fields.exactly(0).map(|()| Self::Ping),
             RESET => fields.only().map(Self::Reset),
+            KNOB => fields.only().map(Self::Knob),
+            ASK_KNOB => fields.exactly(0).map(|()| Self::AskKnob),
             _ => Err(FaultKind::UnknownType),
         }
     }

@@ -3,6 +3,7 @@
 use crate::Reference;
 use crate::fault::{Fault, FaultKind};
 use crate::field::{Field, Fields, Sink};
+use crate::knob::KnobNumber;
 use crate::layout::coded;
 use crate::list::Text;
 use stiction_core::{Parameter, SceneError};
@@ -22,7 +23,7 @@ coded! {
         Code = "code",
         /// A number is not allowed; the reply names it and says what is allowed.
         Number = "number",
-        /// The stiffness would make the haptic device unstable: b > K (T/2 + delay) does not hold.
+        /// The stiffness, or the damping of a knob, would make the haptic device unstable: b > K (T/2 + delay) does not hold.
         NotPassive = "not-passive",
         /// The board has no time, no room or no use for it.
         Unsupported = "unsupported",
@@ -43,6 +44,8 @@ pub enum Subject {
     TickRate,
     /// The reports would not fit the line (bytes per second).
     LineRate,
+    /// A number of the board's knob.
+    Knob(KnobNumber),
 }
 
 /// The answer to a command.
@@ -67,8 +70,8 @@ pub struct Reply<'a> {
     pub subject: Subject,
     /// The value that is refused, in the unit of the subject; otherwise 0.
     pub value: f32,
-    /// The nearest value that is allowed, or, for [`Reason::NotPassive`], the bound that the value must stay below, if the board knows it;
-    /// otherwise NaN.
+    /// The nearest value that is allowed, or, for [`Reason::NotPassive`], the bound that a stiffness must stay below and a damping above, if
+    /// the board knows it; otherwise NaN.
     pub limit: f32,
     /// What is allowed, in words; may be empty.
     pub allowed: Text<'a>,
@@ -211,6 +214,8 @@ parameters! {
 
 const TICK_RATE: usize = 32;
 const LINE_RATE: usize = 33;
+/// Of the first number of a knob; the others follow in their order.
+const KNOB: usize = 48;
 
 impl Subject {
     /// The code, and the indices that belong to it.
@@ -220,6 +225,7 @@ impl Subject {
             Self::Scene(parameter) => parameter_code(parameter),
             Self::TickRate => [TICK_RATE, 0, 0],
             Self::LineRate => [LINE_RATE, 0, 0],
+            Self::Knob(number) => [KNOB.saturating_add(number as usize), 0, 0],
         }
     }
 
@@ -229,6 +235,10 @@ impl Subject {
             [0, ..] => Some(Self::Command),
             [TICK_RATE, ..] => Some(Self::TickRate),
             [LINE_RATE, ..] => Some(Self::LineRate),
+            [number, ..] if number >= KNOB => {
+                let number = KnobNumber::ALL.get(number.saturating_sub(KNOB));
+                number.copied().map(Self::Knob)
+            }
             _ => parameter_of(code).map(Self::Scene),
         }
     }

@@ -5,6 +5,7 @@ use crate::field::{Field, Fields, Sink};
 use crate::forces::{Events, Forces};
 use crate::health::Health;
 use crate::info::Info;
+use crate::knob::KnobInfo;
 use crate::layout::layout;
 use crate::message::Wire;
 use crate::pose::Pose;
@@ -46,6 +47,8 @@ pub enum Report<'a> {
     Health(Health),
     /// The answer to a ping.
     Pong(Pong),
+    /// The numbers of the board's knob.
+    KnobInfo(KnobInfo),
 }
 
 /// The answer to [`Command::Ping`](crate::Command::Ping). The time in its header shows the difference of the clocks.
@@ -72,7 +75,9 @@ pub const LONGEST_REPORT: usize = {
 };
 
 const _: () = assert!(
-    Events::LONGEST <= LONGEST_REPORT && Health::BYTES <= LONGEST_REPORT,
+    Events::LONGEST <= LONGEST_REPORT
+        && Health::BYTES <= LONGEST_REPORT
+        && KnobInfo::BYTES <= LONGEST_REPORT,
     "they take no more room than other reports"
 );
 
@@ -84,6 +89,7 @@ const REPLY: u8 = 0x92;
 const INFO: u8 = 0x93;
 const HEALTH: u8 = 0x94;
 const PONG: u8 = 0x95;
+const KNOB_INFO: u8 = 0x96;
 /// Types of poses: one for each contact state.
 const LAST_POSE: u8 = POSE + 5;
 
@@ -98,6 +104,7 @@ impl Report<'_> {
             Self::Info(_) => "info",
             Self::Health(_) => "health",
             Self::Pong(_) => "pong",
+            Self::KnobInfo(_) => "knob-info",
         }
     }
 }
@@ -112,6 +119,7 @@ impl<'a> Wire<'a> for Report<'a> {
             Self::Info(_) => INFO,
             Self::Health(_) => HEALTH,
             Self::Pong(_) => PONG,
+            Self::KnobInfo(_) => KNOB_INFO,
         }
     }
 
@@ -125,6 +133,7 @@ impl<'a> Wire<'a> for Report<'a> {
             Self::Info(info) => info.write(sink),
             Self::Health(health) => health.put(sink),
             Self::Pong(pong) => pong.put(sink),
+            Self::KnobInfo(info) => info.put(sink),
         }
     }
 
@@ -138,6 +147,7 @@ impl<'a> Wire<'a> for Report<'a> {
             INFO => Info::read(&mut fields).map(Self::Info),
             HEALTH => fields.only().map(Self::Health),
             PONG => fields.only().map(Self::Pong),
+            KNOB_INFO => fields.only().map(Self::KnobInfo),
             _ => Err(FaultKind::UnknownType),
         }
     }

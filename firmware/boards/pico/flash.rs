@@ -22,7 +22,7 @@ struct Calls {
 #[repr(align(4))]
 struct Stage([u8; 256]);
 
-/// The number; zeros if the chip has no ROM, which contains the functions for the flash: in an emulator.
+/// The number; zeros if the chip has no ROM, which contains the functions for the flash: in an emulator without one.
 pub(crate) fn number(boot2: [u8; 256]) -> [u8; NUMBER] {
     /// "Mu", and a version.
     const ROM: (*const u16, u16) = (0x10 as *const u16, u16::from_le_bytes(*b"Mu"));

@@ -63,7 +63,7 @@ macro_rules! app {
 
             #[init(local = [memory: Memory = $board::MEMORY])]
             fn init(cx: init::Context) -> (Shared, Local) {
-                let program = work::program(&SETUP);
+                let program = work::program($board::setup(&SETUP));
                 let parts = $board::start(cx.device, cx.core, cx.local.memory);
                 let shared = Shared {
                     clock: parts.clock,
@@ -101,7 +101,11 @@ macro_rules! app {
                         false => (line, wake),
                     };
                 )?
-                cx.local.work.turn(clock, servo, line, wake);
+                let work = cx.local.work;
+                work.turn(clock, servo, line, wake);
+                if let Some(numbers) = work.program.restarts_with() {
+                    $board::restart_with(numbers, &mut work.watchdog);
+                }
             }
 
             $(

@@ -25,6 +25,7 @@ pub mod work;
 use stiction_firmware::device::{Actuators, Source};
 use stiction_firmware::line::{self, Line};
 use stiction_firmware::station::Setup;
+use stiction_wire::KnobNumbers;
 
 #[cfg(any(
     all(feature = "knob", feature = "pantograph"),
@@ -69,6 +70,16 @@ pub trait Board {
         core: cortex_m::Peripherals,
         memory: &'static mut Self::Memory,
     ) -> PartsOf<Self>;
+
+    /// Its description with what it has stored; nothing by default.
+    fn setup(described: &'static Setup) -> &'static Setup {
+        described
+    }
+
+    /// Stores other numbers of its knob and restarts. Called by a board that has such numbers, when its motor is off.
+    fn restart_with(_: &KnobNumbers, _: &mut Self::Watchdog) -> ! {
+        stop()
+    }
 
     /// No motor is driven any more, whatever else is going on.
     fn actuators_off();

@@ -17,6 +17,8 @@ pub mod clock;
 #[cfg(any(feature = "knob", feature = "pantograph"))]
 mod encoder;
 #[cfg(feature = "knob")]
+mod flash;
+#[cfg(feature = "knob")]
 mod knob;
 #[cfg(any(feature = "knob", feature = "pantograph"))]
 mod motor;
@@ -36,6 +38,8 @@ use hal::uart::UartPeripheral;
 use hal::usb::UsbBus;
 use hal::{fugit, pac};
 use stiction_firmware::station::Setup;
+#[cfg(feature = "knob")]
+use stiction_wire::KnobNumbers;
 
 use crate::{Board, Parts, PartsOf, Watchdog, stop, work};
 
@@ -131,7 +135,18 @@ impl<B: Pico> Board for B {
         _: cortex_m::Peripherals,
         memory: &'static mut Memory,
     ) -> PartsOf<Self> {
-        start(chip, memory, Self::SETUP.mode.tick_rate, B::number)
+        start(chip, memory, &Self::SETUP, B::number)
+    }
+
+    #[cfg(feature = "knob")]
+    fn setup(described: &'static Setup) -> &'static Setup {
+        knob::setup(described)
+    }
+
+    #[cfg(feature = "knob")]
+    fn restart_with(numbers: &KnobNumbers, watchdog: &mut Dog) -> ! {
+        Self::actuators_off();
+        flash::store(numbers, &mut watchdog.0)
     }
 
     /// No pin except the serial line drives anything any more.
@@ -154,7 +169,7 @@ impl<B: Pico> Board for B {
 fn start(
     mut chip: pac::Peripherals,
     memory: &'static mut Memory,
-    rate: u16,
+    described: &Setup,
     number: fn() -> [u8; NUMBER],
 ) -> Parts<Clock, Device, Uart, Usb, Dog> {
     let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
@@ -196,6 +211,7 @@ fn start(
         pins,
         resets,
         was_reset: Dog::has_reset(),
+        described,
     };
     let Ok(device) = device::start(wired) else {
         stop()
@@ -203,13 +219,14 @@ fn start(
     Parts {
         uart,
         usb: Usb::start(memory, bus, number()),
-        clock: Clock::new(timer, rate),
+        clock: Clock::new(timer, described.mode.tick_rate),
         device,
         watchdog: Dog::start(watchdog),
     }
 }
 
-#[cfg_attr(not(feature = "pantograph"), allow(dead_code))]
+// A device uses a part of it.
+#[allow(dead_code)]
 struct Wired<'a> {
     pio: pac::PIO0,
     pwm: pac::PWM,
@@ -217,6 +234,8 @@ struct Wired<'a> {
     resets: &'a mut pac::RESETS,
     /// The watchdog has reset the board since it was switched on.
     was_reset: bool,
+    /// The board without what it has stored.
+    described: &'a Setup,
 }
 
 /// The watchdog.

@@ -38,6 +38,7 @@ pub const SETUP: Setup = Setup {
     passivity: None,
     mode: Mode::DEFAULT,
     scene: SCENE,
+    knob: None,
 };
 
 /// The news of the turn for the log.

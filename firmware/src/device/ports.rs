@@ -18,6 +18,8 @@ pub struct Sample {
 pub trait Source {
     /// The board measures the hand itself. If it does not, samples come over its line.
     const MEASURES: bool;
+    /// It is a knob, whose numbers a client may replace, if the board stores them: see [`Setup::knob`](crate::station::Setup::knob).
+    const HAS_NUMBERS: bool = false;
 
     /// The present sample of the hand; `None` if it cannot be determined: if that lasts, it is silence. Called once in every tick; must not
     /// wait.
@@ -81,6 +83,7 @@ impl Actuators for NoActuators {
 /// Source and actuators as separate objects.
 impl<S: Source, A: Actuators> Source for (S, A) {
     const MEASURES: bool = S::MEASURES;
+    const HAS_NUMBERS: bool = S::HAS_NUMBERS;
 
     fn sample(&mut self, now_us: u32) -> Option<Sample> {
         self.0.sample(now_us)

@@ -256,6 +256,13 @@ impl<D: Source + Actuators> Servo<D> {
         }
     }
 
+    /// The device is off immediately, and until everything is reset.
+    pub(crate) fn latch(&mut self) {
+        self.rule.latched = true;
+        self.rule.force = self.rule.cut().wrench;
+        self.device.off();
+    }
+
     /// Force (N) and moment (N·m) on the hand, world frame, as last output.
     pub fn force(&self) -> Wrench<f32> {
         self.rule.force

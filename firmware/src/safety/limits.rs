@@ -132,10 +132,19 @@ impl Passivity {
 
     /// The bounds of k_h (N/m) and of k_theta (N·m/rad): stiffnesses below them are passive.
     pub fn bounds(&self) -> [f32; 2] {
-        // Twice the time, a whole number: the bound for round numbers is round.
+        let twice_us = self.twice_us() as f32;
+        [self.damping_translation, self.damping_rotation].map(|b| b * 2e6 / twice_us)
+    }
+
+    /// The damping at which a stiffness ceases to be passive: N·s/m for k_h (N/m), N·m·s/rad for k_theta (N·m/rad).
+    pub fn damping_of(&self, stiffness: f32) -> f32 {
+        stiffness * self.twice_us() as f32 / 2e6
+    }
+
+    /// Twice T/2 + D (µs), a whole number: the bound for round numbers is round.
+    fn twice_us(&self) -> u32 {
         let late_us = self.delay_us.saturating_add(self.turn_us);
-        let twice_us = self.hold_us.saturating_add(late_us.saturating_mul(2));
-        [self.damping_translation, self.damping_rotation].map(|b| b * 2e6 / twice_us as f32)
+        self.hold_us.saturating_add(late_us.saturating_mul(2))
     }
 
     /// At a period of ticks (µs): a turn begins with a tick, so that a force is held for as many of them as the longest turn needs.

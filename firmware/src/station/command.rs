@@ -1,6 +1,7 @@
 //! Commands (FRAME 4.3 to 4.7): carried out, or refused with the reason; a refused command changes nothing.
 
 use super::intake::Intake;
+use super::knob::{NO_KNOB, RESTARTS};
 use super::refusal::Trouble;
 use super::{Desk, Link, Reported};
 use crate::device::{Controller, Placement};
@@ -22,7 +23,7 @@ pub(super) enum Next {
 }
 
 /// After a lasting fault nothing is carried out.
-const STOPPED: Trouble = Trouble::whole(
+pub(super) const STOPPED: Trouble = Trouble::whole(
     Reason::NotNow,
     "hello, ping, and reset of everything: the board is stopped by a fault",
 );
@@ -85,6 +86,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
 
     /// Carries a command out. Returns what the body did with it, if there was one.
     fn obey(&mut self, command: &Command<'_>) -> Result<Option<Output<f32>>, Trouble> {
+        if self.restart.is_some() {
+            return Err(RESTARTS);
+        }
         if self.latched && !matches!(command, Command::Reset(Reset::Everything)) {
             return Err(STOPPED);
         }
@@ -97,6 +101,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Desk<R, 
                 self.begin_anew();
             }
             Command::Reset(Reset::Everything) => self.power_up()?,
+            Command::Knob(_) | Command::AskKnob => return Err(NO_KNOB),
             Command::Hand(_) | Command::Tracker(_) | Command::Hello | Command::Ping => {}
         }
         Ok(None)

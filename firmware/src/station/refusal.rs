@@ -1,13 +1,14 @@
 //! Why a command is refused (FRAME 5.4): converts the errors of the control loop to reason, subject, value, limit and words.
 
 use crate::device::Refusal;
+use crate::knob::KnobError;
 use crate::safety::{Allowed, LimitError, LimitParameter};
 use stiction_core::{Parameter, SceneError};
 use stiction_wire::{Reason, Reference, Reply, Subject, Text};
 
 /// A reply that has no address yet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Trouble {
+pub(crate) struct Trouble {
     pub(super) reason: Reason,
     pub(super) subject: Subject,
     /// The value that is refused; 0 if there is none.
@@ -36,6 +37,16 @@ impl Trouble {
             value: self.value,
             limit: self.limit,
             allowed: Text::new(self.allowed),
+        }
+    }
+
+    pub(super) const fn of_knob(reason: Reason, error: &KnobError) -> Self {
+        Self {
+            reason,
+            subject: Subject::Knob(error.number),
+            value: error.value,
+            limit: error.limit,
+            allowed: error.allowed,
         }
     }
 

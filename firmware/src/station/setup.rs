@@ -2,10 +2,12 @@
 
 use super::refusal::Trouble;
 use crate::device::Settings;
+use crate::knob::{KnobSettings, admit, check};
 use crate::safety::{Limits, Passivity};
 use stiction_core::{Description, Fixed, Real, Scene};
 use stiction_wire::{
-    Mode, NumberType, Reason, Stepping, Subject, frame_bytes, scene_bytes, wire_bytes,
+    KnobInfo, KnobNumbers, KnobSource, Mode, NumberType, Reason, Stepping, Subject, frame_bytes,
+    scene_bytes, wire_bytes,
 };
 
 /// The description of a board and its settings after power-up.
@@ -29,6 +31,8 @@ pub struct Setup {
     pub mode: Mode,
     /// The scene after power-up.
     pub scene: Description<'static, f32>,
+    /// The knob at its pins, if its numbers can be replaced over the line: see [`Self::with_knob`]. Otherwise `None`.
+    pub knob: Option<KnobInfo>,
 }
 
 /// A number type of boards.
@@ -100,6 +104,30 @@ const FORCES: u32 = wire_bytes(29 + 2 * 28) as u32;
 const HEALTH: u32 = wire_bytes(61) as u32;
 
 impl Setup {
+    /// The board with a knob. With numbers in the place of those that cannot be used, it outputs no force.
+    #[must_use]
+    pub fn with_knob(self, knob: KnobInfo) -> Self {
+        let settings = KnobSettings::new(&knob.numbers);
+        let mut limits = settings.limits;
+        if knob.source == KnobSource::Unusable {
+            limits.force = 0.0;
+        }
+        Self {
+            limits,
+            passivity: Some(settings.passivity),
+            knob: Some(knob),
+            ..self
+        }
+    }
+
+    /// Checks that the board would start with a knob of these numbers.
+    pub(crate) fn admits(&self, numbers: &KnobNumbers) -> Result<(), Trouble> {
+        check(numbers).map_err(|error| Trouble::of_knob(Reason::Number, &error))?;
+        let period_us = self.settings(&self.mode).limits.period_us;
+        admit(numbers, self.scene.stiffness_translation, period_us)
+            .map_err(|error| Trouble::of_knob(Reason::NotPassive, &error))
+    }
+
     /// Checks that the board has the time and the line for a mode.
     pub(super) fn check(&self, mode: &Mode) -> Result<(), Trouble> {
         let rate = mode.tick_rate;

@@ -33,4 +33,5 @@ pub(crate) static SETUP: Setup = Setup {
     passivity: None,
     mode: Mode::DEFAULT,
     scene: SCENE,
+    knob: None,
 };

@@ -27,6 +27,7 @@ pub(crate) fn setup() -> Setup {
         passivity: None,
         mode: Mode::DEFAULT,
         scene: BOX,
+        knob: None,
     }
 }
 

@@ -7,7 +7,7 @@
 //! others, a serial line that receives, a watchdog that resets the chip. The crate's branches take the three cycles of a Cortex-M0
 //! and are corrected to the two of a Cortex-M0+: every instruction takes the time that Arm's manual (DDI 0484C, table 3-1) states for
 //! a memory without wait states. Misses of the cache through which the chip reads its flash are counted, by the model of `cache`, and take
-//! no time. Not emulated are the second core, and USB.
+//! no time. Of the ROM there is what erases and programs the flash, by the model of `chip/rom.rs`. Not emulated are the second core, and USB.
 
 #[cfg(unix)]
 pub mod board;

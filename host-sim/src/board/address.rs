@@ -86,6 +86,11 @@ impl ConnectArgs {
         })
     }
 
+    /// The board that is to be emulated.
+    pub(super) const fn emulated(&self) -> Option<EmulatedBoard> {
+        self.place.emulate
+    }
+
     pub(super) const fn timeout(&self) -> Duration {
         self.timeout
     }

@@ -15,6 +15,9 @@ use crate::stop;
 /// The emulator opens its socket quickly, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
 
+/// The device with numbers that are stored.
+const KNOB: &str = "knob";
+
 /// A board that can be emulated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum EmulatedBoard {
@@ -46,6 +49,11 @@ impl EmulatedBoard {
         self.board().name
     }
 
+    /// Whether it has pins for a knob.
+    pub(super) fn has_knob(self) -> bool {
+        self.board().devices.contains(&KNOB)
+    }
+
     pub(super) const fn emulator(self) -> &'static str {
         self.board().emulator()
     }
@@ -58,6 +66,8 @@ pub(super) enum Image<'a> {
     Plain,
     /// The image for this scene file, which has obstacles.
     Obstacles(&'a str),
+    /// The image with a knob.
+    Knob,
 }
 
 #[derive(Debug)]
@@ -79,6 +89,7 @@ impl Emulator {
                 board.board().small_image(&file)?
             }
             Image::Plain | Image::Obstacles(_) => board.board().image("", None)?,
+            Image::Knob => board.board().image(KNOB, None)?,
         };
         building.end();
         // Its clock follows the real one.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use stiction_core::{Contact, Event, Wrench};
 use stiction_wire::{
-    Health, Info, Mode, NumberType, Pose, Reason, Reference, Reply, Report, Subject,
+    Health, Info, KnobInfo, Mode, NumberType, Pose, Reason, Reference, Reply, Report, Subject,
 };
 
 #[derive(Clone, Debug)]
@@ -25,6 +25,7 @@ pub(super) enum Said {
     About(About),
     Health(Health),
     Pong,
+    Knob(KnobInfo),
 }
 
 /// [`stiction_wire::Forces`] without the wrench that the board applies to the hand, which depends on its limits.
@@ -102,6 +103,7 @@ impl From<Report<'_>> for Said {
             Report::Info(info) => Self::About(info.into()),
             Report::Health(health) => Self::Health(health),
             Report::Pong(_) => Self::Pong,
+            Report::KnobInfo(info) => Self::Knob(info),
         }
     }
 }

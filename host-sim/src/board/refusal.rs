@@ -1,7 +1,7 @@
 //! Describes in words what a board refuses.
 
 use stiction_core::Parameter;
-use stiction_wire::{Reason, Subject};
+use stiction_wire::{KnobNumber, Reason, Subject};
 
 use super::message::Answer;
 use stiction_live::record::Names;
@@ -57,6 +57,10 @@ fn subject(subject: Subject, names: &Names) -> Option<String> {
         Subject::Command => return None,
         Subject::TickRate => return Some("the tick rate".to_owned()),
         Subject::LineRate => return Some("the load of the line".to_owned()),
+        Subject::Knob(number) => {
+            let number = number.name().replace('-', " ");
+            return Some(format!("the {number} of the knob"));
+        }
         Subject::Scene(parameter) => parameter,
     };
     let name = match parameter {
@@ -91,11 +95,19 @@ fn subject(subject: Subject, names: &Names) -> Option<String> {
     })
 }
 
-const fn unit(subject: Subject) -> &'static str {
+pub(super) const fn unit(subject: Subject) -> &'static str {
     match subject {
         Subject::Command => "",
         Subject::TickRate => " Hz",
         Subject::LineRate => " bytes per second",
+        Subject::Knob(number) => match number {
+            KnobNumber::Origin | KnobNumber::Radius => " m",
+            KnobNumber::CountsPerTurn => "",
+            KnobNumber::TorqueConstant => " N·m/A",
+            KnobNumber::FullCurrent => " A",
+            KnobNumber::TorqueLimit => " N·m",
+            KnobNumber::Damping => " N·m·s/rad",
+        },
         Subject::Scene(parameter) => match parameter {
             Parameter::Weight => " N",
             Parameter::Reach
@@ -155,6 +167,12 @@ mod tests {
         let sunk = (of(Parameter::Overlap(1)), 0.25, nothing, "at most 1e-5");
         let many = (of(Parameter::CornerCount), 17.0, 16.0, "0 to 16");
         let whole = (Subject::Command, 0.0, nothing, "");
+        let torque = (
+            Subject::Knob(KnobNumber::TorqueLimit),
+            0.25,
+            0.125,
+            "at most that at full duty",
+        );
         for (command, reason, (subject, value, limit, allowed), expected) in [
             (
                 "mode",
@@ -187,6 +205,12 @@ mod tests {
                 many,
                 "the number of corners of all obstacles is 17.0, the board has no time, no room or no use for it, allowed: 0 to 16, the \
                  nearest: 16.0",
+            ),
+            (
+                "knob",
+                Reason::Number,
+                torque,
+                "the torque limit of the knob is 0.25 N·m, allowed: at most that at full duty, the nearest: 0.125 N·m",
             ),
             (
                 "scene",

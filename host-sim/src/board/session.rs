@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
-use stiction_wire::{Command, FaultKind, Health, Reason};
+use stiction_wire::{Command, FaultKind, Health, KnobInfo, Reason};
 
 use super::address::Address;
 use super::error::BoardError;
@@ -155,6 +155,20 @@ impl Session {
         }
     }
 
+    /// Asks for the numbers of the board's knob.
+    pub(super) fn knob(&mut self, inbox: &mut Inbox) -> Result<KnobInfo, BoardError> {
+        let command = Command::AskKnob;
+        let answer = self.ask(inbox, command, |said, sent| match said {
+            Said::Knob(info) => Some(Ok(*info)),
+            Said::Answer(answer) if sent.contains(&answer.command.sequence) => {
+                Some(Err(answer.clone()))
+            }
+            _ => None,
+        })?;
+        let refused = |refusal| explain(command.name(), &refusal, &Names::default());
+        answer.map_err(|refusal| BoardError::Refused(refused(refusal)))
+    }
+
     /// Sends a command until `pick` finds the answer to it; `pick` receives the numbers under which the command was sent.
     fn ask<T>(
         &mut self,
@@ -244,7 +258,12 @@ impl Session {
         match said {
             Said::Health(health) => self.health = Some(*health),
             Said::Pose(pose) => self.last_sample = Some(pose.sample),
-            Said::Forces(_) | Said::Events(_) | Said::Answer(_) | Said::About(_) | Said::Pong => {}
+            Said::Forces(_)
+            | Said::Events(_)
+            | Said::Answer(_)
+            | Said::About(_)
+            | Said::Pong
+            | Said::Knob(_) => {}
         }
     }
 

@@ -44,7 +44,9 @@ impl Parts {
             Said::Pose(_) => self.pose.is_none(),
             Said::Forces(_) => self.forces.is_none(),
             Said::Events(_) => self.events.is_none(),
-            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong => false,
+            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong | Said::Knob(_) => {
+                false
+            }
         }
     }
 }
@@ -100,7 +102,7 @@ impl Steps {
             Said::Pose(pose) => parts.pose = Some((at, pose)),
             Said::Forces(forces) => parts.forces = Some(forces),
             Said::Events(events) => parts.events = Some(events),
-            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong => {}
+            Said::Answer(_) | Said::About(_) | Said::Health(_) | Said::Pong | Said::Knob(_) => {}
         }
         let beyond = self.pending.len().saturating_sub(PATIENCE);
         self.finish(beyond.max(self.up_to_the_last_whole()))

@@ -278,7 +278,7 @@ impl<'a, A: Audience> Stream<'a, A> {
                     &Names::default(),
                 )));
             }
-            Said::Answer(_) | Said::About(_) | Said::Pong => {}
+            Said::Answer(_) | Said::About(_) | Said::Pong | Said::Knob(_) => {}
         }
         session.note(&received.said);
         Ok(())

@@ -1,4 +1,4 @@
-//! `stiction board --emulate` and `stiction info --emulate` from the command line to the emulator and back. What is not
+//! `stiction board --emulate`, `stiction info --emulate` and `stiction knob --emulate` from the command line to the emulator and back. What is not
 //! installed is skipped with the command that installs it; with CI=true it must be there.
 use crate::common::{Folder, assert_all, said, text};
 use stiction_host_sim::firmware::process::may_skip;
@@ -96,5 +96,27 @@ fn emulated_boards_say_what_they_are() {
             continue;
         };
         assert_all(board, &said, &[board, number, room]);
+    }
+}
+
+/// It stores other numbers in its flash, restarts, and says what it has.
+#[test]
+fn the_emulated_pico_takes_the_numbers_of_a_knob() {
+    // Its image takes most of a minute to build.
+    if !times(false, true) {
+        return;
+    }
+    let folder = Folder::new();
+    let example = include_str!("../../../firmware/knob.toml");
+    folder.write(
+        "mine.toml",
+        example.replace("radius = 0.015", "radius = 0.01"),
+    );
+    if let Some(said) = emulated(&folder, "knob mine.toml --emulate pico") {
+        assert_all(
+            "knob",
+            &said,
+            &["pico: stored on the board", "radius = 0.01 "],
+        );
     }
 }

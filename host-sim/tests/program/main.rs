@@ -17,6 +17,8 @@ mod helped;
 mod image;
 mod insertion;
 mod judged;
+#[cfg(unix)]
+mod knob;
 mod malformed;
 mod mistakes;
 mod obstacles;

@@ -14,5 +14,5 @@ mod recordings;
 mod refusals;
 mod several;
 #[cfg(unix)]
-mod station;
+pub(crate) mod station;
 mod written;

@@ -31,6 +31,7 @@ const fn board(number: NumberType) -> Setup {
         passivity: None,
         mode: Mode::DEFAULT,
         scene: Description { reach: 0.0, ..BOX },
+        knob: None,
     }
 }
 

@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 use stiction_wire::{
-    Command, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType, Pose, Reason,
-    Reference, Reply, Report, SceneCommand, Subject,
+    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Mode, NumberType,
+    Pose, Reason, Reference, Reply, Report, SceneCommand, Subject,
 };
 
 /// Reports of a board that own their data; FRAME.md describes them.
@@ -30,6 +30,7 @@ pub enum Said {
         sequence: u8,
         time: u32,
     },
+    KnobInfo(KnobInfo),
 }
 
 /// A reply.
@@ -91,6 +92,7 @@ impl From<Report<'_>> for Said {
                 sequence: pong.sequence,
                 time: pong.time,
             },
+            Report::KnobInfo(info) => Self::KnobInfo(info),
         }
     }
 }

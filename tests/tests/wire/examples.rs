@@ -41,5 +41,5 @@ fn there_is_an_example_of_every_type() {
         .iter()
         .map(|(_, said)| format!("{:?}", said.0["type"]))
         .collect();
-    assert_eq!(types.len(), 15, "{types:?}");
+    assert_eq!(types.len(), 18, "{types:?}");
 }

@@ -61,8 +61,8 @@ fn truncated_and_extended_payloads_have_the_wrong_length() {
 #[test]
 fn unknown_types_and_other_versions_are_faults() {
     for code in 0..=255_u8 {
-        let is_command = (1..=8).contains(&code);
-        let is_report = (0x80..=0x85).contains(&code) || (0x90..=0x95).contains(&code);
+        let is_command = (1..=10).contains(&code);
+        let is_report = (0x80..=0x85).contains(&code) || (0x90..=0x96).contains(&code);
         for (to_board, known) in [(true, is_command), (false, is_report)] {
             let kind = fault(&[VERSION, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
             if known {
@@ -110,6 +110,8 @@ fn codes_without_a_meaning_are_faults() {
         (false, with(0x90, &contact)),
         (false, with(0x90, &half_plane)),
         (false, with(0x92, &subject(24))),
+        (false, with(0x92, &subject(48))),
+        (false, with(0x92, &subject(54))),
     ] {
         assert_eq!(fault(&bytes, to_board), None, "{bytes:?}");
     }
@@ -127,6 +129,9 @@ fn codes_without_a_meaning_are_faults() {
         (true, with(0x05, &set(mode.clone(), 3, 4)), "the same axis"),
         (true, with(0x05, &set(mode.clone(), 4, 2)), "events"),
         (true, with(0x08, &[2]), "what"),
+        (true, with(0x09, &set(vec![0; 34], 16, 2)), "encoder"),
+        (true, with(0x09, &set(vec![0; 34], 29, 2)), "motor"),
+        (false, with(0x96, &set(vec![0; 35], 0, 3)), "source"),
         (false, with(0x80, &set(vec![0; 20], 16, 1 << 6)), "flags"),
         (false, with(0x80, &set(vec![0; 20], 18, 1 << 3)), "events"),
         (false, with(0x80, &set(vec![0; 20], 18, 1 << 4)), "events"),
@@ -135,6 +140,8 @@ fn codes_without_a_meaning_are_faults() {
         (false, with(0x91, &event), "event"),
         (false, with(0x92, &set(vec![0; 14], 2, 9)), "reason"),
         (false, with(0x92, &subject(25)), "subject"),
+        (false, with(0x92, &subject(47)), "subject"),
+        (false, with(0x92, &subject(55)), "subject"),
         (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
         (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
         (false, with(0x93, &set(info.clone(), 7, 2)), "actuators"),
@@ -256,8 +263,8 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
     let (mut messages, mut faults) = (0, Faults::new());
     for i in 0..times(300_000) {
         let code = match i % 2 {
-            0 => 1 + random.byte() % 8,
-            _ => 0x80 + random.byte() % 0x16,
+            0 => 1 + random.byte() % 10,
+            _ => 0x80 + random.byte() % 0x17,
         };
         // Mostly small bytes, so that counts and codes are often valid.
         let lengths = [
@@ -269,6 +276,8 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             20,
             21,
             29,
+            34,
+            35,
             41,
             48,
             49,

@@ -3,7 +3,9 @@
 use std::fmt::Debug;
 
 use stiction_core::{Event, Evolution, StateKind, Status};
-use stiction_wire::{Drive, FaultKind, Frame, NumberType, Reason, Reset, Stepping};
+use stiction_wire::{
+    Drive, FaultKind, Frame, KnobNumber, KnobSource, NumberType, Reason, Reset, Stepping,
+};
 
 use crate::Either;
 use crate::random::{Random, Store};
@@ -33,7 +35,8 @@ macro_rules! named {
 #[test]
 fn names_are_those_of_the_variants() {
     named!(
-        StateKind, Event, Status, Evolution, Reason, Drive, Reset, Stepping, NumberType, FaultKind
+        StateKind, Event, Status, Evolution, Reason, Drive, Reset, Stepping, NumberType, FaultKind,
+        KnobNumber, KnobSource
     );
 }
 

@@ -10,9 +10,9 @@ use stiction_core::{
 };
 use stiction_wire::FaultKind;
 use stiction_wire::{
-    Command, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List, Mode, NumberType,
-    ObstacleList, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand,
-    Stepping, Subject, Text,
+    Command, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, KnobInfo, KnobNumber,
+    KnobNumbers, KnobSource, List, Mode, NumberType, ObstacleList, Parameters, Pong, Pose, Reason,
+    Reference, Reply, Report, Reset, SceneCommand, Stepping, Subject, Text,
 };
 
 /// Random numbers (splitmix64).
@@ -86,14 +86,29 @@ impl Random {
             health_every: self.half(),
         }
     }
+    fn knob(&mut self) -> KnobNumbers {
+        KnobNumbers {
+            origin: self.floats(),
+            radius: self.float(),
+            counts_per_turn: self.word(),
+            encoder_reversed: self.flag(),
+            torque_constant: self.float(),
+            full_current: self.float(),
+            torque_limit: self.float(),
+            motor_reversed: self.flag(),
+            damping: self.float(),
+        }
+    }
     fn subject(&mut self) -> Subject {
         let (i, j) = (self.below(256), self.below(256));
         let of_obstacles = Subject::Scene(self.parameter());
+        let of_knob = Subject::Knob(self.one(&KnobNumber::ALL));
         self.one(&[
             of_obstacles,
             Subject::Command,
             Subject::TickRate,
             Subject::LineRate,
+            of_knob,
             Subject::Scene(Parameter::VertexCount),
             Subject::Scene(Parameter::Vertex(i)),
             Subject::Scene(Parameter::Start),
@@ -196,7 +211,7 @@ impl Store {
     }
 
     fn command(&self, random: &mut Random) -> Command<'_> {
-        match random.below(8) {
+        match random.below(10) {
             0 => Command::Hand(Hand {
                 position: random.floats(),
                 angle: Angle {
@@ -223,12 +238,14 @@ impl Store {
             4 => Command::Mode(random.mode()),
             5 => Command::Hello,
             6 => Command::Ping,
+            7 => Command::Knob(random.knob()),
+            8 => Command::AskKnob,
             _ => Command::Reset(random.one(&Reset::ALL)),
         }
     }
 
     fn report(&self, random: &mut Random) -> Report<'_> {
-        match random.below(7) {
+        match random.below(8) {
             0 => Report::Pose(pose(random)),
             1 => Report::Forces(Forces {
                 wrench: wrench(random.floats()),
@@ -260,6 +277,10 @@ impl Store {
                 name: Text::new(&self.text),
             }),
             5 => Report::Health(health(random)),
+            6 => Report::KnobInfo(KnobInfo {
+                source: random.one(&KnobSource::ALL),
+                numbers: random.knob(),
+            }),
             _ => Report::Pong(Pong {
                 sequence: random.byte(),
                 time: random.word(),

@@ -8,7 +8,8 @@ use serde_json::{Map, Value as Json};
 use std::collections::BTreeMap;
 use stiction_core::{Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench};
 use stiction_wire::{
-    Command, Events, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
+    Command, Events, Info, KnobNumber, KnobNumbers, KnobSource, List, Mode, Pose, Reason, Report,
+    SceneCommand, Subject,
 };
 
 /// The value of a field. Floats are compared by their bits.
@@ -128,11 +129,24 @@ impl Said {
             }
             Command::Scene(scene) => self.scene(scene),
             Command::Mode(mode) => self.mode(mode),
-            Command::Hello | Command::Ping => {}
+            Command::Hello | Command::Ping | Command::AskKnob => {}
             Command::Reset(what) => {
                 self.int("what", i64::from(what.name() == "everything"));
             }
+            Command::Knob(numbers) => self.knob(numbers),
         }
+    }
+
+    fn knob(&mut self, numbers: &KnobNumbers) {
+        self.floats("origin_x origin_y", &numbers.origin)
+            .float("radius", numbers.radius)
+            .int("counts_per_turn", numbers.counts_per_turn)
+            .int("encoder_reversed", numbers.encoder_reversed)
+            .float("torque_constant", numbers.torque_constant)
+            .float("full_current", numbers.full_current)
+            .float("torque_limit", numbers.torque_limit)
+            .int("motor_reversed", numbers.motor_reversed)
+            .float("damping", numbers.damping);
     }
 
     fn scene(&mut self, scene: &SceneCommand<'_>) {
@@ -217,6 +231,14 @@ impl Said {
             Report::Pong(pong) => {
                 self.int("ping_sequence", pong.sequence)
                     .int("ping_time", pong.time);
+            }
+            Report::KnobInfo(info) => {
+                let source = match info.source {
+                    KnobSource::CompiledIn => 0,
+                    KnobSource::Stored => 1,
+                    KnobSource::Unusable => 2,
+                };
+                self.int("source", source).knob(&info.numbers);
             }
         }
     }
@@ -313,6 +335,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Subject::Command => return (0, [0; 2]),
         Subject::TickRate => return (32, [0; 2]),
         Subject::LineRate => return (33, [0; 2]),
+        Subject::Knob(number) => return (knob_number(number), [0; 2]),
         Subject::Scene(parameter) => parameter,
     };
     match parameter {
@@ -332,6 +355,18 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
         Parameter::Memory(i) => (15, [i, 0]),
         other => of_obstacle(other),
+    }
+}
+
+const fn knob_number(number: KnobNumber) -> i64 {
+    match number {
+        KnobNumber::Origin => 48,
+        KnobNumber::Radius => 49,
+        KnobNumber::CountsPerTurn => 50,
+        KnobNumber::TorqueConstant => 51,
+        KnobNumber::FullCurrent => 52,
+        KnobNumber::TorqueLimit => 53,
+        KnobNumber::Damping => 54,
     }
 }
 

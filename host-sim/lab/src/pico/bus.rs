@@ -5,7 +5,7 @@ use rp2040_emu::bus::ppb::Ppb;
 use rp2040_emu::core::{CoreBus, Nvic};
 
 use super::cache::Cache;
-use super::chip::MEGAHERTZ;
+use super::chip::{FLASH, MEGAHERTZ};
 use super::uart::Uart;
 use super::watchdog::Watchdog;
 
@@ -14,6 +14,11 @@ const UART0: u32 = 0x4003_4000;
 pub(crate) const TIMER: u32 = 0x4005_4000;
 const WATCHDOG: u32 = 0x4005_8000;
 const PERIPHERAL: u32 = !0x3FFF;
+/// The controller of the flash (RP2040 datasheet, 4.10.13), and its register that enables it.
+const SSI: u32 = 0x1800_0000;
+const SSI_ENABLE: u32 = SSI + 8;
+/// The first address that is no longer one of the flash.
+const FLASH_END: u32 = 0x1400_0000;
 /// The peripherals that the crate lacks.
 #[derive(Debug, Default)]
 pub(crate) struct Own {
@@ -21,8 +26,35 @@ pub(crate) struct Own {
     pub(crate) watchdog: Watchdog,
     pub(crate) cache: Cache,
     pub(crate) now: u64,
+    /// The flash takes commands, and cannot be read as memory.
+    pub(crate) flash_is_away: bool,
     /// A peripheral that acts on its own was read or written.
     pub(crate) is_touched: bool,
+}
+
+impl Own {
+    /// Code or data is read from an address, which may be one of the flash.
+    ///
+    /// # Panics
+    /// The flash cannot be read: the chip would go on with garbage.
+    #[inline]
+    pub(crate) fn read_flash(&mut self, at: u32) {
+        let is_flash = (FLASH..FLASH_END).contains(&at);
+        assert!(
+            !(is_flash && self.flash_is_away),
+            "{at:#x} is read from the flash while that takes commands"
+        );
+        self.cache.read(at);
+    }
+}
+
+/// A register of the controller of the flash that the crate does not answer as the chip does: everything is sent, a byte has arrived.
+const fn ssi(offset: u32) -> Option<u32> {
+    match offset {
+        0x28 => Some(0b1100),
+        0x60 => Some(0),
+        _ => None,
+    }
 }
 
 /// The address space that the core reads and writes.
@@ -36,7 +68,10 @@ impl Fabric<'_> {
     #[inline]
     fn own_read(&mut self, at: u32) -> Option<u32> {
         if at >> 28 != 4 {
-            self.own.cache.read(at);
+            if at & !0xFFF == SSI {
+                return ssi(at & 0xFFF);
+            }
+            self.own.read_flash(at);
             return None;
         }
         let offset = at & 0xFFC;
@@ -57,6 +92,8 @@ impl Fabric<'_> {
     #[inline]
     fn own_write(&mut self, at: u32, value: u32) -> bool {
         if at >> 28 != 4 {
+            // Its controller is set up to read it.
+            self.own.flash_is_away &= (at, value) != (SSI_ENABLE, 1);
             return false;
         }
         let (offset, own) = (at & 0xFFC, &mut *self.own);

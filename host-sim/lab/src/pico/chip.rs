@@ -1,11 +1,14 @@
 //! The chip: one core of the RP2040, its memory and its peripherals, one instruction after another.
 
+mod rom;
+
 use rp2040_emu::core::CortexM0Plus;
 use rp2040_emu::{Config, Emulator, ROM_SIZE};
 
 use super::bus::{Fabric, Own, TIMER};
 use super::cache::MISS;
 use super::handlers::{FIRST_INTERRUPT, Handlers};
+use rom::{ERASED, FLASH_SIZE};
 
 /// The start of the flash.
 pub const FLASH: u32 = 0x1000_0000;
@@ -25,6 +28,8 @@ const UART0_INTERRUPT: u8 = 20;
 pub struct Chip {
     emulator: Emulator,
     flash: Vec<u8>,
+    /// How often the flash was erased or programmed.
+    writes: u32,
     own: Own,
     /// The next time at which a peripheral does something on its own (cycles).
     next: u64,
@@ -50,13 +55,15 @@ impl std::fmt::Debug for Chip {
 
 impl Chip {
     /// A chip after power-up, with the contents of its flash, which starts at [`FLASH`].
-    pub fn new(flash: Vec<u8>) -> Self {
+    pub fn new(mut flash: Vec<u8>) -> Self {
+        flash.resize(FLASH_SIZE, ERASED);
         let mut emulator = Emulator::new(Config::default());
-        emulator.load_bootrom(&[0; ROM_SIZE]);
+        emulator.load_bootrom(&rom::contents());
         emulator.load_flash(&flash);
         let mut chip = Self {
             emulator,
             flash,
+            writes: 0,
             own: Own::default(),
             next: 0,
             reset_at: 0,
@@ -72,6 +79,7 @@ impl Chip {
         self.emulator.reset();
         self.emulator.bus.gpio_in = self.levels;
         self.emulator.direct_boot_from_flash(VECTORS);
+        self.own.flash_is_away = false;
         self.reset_at = self.own.now;
         self.settle();
     }
@@ -84,6 +92,16 @@ impl Chip {
     /// How often the watchdog has reset it.
     pub const fn resets(&self) -> u32 {
         self.resets
+    }
+
+    /// The contents of its flash: what remains without power.
+    pub fn flash(&self) -> &[u8] {
+        &self.flash
+    }
+
+    /// How often its flash has been erased or programmed.
+    pub const fn flash_writes(&self) -> u32 {
+        self.writes
     }
 
     /// The cycles since power-up for which the core would have waited for its flash, at the least; they are not in [`Self::cycles`].
@@ -212,6 +230,9 @@ impl Chip {
     /// Executes one instruction, or the entry of an exception. Returns the cycles that it took.
     pub fn step(&mut self) -> u64 {
         let at = self.at();
+        if (at as usize) < ROM_SIZE {
+            return self.call_rom(at);
+        }
         let active = self.emulator.bus.ppb[0].active;
         // The crate's core does not let an interrupt preempt another one.
         let hides = active != 0 && self.is_preempted(active);
@@ -220,7 +241,7 @@ impl Chip {
             bus.ppb[0].active = 0;
         }
         let own = &mut self.own;
-        own.cache.read(at);
+        own.read_flash(at);
         let mut cycles = u64::from(cores[0].step(&mut Fabric { bus, own }));
         if hides {
             bus.ppb[0].active |= active;

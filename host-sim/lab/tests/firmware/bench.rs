@@ -3,7 +3,7 @@
 use crate::chip as board;
 use stiction_host_sim::firmware::image::flashed;
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
-use stiction_tests::station::client::{Client, Said};
+use stiction_tests::station::client::{Answer, Client, Said};
 use stiction_wire::{Command, Health, Reason};
 
 /// Cycles of a ms.
@@ -21,12 +21,17 @@ impl Bench {
     /// From power-up; nothing where something is missing.
     pub(crate) fn start(board: &board::Chip) -> Option<Self> {
         let image = board.image()?;
+        Some(Self::of(flashed(&image.path, FLASH).unwrap()))
+    }
+
+    /// From power-up, with the contents of its flash.
+    pub(crate) fn of(flash: Vec<u8>) -> Self {
         let mut bench = Self {
-            chip: Chip::new(flashed(&image.path, FLASH).unwrap()),
+            chip: Chip::new(flash),
             client: Client::default(),
         };
         bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
-        Some(bench)
+        bench
     }
 
     pub(crate) fn pass(&mut self) {
@@ -52,14 +57,17 @@ impl Bench {
         panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
     }
 
-    pub(crate) fn done(&mut self, command: Command<'_>) {
+    pub(crate) fn ask(&mut self, command: Command<'_>) -> Answer {
         let sequence = self.client.sequence;
         self.send(command);
-        let reason = self.wait(|said| match said {
-            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
+        self.wait(|said| match said {
+            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.clone()),
             _ => None,
-        });
-        assert_eq!(reason, Reason::Done);
+        })
+    }
+
+    pub(crate) fn done(&mut self, command: Command<'_>) {
+        assert_eq!(self.ask(command).reason, Reason::Done);
     }
 
     pub(crate) fn health(&mut self) -> Health {

@@ -77,6 +77,11 @@ pub(crate) const KNOB: Chip = Chip {
     ..PICO
 };
 
+pub(crate) const KNOB_2: Chip = Chip {
+    features: "knob",
+    ..PICO2
+};
+
 pub(crate) const PICO_PANTOGRAPH: Chip = Chip {
     features: "pantograph",
     ..PICO

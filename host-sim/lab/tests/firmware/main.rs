@@ -11,6 +11,7 @@ mod commands;
 mod drags;
 mod flash;
 mod knob;
+mod knob_numbers;
 mod line;
 mod log;
 mod lost;

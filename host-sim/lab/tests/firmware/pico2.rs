@@ -2,7 +2,7 @@
 //! QEMU on a board with the same processor, `AN505`; the set-up of the chip by its registers is tested nowhere.
 
 use crate::budgets::Budget;
-use crate::chip::PICO2;
+use crate::chip::{KNOB_2, PICO2};
 use stiction_host_sim::firmware::image::flashed;
 
 /// Where the chip has its memory (RP2350 datasheet, 2.2), and how much of it the board.
@@ -70,6 +70,28 @@ fn what_interrupts_the_pico_2_is_served() {
         assert_eq!(Some(vectors[number]), place(name), "{name}");
         assert_ne!(Some(vectors[number]), place("DefaultHandler"), "{name}");
     }
+}
+
+/// While a flash is erased or programmed, no code runs from it; the last two sectors are for the numbers of a knob.
+#[test]
+fn what_writes_the_flash_of_the_pico_2_is_in_its_ram_and_the_sectors_are_free() {
+    let Some(image) = KNOB_2.image() else { return };
+    let flash = flashed(&image.path, FLASH).unwrap();
+    assert!(flash.len() + 2 * 4096 <= FLASH_SIZE as usize);
+    let mut symbols = image.contents.symbols.iter();
+    let write =
+        symbols.find(|(name, _)| name.contains("raspberry5flash5write") && !name.contains("Thunk"));
+    let (_, place) = write.expect("it writes");
+    assert!(
+        (RAM..RAM + RAM_SIZE).contains(&(*place as u32)),
+        "{place:#x}"
+    );
+    let mut symbols = image.contents.symbols.iter();
+    let sectors = symbols.find(|(name, _)| name == "_stored_numbers");
+    assert_eq!(
+        sectors.map(|(_, place)| *place as u32),
+        Some(FLASH + FLASH_SIZE - 2 * 4096)
+    );
 }
 
 #[test]

@@ -16,9 +16,9 @@ use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
 use stiction_wire::{Mode, NumberType, frame_bytes, scene_bytes};
 
-const V: usize = 8;
-const S: usize = 2;
-const LONGEST: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
+pub(crate) const V: usize = 8;
+pub(crate) const S: usize = 2;
+pub(crate) const LONGEST: usize = frame_bytes(scene_bytes([V, S, 0, 0]));
 
 /// A board, until it is dropped.
 pub(crate) struct Board {
@@ -49,6 +49,7 @@ impl Board {
             mode: Mode::DEFAULT,
             // A client sends its own.
             scene: BOX,
+            knob: None,
         };
         // A station has its setup for good.
         let setup: &'static Setup = Box::leak(Box::new(setup));
@@ -88,36 +89,44 @@ fn serve<R: Real<Si = f32>>(
     wanted: &AtomicBool,
     pulled: &AtomicBool,
 ) {
-    stream.set_nonblocking(true).expect("an option");
     let station = Station::<R, V, S, 0, LONGEST>::new(setup);
     let mut station = station.expect("a board");
-    let begun = Instant::now();
-    let mut line = Line {
-        stream,
-        came: VecDeque::new(),
-        begun,
-    };
-    let (mut due, mut servo) = (begun, Servo::new((FromLine, NoActuators)));
+    let mut line = Line::new(stream);
+    let (mut due, mut servo) = (Instant::now(), Servo::new((FromLine, NoActuators)));
     while wanted.load(Ordering::Relaxed) && !pulled.swap(false, Ordering::Relaxed) {
         if !line.listen() {
             return;
         }
-        let now_us = begun.elapsed().as_micros() as u32;
-        station.tick(now_us, &mut line, &mut servo);
+        station.tick(line.now_us(), &mut line, &mut servo);
         due += Duration::from_millis(1);
         thread::sleep(due.saturating_duration_since(Instant::now()));
     }
 }
 
-struct Line {
+/// A line to a client.
+pub(crate) struct Line {
     stream: UnixStream,
     came: VecDeque<u8>,
     begun: Instant,
 }
 
 impl Line {
+    pub(crate) fn new(stream: UnixStream) -> Self {
+        stream.set_nonblocking(true).expect("an option");
+        Self {
+            stream,
+            came: VecDeque::new(),
+            begun: Instant::now(),
+        }
+    }
+
+    /// The time since it was opened (µs).
+    pub(crate) fn now_us(&self) -> u32 {
+        self.begun.elapsed().as_micros() as u32
+    }
+
     /// Takes what has come; false at the end.
-    fn listen(&mut self) -> bool {
+    pub(crate) fn listen(&mut self) -> bool {
         let mut bytes = [0; 4096];
         match self.stream.read(&mut bytes) {
             Ok(0) => false,
