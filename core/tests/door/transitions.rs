@@ -1,6 +1,7 @@
 //! Which event leads from which state to which: the arms of the law as they are seen from outside.
 
 use crate::bench::{Run, Setup, side};
+use crate::random::Random;
 use std::collections::BTreeSet;
 use stiction_core::{Event, Evolution, StateKind, SurfaceDescription};
 
@@ -28,17 +29,6 @@ fn arms(event: Event) -> (&'static [StateKind], &'static [StateKind]) {
     }
 }
 
-/// Numbers that are alike on every machine.
-struct Random(u64);
-impl Random {
-    fn number(&mut self, least: f64, most: f64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        let unit = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
-        least + (most - least) * unit
-    }
-}
-
 /// A block in a corner of floor and wall, under a ceiling.
 fn room(random: &mut Random) -> Setup {
     let mut mu = || {
@@ -48,7 +38,6 @@ fn room(random: &mut Random) -> Setup {
     Setup {
         vertices: vec![[-0.4, -0.3], [0.4, -0.3], [0.4, 0.3], [-0.4, 0.3]],
         held: Some([0.1, 0.1]),
-        reach: 0.0,
         springs: [1.0, 0.3],
         start: [0.0, 0.0, 0.2],
         surfaces: [
@@ -58,6 +47,7 @@ fn room(random: &mut Random) -> Setup {
         ]
         .map(|s| SurfaceDescription { memory: None, ..s })
         .into(),
+        ..Setup::default()
     }
 }
 

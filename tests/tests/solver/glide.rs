@@ -11,6 +11,7 @@ use stiction_tests::{Number, RunOf, Setup, change, close, judge, test_each, time
 test_each!(
     cases::foot_is_below_the_hand,
     cases::glide_folds_by_its_second_harmonic,
+    cases::no_frame_of_any_random_scene_without_friction_violates_a_law,
 );
 
 /// From the contact to the grip (m); k_h is 1.
@@ -30,6 +31,9 @@ fn moment(rotation: f64, [_, height, phi]: [f64; 3], theta: f64) -> f64 {
     let normal = LEVER * theta.cos() - height;
     rotation * (phi - theta) + normal * LEVER * theta.sin()
 }
+
+/// Scenes with a known fault in fixed point, by path: a contact that bears one or two roundings opens and closes until the limit of a frame.
+const KNOWN: [usize; 5] = [41, 328, 396, 775, 798];
 
 mod cases {
     use super::*;
@@ -90,40 +94,31 @@ mod cases {
         assert_eq!(run.frame.events, [Event::Snap]);
         assert_eq!(run.frame.state, StateKind::SingleVertex);
     }
-}
 
-/// Scenes with a known fault in fixed point, by path: a contact that bears one or two roundings opens and closes until the limit of a frame.
-const KNOWN: [usize; 5] = [41, 328, 396, 775, 798];
-
-/// Random scenes of one surface without friction: the laws hold in every frame, and a motion is always found. Each known fault is still there.
-fn survey<R: Number>(evolution: Evolution) {
-    for (i, scenario) in scenarios(times(30, 1000), 4).enumerate() {
-        let mut setup = scenario.setup.clone().smooth();
-        setup.surfaces.truncate(1);
-        let hands = scenario.hands(50);
-        let mut run = RunOf::<R, VERTICES, 1, 0>::start(&setup, evolution, hands[0]);
-        let fault = hands.iter().enumerate().find_map(|(k, &hand)| {
-            let frame = run.step(hand);
-            let gravest = worst(judge::<R>(&setup, frame));
-            let holds = gravest.holds() && frame.status == Status::Ok && frame.slips == 0;
-            (!holds).then(|| format!("frame {k}: {gravest:?} {frame:?}"))
-        });
-        let is_known = R::NAME == Fixed::NAME && evolution == Evolution::Path && KNOWN.contains(&i);
-        let name = R::NAME;
-        assert_eq!(
-            fault.is_some(),
-            is_known,
-            "{name} {evolution:?}, scene {i}: {fault:?}"
-        );
-    }
-}
-
-#[test]
-fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
-    for evolution in Evolution::ALL {
-        survey::<f64>(evolution);
-        survey::<f32>(evolution);
-        survey::<Fixed>(evolution);
+    /// Random scenes of one surface without friction: the laws hold in every frame, and a motion is always found. Each known fault is still there.
+    pub(super) fn no_frame_of_any_random_scene_without_friction_violates_a_law<R: Number>(
+        evolution: Evolution,
+    ) {
+        for (i, scenario) in scenarios(times(30, 1000), 4).enumerate() {
+            let mut setup = scenario.setup.clone().smooth();
+            setup.surfaces.truncate(1);
+            let hands = scenario.hands(50);
+            let mut run = RunOf::<R, VERTICES, 1, 0>::start(&setup, evolution, hands[0]);
+            let fault = hands.iter().enumerate().find_map(|(k, &hand)| {
+                let frame = run.step(hand);
+                let gravest = worst(judge::<R>(&setup, frame));
+                let holds = gravest.holds() && frame.status == Status::Ok && frame.slips == 0;
+                (!holds).then(|| format!("frame {k}: {gravest:?} {frame:?}"))
+            });
+            let is_known =
+                R::NAME == Fixed::NAME && evolution == Evolution::Path && KNOWN.contains(&i);
+            let name = R::NAME;
+            assert_eq!(
+                fault.is_some(),
+                is_known,
+                "{name} {evolution:?}, scene {i}: {fault:?}"
+            );
+        }
     }
 }
 
