@@ -71,6 +71,14 @@ fn free_port() -> u16 {
     socket.local_addr().expect("its address").port()
 }
 
+/// A view whose poses are sent to a program, `osc` or `opentrack`.
+fn sent_to(program: &str, options: &str) -> (Other, View) {
+    let other = Other::start(program);
+    let to = format!("127.0.0.1:{}", other.port);
+    let view = View::start(&format!("box-flat --{program} {to} {options}"));
+    (other, view)
+}
+
 /// A view whose hand is led by a program, `osc` or `opentrack`, at a port.
 fn led_by(program: &str) -> (Other, u16, View) {
     let port = free_port();
@@ -80,9 +88,7 @@ fn led_by(program: &str) -> (Other, u16, View) {
 
 #[test]
 fn osc_carries_pose_forces_contacts_and_events() {
-    let mut other = Other::start("osc");
-    let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&format!("box-flat --osc {to} --osc-rate 500"));
+    let (mut other, view) = sent_to("osc", "--osc-rate 500");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
     let land = other.until(|received| received["/stiction/event"] == json!([["land"]]));
@@ -117,9 +123,7 @@ fn osc_carries_pose_forces_contacts_and_events() {
 
 #[test]
 fn open_track_carries_the_pose_in_centimetres_and_degrees() {
-    let mut other = Other::start("opentrack");
-    let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&format!("box-flat --number f64 --opentrack {to}"));
+    let (mut other, view) = sent_to("opentrack", "--number f64");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.1, 0.2, 0.5], 20);
     let roll = |received: &Value| received["pose"][5].as_f64().expect("a number");
