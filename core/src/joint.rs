@@ -147,9 +147,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     /// N* - N in one line, D_c less the length of a slip otherwise; the latter by value alone.
     fn memory(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> Value<R> {
         let [c1, c2] = self.motion.contacts;
-        if self.body.stiction {
-            return Value::NONE;
-        }
         if !self.statics.is_even(c1, c2) {
             return Value {
                 v: self.statics.room_to_stiction(self.motion, i, couple),
