@@ -7,6 +7,7 @@ use stiction_core::{Evolution, SiFloat, StateKind, Status};
 in_every_number_type!(
     cases::a_dragged_block_slips_by_the_difference_of_the_frictions,
     cases::where_the_hand_jumps_it_slips_once,
+    cases::a_path_may_end_where_friction_gives_way,
     cases::slips_shrink_geometrically_as_the_hand_rises,
     cases::a_ladder_sticks_up_to_its_critical_angle,
     cases::a_hand_within_the_cone_leaves_the_foot,
@@ -52,6 +53,23 @@ mod cases {
         let (slips, pull) = drag(Evolution::Frame);
         near::<R>(pull, 0.06);
         assert_eq!(slips, 2);
+    }
+
+    /// Where the path ends within rounding of the point at which the block breaks away, it has slipped or it has not; a little further it has.
+    pub(super) fn a_path_may_end_where_friction_gives_way<R: Number>() {
+        let setup = block([2.0, 1.0], 0.5, [0.5, 0.3]);
+        for evolution in Evolution::ALL {
+            for k in -20..=20 {
+                let end = 0.1 + f64::from(k) * 1e-9 * R::NEAR;
+                let mut run = Run::<R>::new(&setup, evolution, [0.0, 0.3, 0.0]);
+                let slips = run.to([end, 0.3, 0.0]).slips;
+                assert_eq!(run.output.status, Status::Ok);
+                near::<R>(run.pose()[0], 0.04 * f64::from(slips));
+                let more = run.to([0.101, 0.3, 0.0]).slips;
+                assert_eq!(slips + more, 1, "{k}");
+                assert!((run.pose()[0] - 0.04).abs() < 0.0011, "{:?}", run.pose());
+            }
+        }
     }
 
     /// Rising at 45 degrees: each slip is (1 + mu_s) / (1 + mu_d) times as long as the next one.
