@@ -2,8 +2,6 @@
 
 extern crate std;
 
-mod random;
-
 use crate::bounds::Extent;
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
@@ -12,12 +10,19 @@ use crate::scene::{Description, SurfaceDescription};
 use crate::state::{Body, HandPose};
 use crate::window::Begin;
 use crate::world::{Statics, World};
-use random::Random;
 use std::vec::Vec;
 
 type Room = World<f64, 4, 2, 0>;
 
+/// Numbers that are alike on every machine.
+struct Random(u64);
 impl Random {
+    fn number(&mut self, least: f64, most: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        let unit = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
+        least + (most - least) * unit
+    }
     fn vector(&mut self, size: f64) -> Vec2<f64> {
         Vec2::new(self.number(-size, size), self.number(-size, size))
     }

@@ -43,15 +43,18 @@ mod cases {
         let [x, y] = setup.world(setup.start, [0.6, 0.3]);
         let mut run = Run::<R>::with(&setup, Evolution::Path, hand::<R>([x, y, 1.0]).released());
         assert!(!run.output.held && run.wrench() == [0.0; 3]);
-        let told = |run: &Run<R>, hold: Hold| hold.after(run.output.events(), run.output.held);
-        let mut hold = told(&run, Hold::Never);
+        let reported = |run: &Run<R>, hold: Hold| hold.after(run.output.events(), run.output.held);
+        let mut hold = reported(&run, Hold::Never);
         assert!(run.to([x, y, 1.0]).held && run.saw(Event::Grasp));
-        hold = told(&run, hold);
+        hold = reported(&run, hold);
         assert_eq!((run.state.hold(), hold), (Hold::Taken, Hold::Taken));
         all_near::<R, 3>(run.pose(), setup.start);
         all_near::<R, 3>(run.wrench(), [0.0; 3]);
         run.to([x + 0.5, y + 0.2, 1.0]);
-        assert_eq!((run.state.hold(), told(&run, hold)), (Hold::Taken, hold));
+        assert_eq!(
+            (run.state.hold(), reported(&run, hold)),
+            (Hold::Taken, hold)
+        );
         all_near::<R, 3>(run.pose(), [0.5, 2.2, 0.2]);
         run.to([x + 0.5, y + 0.2, 1.4]);
         near::<R>(run.pose()[2], 0.6);

@@ -3,8 +3,6 @@
 mod bench;
 mod closed;
 mod hand;
-#[path = "../../src/tests/random.rs"]
-mod random;
 mod runs;
 mod slow;
 mod transitions;

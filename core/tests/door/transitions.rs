@@ -1,7 +1,6 @@
 //! Which event leads from which state to which: the arms of the law as they are seen from outside.
 
 use crate::bench::{Run, Setup, side};
-use crate::random::Random;
 use std::collections::BTreeSet;
 use stiction_core::{Event, Evolution, StateKind, SurfaceDescription};
 
@@ -26,6 +25,17 @@ fn arms(event: Event) -> (&'static [StateKind], &'static [StateKind]) {
         ),
         Event::Snap => (&StateKind::ALL, &StateKind::ALL),
         Event::Grasp | Event::Release => (&[], &[]),
+    }
+}
+
+/// Numbers that are alike on every machine.
+struct Random(u64);
+impl Random {
+    fn number(&mut self, least: f64, most: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        let unit = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
+        least + (most - least) * unit
     }
 }
 

@@ -43,11 +43,11 @@ impl From<Report<'_>> for Said {
                 list: events.list.iter().collect(),
             },
             Report::Reply(reply) => Self::Reply(Reply {
-                allowed: kept(reply.allowed),
+                allowed: stored(reply.allowed),
                 ..reply
             }),
             Report::Info(info) => Self::Info(Info {
-                name: kept(info.name),
+                name: stored(info.name),
                 ..info
             }),
             Report::Health(health) => Self::Health(health),
@@ -69,7 +69,7 @@ fn said_forces(forces: &Forces<'_>) -> Said {
 }
 
 /// A text that outlives the buffer of the decoder: a test receives few of them, and none is ever freed.
-fn kept(text: Text<'_>) -> Text<'static> {
+fn stored(text: Text<'_>) -> Text<'static> {
     Text::new(text.to_string().leak())
 }
 
