@@ -99,7 +99,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let half = bound.holding.halved();
         let advance = i.xi_p - i.xi_u * i.e_p / i.e_u;
         let [_, xi2] = bound.foot;
-        let may_press = !body.stiction && friction.threshold - n < half;
+        let may_press = friction.threshold - n < half;
         let may_halt = m.first().sense.along(advance) * way.whole < xi2;
         if n < half || may_press || may_halt || !self.is_short_of_end(m.first(), i.foot) {
             return Calm::Unsure;
@@ -117,7 +117,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let load = self.load(body, hand);
             friction.threshold + n.dot(load.force) < R::of_balance(load.size())
         };
-        let may_press = !body.stiction && (may_press(&body.hand) || may_press(to));
+        let may_press = may_press(&body.hand) || may_press(to);
         if may_press || !self.slides_straight(body, first.sense, to) {
             return Calm::Unsure;
         }

@@ -148,7 +148,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     fn memory(&self, i: &Instant<R>, rates: &Rates<R>, couple: &Couple<R>) -> Value<R> {
         let m = self.motion;
         let has_threshold = |c| self.statics.friction(c).threshold < R::HUGE;
-        if self.body.stiction || !m.contacts.into_iter().any(has_threshold) {
+        if !m.contacts.into_iter().any(has_threshold) {
             return Value::NONE;
         }
         if !m.pair.even {

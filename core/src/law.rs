@@ -60,9 +60,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.snap(Kind::Slide);
             }
             Some(rates) if sense.along(rates.xi) < -R::of_displacement(path.size()) => {
-                if self.is_smooth() {
-                    return self.body.contacts.slide(sense.reversed());
-                }
                 self.body.hand = self.released(self.body);
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
@@ -109,8 +106,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             if i.e.abs() > R::TOUCH || !is_there {
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
-        } else if contact.sense.slides() {
-            self.body.loosen();
         } else {
             self.begin_by_rates();
         }

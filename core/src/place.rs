@@ -158,14 +158,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
 
-    /// Velocities along x.
+    /// Velocities along the hand's path.
     pub(crate) fn rates(&self, m: &Motion<R>, i: &Instant<R>) -> Rates<R> {
-        if m.frozen {
-            self.rates_of(m, i, R::ONE, R::ZERO)
-        } else {
-            // u' = -E_p/E_u
-            self.rates_of(m, i, -i.e_p / i.e_u, R::ONE)
-        }
+        // u' = -E_p/E_u
+        self.rates_of(m, i, -i.e_p / i.e_u, R::ONE)
     }
     /// Velocities with u and p.
     pub(crate) fn rates_of(&self, m: &Motion<R>, i: &Instant<R>, u: R, p: R) -> Rates<R> {

@@ -81,8 +81,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Ending::Ends(_) => {
                 if self.hand_on(0, sense) {
                     self.handed(sense)
-                } else if self.body.contacts.len() > 1 {
-                    Next::Relax(sense)
                 } else {
                     return self.slide_on(sense);
                 }

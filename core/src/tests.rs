@@ -9,7 +9,7 @@ use crate::motion::{Factor, Instant, Kind, Motion, Spot};
 use crate::scene::{Description, SurfaceDescription};
 use crate::state::{Body, HandPose};
 use crate::window::Begin;
-use crate::world::{Grip, Statics, World};
+use crate::world::{Statics, World};
 use std::vec::Vec;
 
 type Room = World<f64, 4, 2, 0>;
@@ -78,8 +78,30 @@ const CASES: [Case; 6] = [
     Case::Pair,
 ];
 
+type Held<'a> = Statics<'a, f64, 4, 2, 0>;
+
+/// Passes random motions in random worlds to a check, each of the case of its round.
+fn each_motion(
+    seed: u64,
+    rounds: usize,
+    case: impl Fn(usize) -> Case,
+    mut check: impl FnMut(&mut Random, &Held<'_>, Case, Motion<f64>),
+) {
+    let mut random = Random(seed);
+    for case in (0..rounds).map(case) {
+        let world = world(&mut random);
+        let grip = world.grip(random.vector(0.2));
+        let (_, m) = motion(&mut random, &world, case);
+        check(&mut random, &world.held(&grip), case, m);
+    }
+}
+
+fn in_turn(round: usize) -> Case {
+    CASES[round % CASES.len()]
+}
+
 /// The body exactly on its contacts. A step seats it from within a touch of them; from the far starts here that takes more corrections.
-fn seated(statics: &Statics<'_, f64, 4, 2, 0>, body: &mut Body<f64>) {
+fn seated(statics: &Held<'_>, body: &mut Body<f64>) {
     for _ in 0..100 {
         statics.seat(body);
     }
@@ -148,13 +170,7 @@ fn centre(case: Case, m: &Motion<f64>) -> Spot<f64> {
 
 #[test]
 fn partial_derivatives_are_those_of_differences() {
-    let mut random = Random(1);
-    for round in 0..300 {
-        let case = CASES[round % CASES.len()];
-        let world = world(&mut random);
-        let grip = world.grip(random.vector(0.2));
-        let statics = world.held(&grip);
-        let (_, m) = motion(&mut random, &world, case);
+    each_motion(1, 300, in_turn, |_, statics, case, m| {
         let at = centre(case, &m);
         let step = 1e-5;
         let along = |u: f64, p: f64| {
@@ -189,40 +205,40 @@ fn partial_derivatives_are_those_of_differences() {
         let rates = statics.rates_of(&m, &i, 1.0, 0.0);
         check("F_u", rates.force.x, &|i| i.force.x, u);
         check("M_u", rates.moment, &|i| i.moment, u);
-    }
+    });
 }
 
 #[test]
 fn factors_of_a_slide_have_the_derivatives_of_differences() {
-    let mut random = Random(4);
-    for round in 0..60 {
-        let world = world(&mut random);
-        let grip = world.grip(random.vector(0.2));
-        let statics = world.held(&grip);
-        let (_, mut m) = motion(&mut random, &world, Case::Slide);
-        m.factor = [
-            Factor::Lever,
-            Factor::Normal(Sense::Plus),
-            Factor::Normal(Sense::Minus),
-        ][round % 3];
-        let e = |u: f64, p: f64| statics.placed(&m, Spot { u: m.angle + u, p }).e;
-        let (i, step) = (statics.placed_at_start(&m), 1e-5);
-        let slopes = [e(step, 0.0) - e(-step, 0.0), e(0.0, step) - e(0.0, -step)];
-        let [e_u, e_p] = slopes.map(|d| d / (2.0 * step));
-        close("E_u", i.e_u, e_u, 1e-8);
-        close("E_p", i.e_p, e_p, 1e-8);
-    }
+    let factors = [
+        Factor::Lever,
+        Factor::Normal(Sense::Plus),
+        Factor::Normal(Sense::Minus),
+    ];
+    let mut factors = factors.into_iter().cycle();
+    each_motion(
+        4,
+        60,
+        |_| Case::Slide,
+        |_, statics, _, mut m| {
+            m.factor = factors.next().expect("a cycle");
+            let e = |u: f64, p: f64| statics.placed(&m, Spot { u: m.angle + u, p }).e;
+            let (i, step) = (statics.placed_at_start(&m), 1e-5);
+            let slopes = [e(step, 0.0) - e(-step, 0.0), e(0.0, step) - e(0.0, -step)];
+            let [e_u, e_p] = slopes.map(|d| d / (2.0 * step));
+            close("E_u", i.e_u, e_u, 1e-8);
+            close("E_p", i.e_p, e_p, 1e-8);
+        },
+    );
 }
 
 /// The points of an accepted window in balance, from p = 0 to `way`.
 fn followed(
-    world: &Room,
-    grip: &Grip<f64>,
+    statics: &Held<'_>,
     m: &Motion<f64>,
     begin: &Instant<f64>,
     way: f64,
 ) -> Vec<Instant<f64>> {
-    let statics = world.held(grip);
     let points = (0..=40).map(|k| {
         let p = way * f64::from(k) / 40.0;
         let mut i = *begin;
@@ -238,14 +254,8 @@ fn followed(
 
 #[test]
 fn bounds_hold_on_every_accepted_window() {
-    let mut random = Random(2);
     let mut accepted = [0; CASES.len()];
-    for round in 0..900 {
-        let case = CASES[round % CASES.len()];
-        let world = world(&mut random);
-        let grip = world.grip(random.vector(0.2));
-        let statics = world.held(&grip);
-        let (_, mut m) = motion(&mut random, &world, case);
+    each_motion(2, 900, in_turn, |random, statics, case, mut m| {
         // The moment of the hand that makes a balance of the beginning.
         let mut begin = statics.placed_at_start(&m);
         let per_angle = {
@@ -265,15 +275,15 @@ fn bounds_hold_on_every_accepted_window() {
         let way = random.number(0.01, 0.6);
         let mut end = Instant::ZERO;
         if begin.e.abs() > 1e-12 || begin.e_u >= 0.0 {
-            continue;
+            return;
         }
         let mut pair = None;
         let Ok(pace) = statics.window(&m, Begin::At(&begin), way, &mut end, &mut pair) else {
-            continue;
+            return;
         };
-        accepted[round % CASES.len()] += 1;
+        accepted[case as usize] += 1;
         let bound = statics.bound(&m, &end, &pace, pair.as_ref());
-        let points = followed(&world, &grip, &m, &begin, way);
+        let points = followed(statics, &m, &begin, way);
         let last = points.last().expect("points");
         close("end of the window", end.u, last.u, 1e-9);
         let curvature = statics.curvature(&m, &begin, pace.extent);
@@ -321,68 +331,68 @@ fn bounds_hold_on_every_accepted_window() {
             at_most("E_uu", e_uu, curvature.k, 1e-8);
             at_most("E_up", statics.e_up(&m, b), curvature.j, 1e-8);
         }
-    }
+    });
     assert!(accepted.iter().all(|&count| count > 20), "{accepted:?}");
 }
 
 #[test]
 fn reactions_of_a_pair_bear_the_load() {
-    let mut random = Random(3);
-    for _ in 0..200 {
-        let world = world(&mut random);
-        let grip = world.grip(random.vector(0.2));
-        let statics = world.held(&grip);
-        let (_, m) = motion(&mut random, &world, Case::Pair);
-        let i = statics.placed_at_start(&m);
-        let couple = statics.couple(&m, &i);
-        let shares = statics.shares(&m, &i);
-        let [v1, v2] = statics.feet(&m, &i);
-        let (mut force, mut moment) = (i.force, i.moment);
-        for ((((n, f), frame), v), c) in (shares.normal.iter().zip(couple.f))
-            .zip(couple.frames)
-            .zip([v1, v2])
-            .zip(m.contacts)
-        {
-            let cos = statics.friction(c).sliding.cos;
-            let reaction = f * (n / cos) - frame.t * (shares.drag * v);
-            force = force + reaction;
-            moment += frame.r.cross(reaction);
-        }
-        close(
-            "force",
-            force.x.hypot(force.y),
-            0.0,
-            1e-9 * (1.0 + shares.drag.abs()),
-        );
-        close("moment", moment, 0.0, 1e-9 * (1.0 + shares.drag.abs()));
-    }
+    each_motion(
+        3,
+        200,
+        |_| Case::Pair,
+        |_, statics, _, m| {
+            let i = statics.placed_at_start(&m);
+            let couple = statics.couple(&m, &i);
+            let shares = statics.shares(&m, &i);
+            let [v1, v2] = statics.feet(&m, &i);
+            let (mut force, mut moment) = (i.force, i.moment);
+            for ((((n, f), frame), v), c) in (shares.normal.iter().zip(couple.f))
+                .zip(couple.frames)
+                .zip([v1, v2])
+                .zip(m.contacts)
+            {
+                let cos = statics.friction(c).sliding.cos;
+                let reaction = f * (n / cos) - frame.t * (shares.drag * v);
+                force = force + reaction;
+                moment += frame.r.cross(reaction);
+            }
+            close(
+                "force",
+                force.x.hypot(force.y),
+                0.0,
+                1e-9 * (1.0 + shares.drag.abs()),
+            );
+            close("moment", moment, 0.0, 1e-9 * (1.0 + shares.drag.abs()));
+        },
+    );
 }
 
 /// K of a pair is a bound within all of its reach.
 #[test]
 fn the_curvature_of_a_pair_holds_within_its_reach() {
-    let mut random = Random(4);
-    for _ in 0..300 {
-        let world = world(&mut random);
-        let grip = world.grip(random.vector(0.2));
-        let statics = world.held(&grip);
-        let (_, m) = motion(&mut random, &world, Case::Pair);
-        let reach = m.pair.reach;
-        let middle = statics.placed_at_start(&m);
-        let extent = Extent {
-            way: 0.0,
-            strip: reach,
-        };
-        let curvature = statics.curvature(&m, &middle, extent);
-        for k in -9..=9 {
-            let u = reach * f64::from(k) / 10.0;
-            let at = |u| statics.placed(&m, Spot { u, p: 0.0 }).e_u;
-            let e_uu = (at(u + 1e-5) - at(u - 1e-5)) / 2e-5;
-            assert!(
-                e_uu.abs() <= curvature.k + 1e-8,
-                "{e_uu} beyond {}",
-                curvature.k
-            );
-        }
-    }
+    each_motion(
+        4,
+        300,
+        |_| Case::Pair,
+        |_, statics, _, m| {
+            let reach = m.pair.reach;
+            let middle = statics.placed_at_start(&m);
+            let extent = Extent {
+                way: 0.0,
+                strip: reach,
+            };
+            let curvature = statics.curvature(&m, &middle, extent);
+            for k in -9..=9 {
+                let u = reach * f64::from(k) / 10.0;
+                let at = |u| statics.placed(&m, Spot { u, p: 0.0 }).e_u;
+                let e_uu = (at(u + 1e-5) - at(u - 1e-5)) / 2e-5;
+                assert!(
+                    e_uu.abs() <= curvature.k + 1e-8,
+                    "{e_uu} beyond {}",
+                    curvature.k
+                );
+            }
+        },
+    );
 }

@@ -2,7 +2,7 @@
 
 use crate::with;
 use stiction_core::{
-    Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+    Description, Evolution, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
 };
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, Totals, run};
 use stiction_tests::station::{BOX, FLOOR};
@@ -141,13 +141,7 @@ fn comes_back<R: Real<Si = f32>>(evolution: Evolution) {
     }
 }
 
-#[test]
-fn a_job_comes_back_with_the_answers_of_the_solver() {
-    for evolution in [Evolution::Path, Evolution::Frame] {
-        comes_back::<f32>(evolution);
-        comes_back::<Fixed>(evolution);
-    }
-}
+stiction_tests::test_on_boards!(a_job_comes_back_with_the_answers_of_the_solver: comes_back);
 
 #[test]
 fn with_a_capacity_of_its_own_it_gives_the_same_answers() {

@@ -2,6 +2,7 @@
 
 import { digits } from "./dom.js";
 import { boxOf, label, linesThrough } from "./labels.js";
+import { drawDot } from "./object.js";
 import { colors } from "./theme.js";
 import { step125 } from "./ground.js";
 
@@ -68,11 +69,7 @@ export function drawCones(ctx, view, contact, surface, parameters, taken) {
     ctx.stroke();
     ctx.setLineDash([]);
     for (const end of [one, other]) {
-      ctx.beginPath();
-      ctx.arc(end.x, end.y, DOT, 0, 2 * Math.PI);
-      ctx.fillStyle = colors[kind === taken ? "accent" : "paper"];
-      ctx.fill();
-      ctx.stroke();
+      drawDot(ctx, end.x, end.y, DOT, colors[kind === taken ? "accent" : "paper"], colors[`limit-${kind}`], 1.3);
     }
   }
 }
@@ -124,13 +121,7 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
   drawBar(ctx, x, y, nx * n, ny * n, colors.normal, false);
   drawBar(ctx, x, y, tx * t, ty * t, colors.friction, true);
   drawArrow(ctx, x, y, nx * n + tx * t, ny * n + ty * t);
-  ctx.beginPath();
-  ctx.arc(x, y, 4.5, 0, 2 * Math.PI);
-  ctx.fillStyle = colors.reaction;
-  ctx.fill();
-  ctx.strokeStyle = colors.paper;
-  ctx.lineWidth = 1.5;
-  ctx.stroke();
+  drawDot(ctx, x, y, 4.5, colors.reaction, colors.paper, 1.5);
 }
 
 /**

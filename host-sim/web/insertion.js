@@ -2,6 +2,7 @@
 // formulas for small angles. Loaded by pages whose scene has a peg and a hole.
 
 import { byId, digits, fixed, setText } from "./dom.js";
+import { drawDot } from "./object.js";
 import { colors, onTheme } from "./theme.js";
 
 /** Number of points of the trail and of the curves. */
@@ -127,7 +128,7 @@ class InsertionPanel {
     const up = 1.4 * (2 * (Number.isFinite(lambda) ? lambda : 0) + 1);
     const axes = axesOn(this.jamming, [-across, across], [-up, up], ["Fx / Fz", "M / (r Fz)"]);
     if (!axes) return;
-    const { ctx, px, py } = axes;
+    const { px, py } = axes;
     if (this.now && this.now.lambda !== null) {
       const top = 2 * this.now.lambda + 1;
       /** @type {Vec[]} */
@@ -142,13 +143,7 @@ class InsertionPanel {
     if (!last) return;
     const x = Math.min(axes.width - 4, Math.max(LEFT + 4, px(last[0])));
     const y = Math.min(axes.height - BELOW - 4, Math.max(6, py(last[1])));
-    ctx.beginPath();
-    ctx.arc(x, y, 5, 0, 2 * Math.PI);
-    ctx.fillStyle = colors.body;
-    ctx.fill();
-    ctx.strokeStyle = colors.paper;
-    ctx.lineWidth = 1.5;
-    ctx.stroke();
+    drawDot(axes.ctx, x, y, 5, colors.body, colors.paper, 1.5);
   }
 
   drawForces() {

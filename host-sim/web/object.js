@@ -147,15 +147,24 @@ export function drawSpiral(ctx, view, holding, theta, twist) {
   ctx.fill();
 }
 
+/**
+ * Draws a dot with a border of a width (px).
+ * @param {Ink} ctx @param {number} x @param {number} y @param {number} radius
+ * @param {string} fill @param {string} border @param {number} width
+ */
+export function drawDot(ctx, x, y, radius, fill, border, width) {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+  ctx.fillStyle = fill;
+  ctx.fill();
+  ctx.strokeStyle = border;
+  ctx.lineWidth = width;
+  ctx.stroke();
+}
+
 /** Draws the holding point: a ring on the body. @param {Ink} ctx @param {View} view @param {Vec} holding */
 export function drawHolding(ctx, view, holding) {
-  ctx.beginPath();
-  ctx.arc(view.px(holding[0]), view.py(holding[1]), 3.5, 0, 2 * Math.PI);
-  ctx.fillStyle = colors.paper;
-  ctx.fill();
-  ctx.strokeStyle = colors.spring;
-  ctx.lineWidth = 2;
-  ctx.stroke();
+  drawDot(ctx, view.px(holding[0]), view.py(holding[1]), 3.5, colors.paper, colors.spring, 2);
 }
 
 /**

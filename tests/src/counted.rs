@@ -53,22 +53,16 @@ impl PartialOrd for Counted {
     }
 }
 
+macro_rules! constants {
+    ($($name:ident)*) => {$(
+        const $name: Self = Self(<f64 as Real>::$name);
+    )*};
+}
+
 impl Real for Counted {
     type Si = f64;
 
-    const ZERO: Self = Self(<f64 as Real>::ZERO);
-    const HALF: Self = Self(<f64 as Real>::HALF);
-    const ONE: Self = Self(<f64 as Real>::ONE);
-    const TWO: Self = Self(<f64 as Real>::TWO);
-    const TAU: Self = Self(<f64 as Real>::TAU);
-    const EPSILON: Self = Self(<f64 as Real>::EPSILON);
-    const TOUCH: Self = Self(<f64 as Real>::TOUCH);
-    const MICRO: Self = Self(<f64 as Real>::MICRO);
-    const RANGE: Self = Self(<f64 as Real>::RANGE);
-    const LOAD: Self = Self(<f64 as Real>::LOAD);
-    const TURN: Self = Self(<f64 as Real>::TURN);
-    const HUGE: Self = Self(<f64 as Real>::HUGE);
-    const LEAST: Self = Self(<f64 as Real>::LEAST);
+    constants!(ZERO HALF ONE TWO TAU EPSILON TOUCH MICRO RANGE LOAD TURN HUGE LEAST);
 
     fn from_int(n: i32) -> Self {
         Self(n.into())

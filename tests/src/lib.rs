@@ -42,6 +42,20 @@ macro_rules! test_each {
     )*};
 }
 
+/// Instantiates tests `test: case` of generic functions `case::<R>(evolution)`: for the number types of boards and both evolutions.
+#[macro_export]
+macro_rules! test_on_boards {
+    ($($test:ident: $case:ident),* $(,)?) => {$(
+        #[test]
+        fn $test() {
+            for evolution in stiction_core::Evolution::ALL {
+                $case::<f32>(evolution);
+                $case::<stiction_core::Fixed>(evolution);
+            }
+        }
+    )*};
+}
+
 /// The example in the README, as a test.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -37,6 +37,13 @@ macro_rules! operators {
     };
 }
 
+/// The constants of a newtype of f32.
+macro_rules! constants {
+    ($($name:ident)*) => {$(
+        const $name: Self = Self(f32::$name);
+    )*};
+}
+
 /// Implements [`Real`] for a newtype of f32: everything is that of f32 except what follows the name.
 macro_rules! single {
     ($name:ident: $($functions:item)*) => {
@@ -45,19 +52,7 @@ macro_rules! single {
         impl Real for $name {
             type Si = f32;
 
-            const ZERO: Self = Self(f32::ZERO);
-            const HALF: Self = Self(f32::HALF);
-            const ONE: Self = Self(f32::ONE);
-            const TWO: Self = Self(f32::TWO);
-            const TAU: Self = Self(f32::TAU);
-            const EPSILON: Self = Self(f32::EPSILON);
-            const TOUCH: Self = Self(f32::TOUCH);
-            const MICRO: Self = Self(f32::MICRO);
-            const RANGE: Self = Self(f32::RANGE);
-            const LOAD: Self = Self(f32::LOAD);
-            const TURN: Self = Self(f32::TURN);
-            const HUGE: Self = Self(f32::HUGE);
-            const LEAST: Self = Self(f32::LEAST);
+            constants!(ZERO HALF ONE TWO TAU EPSILON TOUCH MICRO RANGE LOAD TURN HUGE LEAST);
 
             fn from_int(n: i32) -> Self {
                 Self(f32::from_int(n))

@@ -38,13 +38,14 @@ macro_rules! in_every_number_type {
 pub(crate) use in_every_number_type;
 
 /// A scene in f64.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Setup {
     pub(crate) vertices: Vec<[f64; 2]>,
     pub(crate) held: Option<[f64; 2]>,
     pub(crate) reach: f64,
     /// k_h, k_theta
     pub(crate) springs: [f64; 2],
+    pub(crate) weight: f64,
     pub(crate) start: [f64; 3],
     pub(crate) surfaces: Vec<SurfaceDescription<f64>>,
 }
@@ -69,10 +70,9 @@ pub(crate) fn block([width, height]: [f64; 2], held: f64, mu: [f64; 2]) -> Setup
     Setup {
         vertices: vec![[-half, 0.0], [half, 0.0], [half, height], [-half, height]],
         held: Some([0.0, held]),
-        reach: 0.0,
         springs: [1.0, 1.0],
-        start: [0.0; 3],
         surfaces: vec![side([0.0, 1.0], 0.0, mu)],
+        ..Setup::default()
     }
 }
 
@@ -101,7 +101,7 @@ impl Setup {
         take(&Description {
             vertices: &vertices,
             start: self.start.map(R::si),
-            weight: R::si(0.0),
+            weight: R::si(self.weight),
             holding_point: self.held.map(point),
             reach: R::si(self.reach),
             stiffness_translation: R::si(self.springs[0]),

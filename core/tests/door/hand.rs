@@ -43,11 +43,18 @@ mod cases {
         let [x, y] = setup.world(setup.start, [0.6, 0.3]);
         let mut run = Run::<R>::with(&setup, Evolution::Path, hand::<R>([x, y, 1.0]).released());
         assert!(!run.output.held && run.wrench() == [0.0; 3]);
+        let reported = |run: &Run<R>, hold: Hold| hold.after(run.output.events(), run.output.held);
+        let mut hold = reported(&run, Hold::Never);
         assert!(run.to([x, y, 1.0]).held && run.saw(Event::Grasp));
-        assert_eq!(run.state.hold(), Hold::Taken);
+        hold = reported(&run, hold);
+        assert_eq!((run.state.hold(), hold), (Hold::Taken, Hold::Taken));
         all_near::<R, 3>(run.pose(), setup.start);
         all_near::<R, 3>(run.wrench(), [0.0; 3]);
         run.to([x + 0.5, y + 0.2, 1.0]);
+        assert_eq!(
+            (run.state.hold(), reported(&run, hold)),
+            (Hold::Taken, hold)
+        );
         all_near::<R, 3>(run.pose(), [0.5, 2.2, 0.2]);
         run.to([x + 0.5, y + 0.2, 1.4]);
         near::<R>(run.pose()[2], 0.6);
@@ -92,6 +99,7 @@ mod cases {
         for at in [[5.0, 5.0, 2.0], [-1.0, -1.0, 0.0]] {
             run.feed(hand::<R>(at).released());
             assert_eq!((run.pose(), run.wrench()), (before, [0.0; 3]));
+            assert_eq!(run.solver.tangent(&run.state), None);
             assert_eq!(run.contacts().len(), 2);
             assert!(run.contacts().iter().all(|c| c.sliding == 0) && run.normal() == 0.0);
         }
@@ -217,10 +225,16 @@ mod cases {
     }
 
     pub(super) fn a_carried_body_keeps_pose_hold_and_wrench<R: Number>() {
-        let setup = block([0.1, 0.06], 0.05, [0.5, 0.3]);
+        // With a rotational spring and without.
+        for turning in [0.5, 0.0] {
+            carried_with::<R>(turning);
+        }
+    }
+
+    fn carried_with<R: Number>(turning: f64) {
         let setup = Setup {
-            springs: [500.0, 0.5],
-            ..setup
+            springs: [500.0, turning],
+            ..block([0.1, 0.06], 0.05, [0.5, 0.3])
         };
         let along = hand::<f32>([0.02, 0.04, 0.0]);
         let aside = hand::<f32>([0.03, 0.05, 0.1]);
@@ -280,14 +294,16 @@ fn a_body_that_does_not_fit_is_not_carried() {
     };
     let mut higher = setup.clone();
     higher.surfaces[0].offset = 0.01;
-    let error = carried(&here, &higher);
-    assert!(matches!(error, Err(CarryError::Scene(_))), "{error:?}");
+    let error = carried(&here, &higher).expect_err("in the floor");
+    assert!(matches!(error, CarryError::Scene(_)), "{error:?}");
+    assert!(error.to_string().contains("surface 0"), "{error}");
     let far = Present {
         hand: hand::<f32>([1e9, 0.04, 0.0]),
         ..here
     };
-    let error = carried(&far, &setup);
-    assert_eq!(error, Err(CarryError::Unsettled(Status::Saturated)));
+    let error = carried(&far, &setup).expect_err("out of range");
+    assert_eq!(error, CarryError::Unsettled(Status::Saturated));
+    assert!(error.to_string().contains("saturated"), "{error}");
     // Its hold is a metre outside of it.
     let aside = Present {
         hold: Hold::Taken,
@@ -295,7 +311,9 @@ fn a_body_that_does_not_fit_is_not_carried() {
         wrench: Default::default(),
         ..here
     };
-    assert_eq!(carried(&aside, &setup), Err(CarryError::OutOfReach));
+    let error = carried(&aside, &setup).expect_err("no hold");
+    assert_eq!(error, CarryError::OutOfReach);
+    assert!(error.to_string().contains("out of reach"), "{error}");
 }
 
 /// A box of 0.1 m x 0.06 m, 10 km from the origin, where single precision distinguishes 1 mm, is pressed by 10 mm and dragged by 40 mm: 5 N

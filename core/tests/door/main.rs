@@ -3,4 +3,6 @@
 mod bench;
 mod closed;
 mod hand;
+mod runs;
+mod slow;
 mod transitions;

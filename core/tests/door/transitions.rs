@@ -48,7 +48,6 @@ fn room(random: &mut Random) -> Setup {
     Setup {
         vertices: vec![[-0.4, -0.3], [0.4, -0.3], [0.4, 0.3], [-0.4, 0.3]],
         held: Some([0.1, 0.1]),
-        reach: 0.0,
         springs: [1.0, 0.3],
         start: [0.0, 0.0, 0.2],
         surfaces: [
@@ -58,6 +57,7 @@ fn room(random: &mut Random) -> Setup {
         ]
         .map(|s| SurfaceDescription { memory: None, ..s })
         .into(),
+        ..Setup::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::rig::Rig;
 use crate::with;
-use stiction_core::{Event, Evolution, Fixed, Hand, Real};
+use stiction_core::{Event, Evolution, Hand, Real};
 use stiction_tests::station::beside::{Beside, assert_same};
 use stiction_tests::station::client::{Said, hand_path};
 use stiction_wire::{Command, Mode, Stepping};
@@ -40,13 +40,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     assert!(rig.poses().is_empty());
 }
 
-#[test]
-fn every_sample_is_stepped_bit_for_bit() {
-    for evolution in [Evolution::Path, Evolution::Frame] {
-        every_sample_is_stepped::<f32>(evolution);
-        every_sample_is_stepped::<Fixed>(evolution);
-    }
-}
+stiction_tests::test_on_boards!(every_sample_is_stepped_bit_for_bit: every_sample_is_stepped);
 
 #[test]
 fn with_ticks_the_newest_sample_counts_and_the_others_are_late() {

@@ -5,9 +5,10 @@ use super::scenes::TRIANGLE;
 use crate::with;
 use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
 use stiction_tests::station::beside::{Beside, assert_same};
-use stiction_tests::station::client::{Known, Said, scene};
+use stiction_tests::station::client::{Said, scene};
 use stiction_wire::{
-    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
+    Command, Drive, Info, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
+    Text,
 };
 
 pub(crate) const PARAMETERS: Parameters = Parameters {
@@ -23,7 +24,7 @@ pub(crate) fn deep() -> Hand<f32> {
 }
 
 /// The part of the board's state that a client can see: its description, and its pose.
-pub(crate) fn seen(rig: &mut Rig) -> (Known, Pose) {
+pub(crate) fn seen(rig: &mut Rig) -> (Info<'static>, Pose) {
     let info = rig.info();
     rig.hand(deep());
     let pose = rig.pose();
@@ -47,7 +48,7 @@ pub(crate) fn answered(rig: &mut Rig, command: Command<'_>, expected: Expected) 
         same(answer.value, value) && same(answer.limit, limit),
         "{answer:?}"
     );
-    assert!(!answer.allowed.is_empty() && answer.allowed.len() <= 200);
+    assert!(answer.allowed != "");
 }
 
 /// Asserts in addition that nothing changes.
@@ -65,10 +66,12 @@ fn parameters(change: impl FnOnce(&mut Parameters)) -> Command<'static> {
 #[test]
 fn hello_is_answered_by_info() {
     let mut rig = Rig::<f32>::new();
-    let expected = Known {
+    let expected = Info {
         version: [0, 1, 0],
         number: NumberType::F32,
-        room: [8, 4, 0],
+        vertices: 8,
+        surfaces: 4,
+        corners: 0,
         actuators: false,
         // 11 + 39 + 8·8 + 25·4.
         longest_frame: 216,
@@ -77,10 +80,10 @@ fn hello_is_answered_by_info() {
         budget: 3_500_000,
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
-        friction: [0.5, 0.3],
-        memory: None,
+        friction_now: [0.5, 0.3],
+        memory_now: None,
         mode: Mode::DEFAULT,
-        name: "bench".to_owned(),
+        name: Text::new("bench"),
     };
     assert_eq!(rig.info(), expected);
     let mut rig = Rig::<f32>::of(driven());
@@ -97,7 +100,7 @@ fn hello_is_answered_whatever_the_name() {
         let name: &str = Box::leak("n".repeat(length).into_boxed_str());
         let mut rig = Rig::<f32>::of(with(setup(), |setup| setup.name = name));
         let said = rig.info().name;
-        assert_eq!(said, name[..length.min(200)], "{length} characters");
+        assert_eq!(said, &name[..length.min(200)], "{length} characters");
         assert_eq!(rig.health().unsent, 0);
     }
 }
@@ -139,8 +142,11 @@ fn parameters_in_mid_contact_leave_the_body_where_it_is() {
     assert_ne!(before.state, StateKind::NonContact);
     rig.done(Command::Parameters(PARAMETERS));
     let info = rig.info();
-    assert_eq!((info.stiffness, info.friction), ([400.0, 0.3], [0.8, 0.2]));
-    assert_eq!(info.memory, None);
+    assert_eq!(
+        (info.stiffness, info.friction_now),
+        ([400.0, 0.3], [0.8, 0.2])
+    );
+    assert_eq!(info.memory_now, None);
     rig.tick();
     let after = rig.pose();
     assert!(after.held && after.status == Status::Ok);
@@ -173,14 +179,14 @@ fn a_memory_length_is_reported_and_taken_back() {
     rig.stay(deep(), 30);
     for memory in [Some(1e-3), Some(0.0), None] {
         rig.done(parameters(|p| p.memory = memory));
-        assert_eq!(rig.info().memory, memory);
+        assert_eq!(rig.info().memory_now, memory);
     }
     for wrong in [-1e-6, f32::NAN, f32::INFINITY] {
         let command = parameters(|p| p.memory = Some(wrong));
         let subject = Subject::Scene(Parameter::Memory(0));
         let expected = (Reason::Number, subject, wrong, f32::NAN);
         refused(&mut rig, command, expected);
-        assert_eq!(rig.info().memory, None);
+        assert_eq!(rig.info().memory_now, None);
     }
 }
 
@@ -280,7 +286,7 @@ fn reset_of_everything_is_power_up() {
     assert_eq!((health.faults.total(), health.drive), (0, Drive::Silent));
     assert!(health.worst_step < 10_000);
     let info = rig.info();
-    assert_eq!((info.mode, info.friction), (Mode::DEFAULT, [0.5, 0.3]));
+    assert_eq!((info.mode, info.friction_now), (Mode::DEFAULT, [0.5, 0.3]));
     // Sequence numbers continue: for the client nothing is lost.
     rig.tick();
     let next = rig.received();

@@ -7,9 +7,9 @@ use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source}
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
 use stiction_tests::station::BOX;
-use stiction_tests::station::client::{Answer, Client, Known, Received, Said};
+use stiction_tests::station::client::{Client, Received, Said};
 use stiction_wire::{
-    Command, Health, Message, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,
+    Command, Health, Info, Message, Mode, NumberType, Pose, Reason, Reply, frame_bytes, scene_bytes,
 };
 
 pub(crate) const V: usize = 8;
@@ -170,7 +170,7 @@ impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> R
     }
 
     /// The answer to a command: there is one, in the tick in which the command arrived.
-    pub(crate) fn ask<'a>(&mut self, message: impl Message<'a>) -> Answer {
+    pub(crate) fn ask<'a>(&mut self, message: impl Message<'a>) -> Reply<'static> {
         let (code, sequence) = (message.code(), self.send(message));
         self.client.inbox.clear();
         self.tick();
@@ -192,7 +192,7 @@ impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> R
         };
         let command = answer.command;
         assert_eq!((command.code, command.sequence), (code, sequence));
-        answer.clone()
+        *answer
     }
 
     /// A command that is carried out.
@@ -209,7 +209,7 @@ impl<R: Real<Si = f32>, const C: usize, D: Source + Actuators, const N: usize> R
         self.reports().collect()
     }
 
-    pub(crate) fn info(&mut self) -> Known {
+    pub(crate) fn info(&mut self) -> Info<'static> {
         let mut answers = self.hello().into_iter();
         let info = answers.find_map(|said| match said {
             Said::Info(info) => Some(info),

@@ -83,19 +83,10 @@ impl Rows<'_> {
     pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> {
         let (mut contacts, mut events) = (self.contacts, self.events);
         (0..self.frames.len()).filter_map(move |i| {
-            let count = contacts
-                .iter()
-                .take_while(|row| row.frame as usize <= i)
-                .count();
-            let (of_frame, rest) = contacts.split_at(count);
-            contacts = rest;
-            let count = events
-                .iter()
-                .take_while(|row| row.frame as usize <= i)
-                .count();
-            let (happened, rest) = events.split_at(count);
-            events = rest;
-            self.frame_with(i, of_frame, happened)
+            let of_frame = contacts.partition_point(|row| row.frame as usize <= i);
+            let happened = events.partition_point(|row| row.frame as usize <= i);
+            let of_frame = contacts.split_off(..of_frame)?;
+            self.frame_with(i, of_frame, events.split_off(..happened)?)
         })
     }
 

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use toml::Spanned;
+
 use crate::check::Check;
 use crate::document::{Document, Number};
 use crate::source::InputError;
@@ -24,11 +26,12 @@ pub(crate) struct Coefficients {
     pub(crate) memory: Option<f64>,
 }
 
-/// The owner of friction keys: `surface` or `obstacle` with its number, its position in the text, and its keys.
+/// The owner of a name and of friction keys: `surface` or `obstacle` with its number, its position in the text, and its keys.
 pub(crate) struct Owner<'a> {
-    pub(crate) kind: &'a str,
+    pub(crate) kind: &'static str,
     pub(crate) index: usize,
     pub(crate) span: Range<usize>,
+    pub(crate) name: Option<&'a Spanned<String>>,
     pub(crate) stick: Option<&'a Number>,
     pub(crate) slip: Option<&'a Number>,
     pub(crate) memory: Option<&'a Number>,

@@ -103,21 +103,22 @@ impl WrittenScene {
         let error = indices.map_or(*error, |indices| indices.error(*error));
         let allowed = allowed_count(error.parameter);
         let allowed = allowed.unwrap_or_else(|| error.allowed.to_owned());
-        if let Parameter::Penetration { surface, vertex } = error.parameter {
+        let within = match error.parameter {
+            Parameter::Penetration { surface, vertex } => {
+                let name = self.surfaces.get(surface).map_or("", |s| s.name.as_str());
+                Some((format!("vertex {vertex}"), "surface", name))
+            }
+            Parameter::Overlap(obstacle) => {
+                let name = self.obstacles.get(obstacle).map_or("", |o| o.name.as_str());
+                Some(("the body".to_owned(), "obstacle", name))
+            }
+            _ => None,
+        };
+        if let Some((what, kind, name)) = within {
             let (key, offset, _) = place("body.start", &self.document.body.start);
-            let name = self.surfaces.get(surface).map_or("", |s| s.name.as_str());
             let depth = error.value.widen();
             let problem = format!(
-                "`{key}` puts vertex {vertex} {depth:.3e} m inside surface {name:?}, allowed: {allowed}"
-            );
-            return self.source.error_at(offset, problem);
-        }
-        if let Parameter::Overlap(obstacle) = error.parameter {
-            let (key, offset, _) = place("body.start", &self.document.body.start);
-            let name = self.obstacles.get(obstacle).map_or("", |o| o.name.as_str());
-            let depth = error.value.widen();
-            let problem = format!(
-                "`{key}` puts the body {depth:.3e} m inside obstacle {name:?}, allowed: {allowed}"
+                "`{key}` puts {what} {depth:.3e} m inside {kind} {name:?}, allowed: {allowed}"
             );
             return self.source.error_at(offset, problem);
         }

@@ -36,25 +36,19 @@ pub(crate) fn obstacles(
     fallback: Fallback,
     names: &mut Names,
 ) -> Result<Vec<ObstacleInfo>, InputError> {
-    let mut checked = Vec::with_capacity(document.obstacle.len());
-    for (i, given) in document.obstacle.iter().enumerate() {
-        let obstacle = obstacle(check, i, given, fallback)?;
-        let name = given.get_ref().name.as_ref();
-        let place = name.map_or(given.span(), Spanned::span).start;
-        names.take(check, ("obstacle", i), &obstacle.name, place)?;
-        checked.push(obstacle);
-    }
-    Ok(checked)
+    let given = document.obstacle.iter().enumerate();
+    given
+        .map(|(i, given)| obstacle(check, (i, given), fallback, names))
+        .collect()
 }
 
 fn obstacle(
     check: Check<'_>,
-    i: usize,
-    given: &Spanned<document::Obstacle>,
+    (i, given): (usize, &Spanned<document::Obstacle>),
     fallback: Fallback,
+    names: &mut Names,
 ) -> Result<ObstacleInfo, InputError> {
     let obstacle = given.get_ref();
-    let name = obstacle.name.as_ref();
     let list = &obstacle.vertices;
     if list.get_ref().is_empty() {
         let problem = format!("`obstacle[{i}].vertices` is empty, allowed: at least one corner");
@@ -68,13 +62,14 @@ fn obstacle(
         kind: "obstacle",
         index: i,
         span: given.span(),
+        name: obstacle.name.as_ref(),
         stick: obstacle.stick.as_ref(),
         slip: obstacle.slip.as_ref(),
         memory: obstacle.memory.as_ref(),
     };
     let friction = fallback.of(check, &owner)?;
     Ok(ObstacleInfo {
-        name: name.map_or_else(|| i.to_string(), |name| name.get_ref().clone()),
+        name: names.take(check, &owner)?,
         vertices,
         friction_static: friction.stick,
         friction_dynamic: friction.slip,

@@ -37,25 +37,19 @@ pub(crate) fn surfaces(
     fallback: Fallback,
     names: &mut Names,
 ) -> Result<Vec<SurfaceInfo>, InputError> {
-    let mut checked = Vec::with_capacity(document.surface.len());
-    for (i, given) in document.surface.iter().enumerate() {
-        let surface = surface(check, i, given, fallback)?;
-        let name = given.get_ref().name.as_ref();
-        let place = name.map_or(given.span(), Spanned::span).start;
-        names.take(check, ("surface", i), &surface.name, place)?;
-        checked.push(surface);
-    }
-    Ok(checked)
+    let given = document.surface.iter().enumerate();
+    given
+        .map(|(i, given)| surface(check, (i, given), fallback, names))
+        .collect()
 }
 
 fn surface(
     check: Check<'_>,
-    i: usize,
-    given: &Spanned<document::Surface>,
+    (i, given): (usize, &Spanned<document::Surface>),
     fallback: Fallback,
+    names: &mut Names,
 ) -> Result<SurfaceInfo, InputError> {
     let surface = given.get_ref();
-    let name = surface.name.as_ref();
     let key = |name| format!("surface[{i}].{name}");
     let normal = check.numbers(&key("normal"), &surface.normal, "x and y")?;
     let unit = unit_vector(normal).ok_or_else(|| {
@@ -67,13 +61,14 @@ fn surface(
         kind: "surface",
         index: i,
         span: given.span(),
+        name: surface.name.as_ref(),
         stick: surface.stick.as_ref(),
         slip: surface.slip.as_ref(),
         memory: surface.memory.as_ref(),
     };
     let friction = fallback.of(check, &owner)?;
     Ok(SurfaceInfo {
-        name: name.map_or_else(|| i.to_string(), |name| name.get_ref().clone()),
+        name: names.take(check, &owner)?,
         normal: unit,
         offset,
         friction_static: friction.stick,

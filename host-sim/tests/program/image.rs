@@ -30,6 +30,13 @@ fn made(folder: &Folder, line: &str) -> Option<String> {
     Some(text(&output.stdout))
 }
 
+/// [`made`] in a folder of its own; only in long tests, as an image takes most of a minute to build.
+fn built(line: &str) -> Option<(Folder, String)> {
+    let folder = times(false, true).then(Folder::new)?;
+    let said = made(&folder, line)?;
+    Some((folder, said))
+}
+
 /// The number at a place of a block.
 fn word(block: &[u8], at: usize) -> u32 {
     u32::from_le_bytes(block[at..at + 4].try_into().unwrap())
@@ -71,12 +78,7 @@ fn boot_program(file: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
-    // The image takes most of a minute to build.
-    if !times(false, true) {
-        return;
-    }
-    let folder = Folder::new();
-    let Some(said) = made(&folder, "image pico") else {
+    let Some((folder, said)) = built("image pico") else {
         return;
     };
     made(&folder, "image pico --out pico.elf").unwrap();
@@ -108,12 +110,7 @@ fn the_file_for_the_drive_of_a_pico_has_every_byte_of_the_image_in_its_place() {
 
 #[test]
 fn an_image_for_a_probe_is_what_cargo_builds() {
-    // The image takes most of a minute to build.
-    if !times(false, true) {
-        return;
-    }
-    let folder = Folder::new();
-    let Some(said) = made(&folder, "image microbit") else {
+    let Some((folder, said)) = built("image microbit") else {
         return;
     };
     assert!(

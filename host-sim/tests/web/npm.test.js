@@ -28,6 +28,15 @@ function installed() {
   return folder;
 }
 
+/** Returns a folder in which the package is installed, with a page of this script and of this worker. @param {string} main @param {string} worker */
+function pageOf(main, worker) {
+  const folder = installed();
+  writeFileSync(join(folder, "index.html"), '<script type="module" src="./main.js"></script>');
+  writeFileSync(join(folder, "main.js"), main);
+  writeFileSync(join(folder, "worker.js"), worker);
+  return folder;
+}
+
 /** Returns the first lines of the README. */
 function firstLines() {
   const [, lines] = readFileSync(join(npm, "README.md"), "utf8").match(/```js\n(.*?)```/s) ?? [];
@@ -84,16 +93,13 @@ test("it runs in a page and in a worker, as it is and by a bundler", options, as
   const browser = await startBrowser();
   try {
     for (const from of ["/node_modules/stiction/web.js", "stiction"]) {
-      const folder = installed();
-      writeFileSync(join(folder, "index.html"), '<script type="module" src="./main.js"></script>');
-      writeFileSync(
-        join(folder, "main.js"),
+      const folder = pageOf(
         `${steps(from)}
         window.here = frame.wrench;
         const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
         worker.onmessage = ({ data }) => (window.there = data);`,
+        `${steps(from)} postMessage(frame.wrench);`,
       );
-      writeFileSync(join(folder, "worker.js"), `${steps(from)} postMessage(frame.wrench);`);
       if (from === "stiction") {
         await build({ root: folder, logLevel: "error", worker: { format: "es" }, build: { target: "es2022" } });
       }
@@ -171,16 +177,10 @@ test("a worker with init answers a message that is posted before the wasm is loa
   const browser = await startBrowser();
   try {
     for (const from of ["/node_modules/stiction/init.js", "stiction/init"]) {
-      const folder = installed();
-      writeFileSync(join(folder, "index.html"), '<script type="module" src="./main.js"></script>');
-      writeFileSync(
-        join(folder, "main.js"),
+      const folder = pageOf(
         `const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
         worker.onmessage = ({ data }) => (window.answers = [...(window.answers ?? []), data]);
         for (const scene of ["box-flat", "nowhere"]) worker.postMessage(scene);`,
-      );
-      writeFileSync(
-        join(folder, "worker.js"),
         `import { init } from "${from}";
         self.onmessage = async ({ data }) => {
           const { Solver } = await init();

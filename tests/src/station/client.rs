@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 use stiction_wire::{
-    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Mode, NumberType,
-    Pose, Reason, Reference, Reply, Report, SceneCommand, Subject,
+    Command, Decoder, Faults, Forces, Frame, Health, Info, KnobInfo, Message, Pose, Reply, Report,
+    SceneCommand, Text,
 };
 
 /// Reports of a board that own their data; FRAME.md describes them.
@@ -23,56 +23,14 @@ pub enum Said {
         longest_slip: f32,
         list: Vec<Event>,
     },
-    Reply(Answer),
-    Info(Known),
+    Reply(Reply<'static>),
+    Info(Info<'static>),
     Health(Health),
     Pong {
         sequence: u8,
         time: u32,
     },
     KnobInfo(KnobInfo),
-}
-
-/// A reply.
-#[allow(missing_docs)]
-#[derive(Clone, Debug)]
-pub struct Answer {
-    pub command: Reference,
-    pub reason: Reason,
-    pub subject: Subject,
-    pub value: f32,
-    pub limit: f32,
-    pub allowed: String,
-}
-
-impl PartialEq for Answer {
-    /// NaN equals NaN.
-    fn eq(&self, other: &Self) -> bool {
-        let key = |a: &Self| {
-            let bits = [a.value.to_bits(), a.limit.to_bits()];
-            (a.command, a.reason, a.subject, bits, a.allowed.clone())
-        };
-        key(self) == key(other)
-    }
-}
-
-/// What a board reports about itself.
-#[allow(missing_docs)]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Known {
-    pub version: [u8; 3],
-    pub number: NumberType,
-    pub room: [u8; 3],
-    pub actuators: bool,
-    pub longest_frame: u16,
-    pub fastest_tick: u16,
-    pub budget: u32,
-    pub stiffest: [f32; 2],
-    pub stiffness: [f32; 2],
-    pub friction: [f32; 2],
-    pub memory: Option<f32>,
-    pub mode: Mode,
-    pub name: String,
 }
 
 impl From<Report<'_>> for Said {
@@ -85,8 +43,14 @@ impl From<Report<'_>> for Said {
                 longest_slip: events.longest_slip,
                 list: events.list.iter().collect(),
             },
-            Report::Reply(reply) => Self::Reply(answer(&reply)),
-            Report::Info(info) => Self::Info(known(&info)),
+            Report::Reply(reply) => Self::Reply(Reply {
+                allowed: stored(reply.allowed),
+                ..reply
+            }),
+            Report::Info(info) => Self::Info(Info {
+                name: stored(info.name),
+                ..info
+            }),
             Report::Health(health) => Self::Health(health),
             Report::Pong(pong) => Self::Pong {
                 sequence: pong.sequence,
@@ -106,33 +70,9 @@ fn said_forces(forces: &Forces<'_>) -> Said {
     }
 }
 
-fn answer(reply: &Reply<'_>) -> Answer {
-    Answer {
-        command: reply.command,
-        reason: reply.reason,
-        subject: reply.subject,
-        value: reply.value,
-        limit: reply.limit,
-        allowed: reply.allowed.to_string(),
-    }
-}
-
-fn known(info: &Info<'_>) -> Known {
-    Known {
-        version: info.version,
-        number: info.number,
-        room: [info.vertices, info.surfaces, info.corners],
-        actuators: info.actuators,
-        longest_frame: info.longest_frame,
-        fastest_tick: info.fastest_tick,
-        budget: info.budget,
-        stiffest: info.stiffest,
-        stiffness: info.stiffness,
-        friction: info.friction_now,
-        memory: info.memory_now,
-        mode: info.mode,
-        name: info.name.to_string(),
-    }
+/// A text that outlives the buffer of the decoder: a test receives few of them, and none is ever freed.
+fn stored(text: Text<'_>) -> Text<'static> {
+    Text::new(text.to_string().leak())
 }
 
 /// A report with its header.

@@ -5,6 +5,7 @@ mod alike;
 mod budget;
 mod cases;
 mod exchange;
+mod ground;
 mod judged;
 mod lawful;
 mod level;

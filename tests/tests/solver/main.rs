@@ -4,6 +4,7 @@
 mod allocation;
 mod ambiguous;
 mod analytic;
+mod begins;
 mod buckles;
 mod budget;
 mod carry;

@@ -92,7 +92,7 @@ fn reduced(angle: i32) -> (i32, i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{edges, pairs, random, sampled};
+    use super::super::samples::{edges, pairs, random_pairs, sampled};
     use super::*;
 
     const UNIT: f64 = 16_777_216.0;
@@ -103,7 +103,7 @@ mod tests {
             let (sin, cos) = libm::sincos(f64::from(i) / 100_000.0);
             ((sin * UNIT) as i32, (cos * UNIT) as i32)
         });
-        let anywhere = random(2_000_000).zip(random(2_000_001).skip(1));
+        let anywhere = random_pairs(2_000_000);
         for (y, x) in pairs().chain(around).chain(anywhere) {
             let exact = libm::atan2(f64::from(y), f64::from(x)) * UNIT;
             let error = f64::from(arctangent(y, x)) - exact;

@@ -82,7 +82,7 @@ pub(super) fn to_single(x: i32, unit: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{edges, random, sampled};
+    use super::super::samples::{edges, random_pairs, sampled};
     use super::*;
 
     fn floats() -> impl Iterator<Item = f32> + Clone {
@@ -121,7 +121,7 @@ mod tests {
             sampled(floats()).for_each(|per| check_from(x, per));
             check_from(x, f32::NAN);
         }
-        for (x, per) in random(2_000_000).zip(random(2_000_001).skip(1)) {
+        for (x, per) in random_pairs(2_000_000) {
             check_from(f32::from_bits(x as u32), f32::from_bits(per as u32));
             check_from(x as f32 / 16_777_216.0, 1.0 + per as f32 / 4_294_967_296.0);
         }
@@ -147,7 +147,7 @@ mod tests {
                 assert!(close || x == 0 && nearest == 0.0, "{x} {unit}");
             }
         }
-        for (x, unit) in random(2_000_000).zip(random(2_000_001).skip(1)) {
+        for (x, unit) in random_pairs(2_000_000) {
             check_to(x, (unit as f32).abs() / 1000.0 + 1e-12);
         }
     }

@@ -34,6 +34,16 @@ pub(super) fn random(count: usize) -> impl Iterator<Item = i32> {
     .take(if cfg!(miri) { count / 4999 } else { count })
 }
 
+/// Pairs of random numbers that follow each other.
+pub(super) fn random_pairs(count: usize) -> impl Iterator<Item = (i32, i32)> {
+    random(count).zip(random(count + 1).skip(1))
+}
+
+/// Every pair of edges, and pairs of random numbers.
+pub(super) fn all_pairs(random: usize) -> impl Iterator<Item = (i32, i32)> {
+    pairs().chain(random_pairs(random))
+}
+
 /// An exact quotient of integers as a Q24 number: rounded to the nearest, halves away from zero, within the rails.
 pub(super) fn nearest(numerator: i128, denominator: i128) -> i32 {
     let (n, d) = (numerator.unsigned_abs(), denominator.unsigned_abs());

@@ -7,7 +7,7 @@ use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
 
 use stiction_tests::change;
 
-use crate::write::{broken, frame, on, only, scene};
+use crate::write::{self, broken, frame, on, only, scene};
 
 const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 
@@ -18,23 +18,8 @@ fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
     let lever = [cos * gx - sin * gy, sin * gx + cos * gy];
     let k = scene.stiffness_translation;
     let force = [k * (hand[0] - x - lever[0]), k * (hand[1] - lever[1])];
-    Frame {
-        state: State::SingleVertex,
-        contacts: vec![Contact {
-            touch: on(0, 0),
-            direction: None,
-            point: [x, 0.0],
-            normal: -force[1],
-            friction: -force[0],
-            sliding: None,
-        }],
-        wrench: [
-            force[0],
-            force[1],
-            scene.stiffness_rotation * (hand[2] - theta),
-        ],
-        ..frame(0.0, hand, [x, 0.0, theta])
-    }
+    let moment = scene.stiffness_rotation * (hand[2] - theta);
+    write::standing(hand, [x, theta], [force[0], force[1], moment])
 }
 
 /// The laws broken by a slip from one position and angle to another, with the hand at rest.

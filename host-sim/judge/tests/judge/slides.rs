@@ -19,20 +19,10 @@ const TOOL: &str = "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.01, 0.0]\n[
 
 /// The tool on the floor at `x`, the hand below it.
 fn standing(hand: [f64; 2], x: f64, sliding: Option<i8>) -> Frame {
-    let force = [K * (hand[0] - x), K * hand[1]];
-    Frame {
-        state: State::SingleVertex,
-        contacts: vec![Contact {
-            touch: on(0, 0),
-            direction: None,
-            point: [x, 0.0],
-            normal: -force[1],
-            friction: -force[0],
-            sliding,
-        }],
-        wrench: [force[0], force[1], 0.0],
-        ..frame(0.0, [hand[0], hand[1], 0.1], [x, 0.0, 0.1])
-    }
+    let wrench = [K * (hand[0] - x), K * hand[1], 0.0];
+    let mut frame = write::standing([hand[0], hand[1], 0.1], [x, 0.1], wrench);
+    frame.contacts[0].sliding = sliding;
+    frame
 }
 
 /// The tool slides along `sign`·t: its foot is at t·p_h - s mu_d N / k_h.

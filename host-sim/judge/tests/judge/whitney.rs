@@ -107,13 +107,16 @@ fn the_exact_two_point_force_is_along_the_hole_and_the_meters_along_the_peg() {
     near(small.two_points.expect("both press"), 3.515731, 2e-5);
 }
 
+/// The peg touches one wall of the hole.
+const AT_ONE_POINT: [f64; 3] = [
+    9.89508674685311e-06,
+    -0.0039814820311927495,
+    0.014768415728413909,
+];
+
 #[test]
 fn with_one_point_the_ratio_along_the_peg_is_that_of_the_friction() {
-    let pose = [
-        9.89508674685311e-06,
-        -0.0039814820311927495,
-        0.014768415728413909,
-    ];
+    let pose = AT_ONE_POINT;
     let meter = meter(0.0201, 0.1);
     let contact = at_mouth(pose[2], 0.01005, [4.102405410589903, -0.41024054105899027]);
     let found = meter.read(pose, &[contact]).expect("in the hole");
@@ -128,11 +131,7 @@ fn with_one_point_the_ratio_along_the_peg_is_that_of_the_friction() {
 
 #[test]
 fn half_the_friction_at_the_same_place_is_jammed() {
-    let pose = [
-        9.89508674685311e-06,
-        -0.0039814820311927495,
-        0.014768415728413909,
-    ];
+    let pose = AT_ONE_POINT;
     let meter = meter(0.0201, 0.1);
     let found = |friction: f64| {
         let contact = at_mouth(pose[2], 0.01005, [4.0, -4.0 * friction]);

@@ -39,6 +39,23 @@ pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
     }
 }
 
+/// A frame in which vertex 0, the body's origin, stands at `x` on surface 0, a floor, with this wrench of the springs.
+pub(crate) fn standing(hand: [f64; 3], [x, theta]: [f64; 2], wrench: [f64; 3]) -> Frame {
+    Frame {
+        state: State::SingleVertex,
+        contacts: vec![Contact {
+            touch: on(0, 0),
+            direction: None,
+            point: [x, 0.0],
+            normal: -wrench[1],
+            friction: -wrench[0],
+            sliding: None,
+        }],
+        wrench,
+        ..frame(0.0, hand, [x, 0.0, theta])
+    }
+}
+
 /// A contact as in JSON.
 fn contact(scene: &Scene, c: &Contact) -> Value {
     let mut contact = match c.touch {

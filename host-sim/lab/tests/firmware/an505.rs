@@ -115,8 +115,6 @@ fn random_drags_in_the_place_of_the_pico_2_are_within_the_budget() {
 #[test]
 #[ignore = "takes minutes"]
 fn no_tick_is_missed_in_100_000_frames_of_random_drags() {
-    let Some(drags) = random_drags(100_000) else {
-        return;
-    };
-    assert_eq!(drags.missed, 0);
+    let missed = random_drags(100_000).map(|drags| drags.missed);
+    assert!(matches!(missed, None | Some(0)), "{missed:?}");
 }

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use stiction_host_sim::firmware::board::RunningBoard;
 use stiction_host_sim::trade::chip::Chip as Processor;
-use stiction_tests::station::client::{Client, Known, Said};
-use stiction_wire::{Command, Health};
+use stiction_tests::station::client::{Client, Said};
+use stiction_wire::{Command, Health, Info};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -142,7 +142,7 @@ impl Board {
     pub(crate) fn done(&mut self, command: Command<'_>) {
         let (reason, allowed) = self.answer(command, |sequence, said| match said {
             Said::Reply(answer) if answer.command.sequence == sequence => {
-                Some((answer.reason, answer.allowed.clone()))
+                Some((answer.reason, answer.allowed))
             }
             _ => None,
         });
@@ -150,9 +150,9 @@ impl Board {
     }
 
     /// What it says of itself.
-    pub(crate) fn info(&mut self) -> Known {
+    pub(crate) fn info(&mut self) -> Info<'static> {
         self.answer(Command::Hello, |_, said| match said {
-            Said::Info(info) => Some(info.clone()),
+            Said::Info(info) => Some(*info),
             _ => None,
         })
     }

@@ -6,8 +6,8 @@ use std::fs;
 use stiction_core::Hand;
 use stiction_host_sim::firmware::workspace;
 use stiction_tests::station::BOX;
-use stiction_tests::station::client::{Known, Said, hand_path, scene};
-use stiction_wire::{Command, Health, Mode, Parameters, Reset, Stepping};
+use stiction_tests::station::client::{Said, hand_path, scene};
+use stiction_wire::{Command, Health, Info, Mode, Parameters, Reset, Stepping};
 use toml::Table;
 
 /// Samples that are sent before the pose of the last of them is waited for.
@@ -98,7 +98,7 @@ fn commands(board: &mut Board) -> u32 {
 
 /// What an image takes: bytes and instructions.
 pub(crate) struct Taken {
-    pub(crate) about: Known,
+    pub(crate) about: Info<'static>,
     pub(crate) flash: u64,
     pub(crate) variables: u64,
     pub(crate) stack: u64,

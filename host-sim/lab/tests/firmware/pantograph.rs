@@ -26,7 +26,7 @@ fn the_f405_with_a_pantograph_steps_by_itself() {
     assert!(info.actuators && info.stiffest == bounds, "{info:?}");
     board.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));
     let answer = board.wait(|_, said| match said {
-        Said::Reply(answer) => Some(answer.clone()),
+        Said::Reply(answer) => Some(*answer),
         _ => None,
     });
     assert_eq!(answer.reason, Reason::Unsupported, "{answer:?}");

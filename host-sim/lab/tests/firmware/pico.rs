@@ -167,8 +167,6 @@ fn random_drags_are_within_the_budget() {
 #[test]
 #[ignore = "takes minutes"]
 fn no_tick_is_missed_in_a_million_frames_of_random_drags() {
-    let Some(drags) = random_drags(1_000_000) else {
-        return;
-    };
-    assert_eq!(drags.missed, 0);
+    let missed = random_drags(1_000_000).map(|drags| drags.missed);
+    assert!(matches!(missed, None | Some(0)), "{missed:?}");
 }

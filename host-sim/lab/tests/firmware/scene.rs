@@ -59,8 +59,12 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
         return;
     };
     let info = board.info();
-    assert_eq!((info.room, info.actuators), ([1, 1, 0], false));
-    assert_eq!((info.stiffness, info.friction), ([500.0, 0.5], [0.5, 0.3]));
+    let room = [info.vertices, info.surfaces, info.corners];
+    assert_eq!((room, info.actuators), ([1, 1, 0], false));
+    assert_eq!(
+        (info.stiffness, info.friction_now),
+        ([500.0, 0.5], [0.5, 0.3])
+    );
     board.send(scene(&ROD));
     let refused = board.wait(|_, said| match said {
         Said::Reply(answer) => Some((answer.reason, answer.value, answer.limit)),

@@ -56,8 +56,13 @@ type Row = (&'static str, fn(&Column) -> String);
 
 const ROWS: [Row; 16] = [
     ("number type, room for vertices and surfaces", |c| {
-        let [vertices, surfaces, _] = c.taken.about.room;
-        format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
+        let about = &c.taken.about;
+        format!(
+            "{}, {}, {}",
+            about.number.name(),
+            about.vertices,
+            about.surfaces
+        )
     }),
     ("flash (bytes)", |c| thousands(c.taken.flash)),
     ("flash with box-flat, with point-stick-slip", |c| {

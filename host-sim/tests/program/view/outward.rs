@@ -71,11 +71,24 @@ fn free_port() -> u16 {
     socket.local_addr().expect("its address").port()
 }
 
+/// A view whose poses are sent to a program, `osc` or `opentrack`.
+fn sent_to(program: &str, options: &str) -> (Other, View) {
+    let other = Other::start(program);
+    let to = format!("127.0.0.1:{}", other.port);
+    let view = View::start(&format!("box-flat --{program} {to} {options}"));
+    (other, view)
+}
+
+/// A view whose hand is led by a program, `osc` or `opentrack`, at a port.
+fn led_by(program: &str) -> (Other, u16, View) {
+    let port = free_port();
+    let view = View::start(&format!("box-flat --number f64 --{program}-in {port}"));
+    (Other::start(program), port, view)
+}
+
 #[test]
 fn osc_carries_pose_forces_contacts_and_events() {
-    let mut other = Other::start("osc");
-    let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&format!("box-flat --osc {to} --osc-rate 500"));
+    let (mut other, view) = sent_to("osc", "--osc-rate 500");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
     let land = other.until(|received| received["/stiction/event"] == json!([["land"]]));
@@ -110,9 +123,7 @@ fn osc_carries_pose_forces_contacts_and_events() {
 
 #[test]
 fn open_track_carries_the_pose_in_centimetres_and_degrees() {
-    let mut other = Other::start("opentrack");
-    let to = format!("127.0.0.1:{}", other.port);
-    let view = View::start(&format!("box-flat --number f64 --opentrack {to}"));
+    let (mut other, view) = sent_to("opentrack", "--number f64");
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.1, 0.2, 0.5], 20);
     let roll = |received: &Value| received["pose"][5].as_f64().expect("a number");
@@ -150,8 +161,7 @@ fn the_hand_comes_by_osc() {
 /// Numbers are numbers: JavaScript sends 0 and 1 as integers, Max and Rust send doubles.
 #[test]
 fn the_hand_comes_by_osc_in_numbers_of_every_type() {
-    let (mut other, port) = (Other::start("osc"), free_port());
-    let view = View::start(&format!("box-flat --number f64 --osc-in {port}"));
+    let (mut other, port, view) = led_by("osc");
     let mut client = view.client();
     let hand = "/stiction/hand";
     for (types, values) in [
@@ -176,8 +186,7 @@ fn the_hand_comes_by_osc_in_numbers_of_every_type() {
 /// A tracker sends angles of atan2, which jump by a turn at pi.
 #[test]
 fn the_angle_by_osc_is_unwrapped() {
-    let (mut other, port) = (Other::start("osc"), free_port());
-    let view = View::start(&format!("box-flat --number f64 --osc-in {port}"));
+    let (mut other, port, view) = led_by("osc");
     let mut client = view.client();
     let phi = |angle: f64| angle.sin().atan2(angle.cos());
     for k in 0..=20 {
@@ -222,8 +231,7 @@ fn what_is_dropped_is_reported_once_with_its_reason() {
 
 #[test]
 fn a_seventh_double_of_open_track_grasps_and_releases() {
-    let (mut other, port) = (Other::start("opentrack"), free_port());
-    let view = View::start(&format!("box-flat --number f64 --opentrack-in {port}"));
+    let (mut other, port, view) = led_by("opentrack");
     let mut client = view.client();
     for (switch, held) in [(1.0, true), (0.0, false), (1.0, true)] {
         other.send(&json!({"port": port, "pose": [0.0, 5.0, 0.0, 0.0, 0.0, 0.0, switch]}));
@@ -233,8 +241,7 @@ fn a_seventh_double_of_open_track_grasps_and_releases() {
 
 #[test]
 fn the_hand_comes_from_open_track() {
-    let (mut other, port) = (Other::start("opentrack"), free_port());
-    let view = View::start(&format!("box-flat --number f64 --opentrack-in {port}"));
+    let (mut other, port, view) = led_by("opentrack");
     let mut client = view.client();
     other.send(&json!({"port": port, "pose": [1.0, 8.0, 3.0, 0.0, 0.0, 90.0]}));
     client.state(|state| state["hand"]["by"] == "opentrack");

@@ -4,29 +4,16 @@ use stiction_judge::{Event, Frame, State};
 
 use super::{BESIDE, Maker, Of, by_count, is_quiet, slide};
 
-const EVENTS: [Event; 9] = [
-    Event::Touch,
-    Event::Lift,
-    Event::Slip,
-    Event::Tip,
-    Event::Land,
-    Event::Snap,
-    Event::Jam,
-    Event::Slide,
-    Event::Stop,
-];
+/// All but those of the hand.
+fn of_contacts() -> impl Iterator<Item = Event> {
+    let of_hand = |event: &Event| matches!(event, Event::Grasp | Event::Release);
+    (Event::ALL.into_iter()).filter(move |event| !of_hand(event))
+}
 
 impl Maker<'_> {
     pub(super) fn events(&mut self) {
         self.of = Of::Events;
-        for state in [
-            State::NonContact,
-            State::SingleVertex,
-            State::Edge,
-            State::TwoVertex,
-            State::Corner,
-            State::Locked,
-        ] {
+        for state in State::ALL {
             for slides in [false, true] {
                 let quiet = |frames: &[Frame], i: usize| {
                     is_quiet(frames, i) && frames[i].state == state && slide(&frames[i]) == slides
@@ -36,7 +23,7 @@ impl Maker<'_> {
                 }
             }
         }
-        for event in EVENTS.into_iter().chain([Event::Grasp, Event::Release]) {
+        for event in Event::ALL {
             for at in self.places(|frames, i| frames[i].events.contains(&event)) {
                 self.changed(at, event);
             }
@@ -58,7 +45,7 @@ impl Maker<'_> {
     /// An event is reported for a frame in which nothing happens.
     fn invented(&mut self, at: usize, state: State, slides: bool) {
         let how = if slides { "sliding " } else { "" };
-        for event in EVENTS {
+        for event in of_contacts() {
             self.add(
                 &format!("invented {event:?} in {how}{state:?}"),
                 at,
