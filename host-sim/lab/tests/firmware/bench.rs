@@ -3,8 +3,8 @@
 use crate::chip as board;
 use stiction_host_sim::firmware::image::flashed;
 use stiction_lab::pico::{Chip, FLASH, MEGAHERTZ};
-use stiction_tests::station::client::{Answer, Client, Said};
-use stiction_wire::{Command, Health, Reason};
+use stiction_tests::station::client::{Client, Said};
+use stiction_wire::{Command, Health, Reason, Reply};
 
 /// Cycles of a ms.
 pub(crate) const MS: u64 = MEGAHERTZ as u64 * 1_000;
@@ -57,7 +57,7 @@ impl Bench {
         panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
     }
 
-    pub(crate) fn ask(&mut self, command: Command<'_>) -> Answer {
+    pub(crate) fn ask(&mut self, command: Command<'_>) -> Reply<'static> {
         let sequence = self.client.sequence;
         self.send(command);
         self.wait(|said| match said {
