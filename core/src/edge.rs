@@ -18,7 +18,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let side = (second.r - first.r).cross(first.n).sign();
         let [of_second, of_first] = [first, second].map(|about| {
             let moment = (load.moment - about.r.cross(load.force)) * side;
-            (moment, about.r.x.abs().max(about.r.y.abs()).max(R::ONE))
+            (moment, about.r.length_bound().max(R::ONE))
         });
         let ((m2, size2), (m1, size1)) = (of_second, of_first);
         (-m2 / size2).min(m1 / size1)
