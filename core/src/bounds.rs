@@ -15,6 +15,15 @@ pub(crate) struct Curvature<R> {
     pub(crate) q: R,
 }
 
+impl<R: Real> Curvature<R> {
+    /// Of a residual that is linear.
+    pub(crate) const ZERO: Self = Self {
+        k: R::ZERO,
+        j: R::ZERO,
+        q: R::ZERO,
+    };
+}
+
 /// The extent of a window: how far p goes, and u at most from where it begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent<R> {
@@ -29,6 +38,18 @@ pub(crate) struct Pace<R> {
     pub(crate) bent: R,
     pub(crate) curvature: Curvature<R>,
     pub(crate) extent: Extent<R>,
+}
+
+impl<R: Real> Pace<R> {
+    /// Of a u that goes by `rate` in proportion to p, which goes by `way`.
+    pub(crate) const fn linear(rate: R, way: R) -> Self {
+        Self {
+            rate,
+            bent: R::ZERO,
+            curvature: Curvature::ZERO,
+            extent: Extent { way, strip: rate },
+        }
+    }
 }
 
 /// Bounds on a window, along x from 0 to 1 (E11).

@@ -1,7 +1,7 @@
 //! Calm frames: the balance at their end proves that nothing happens before; and calm places, where friction gives way or a slip ends within
 //! one window (STATICS 7).
 
-use crate::bounds::Bound;
+use crate::bounds::{Bound, Pace};
 use crate::contact::{Feature, Sense};
 use crate::geometry::Vec2;
 use crate::motion::{Factor, Instant, Kind, Motion, Spot};
@@ -49,6 +49,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn flies_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
         let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
+        if self.world.weight == R::ZERO && !self.grip.swings {
+            // The angle is the hand's.
+            let (mut i, turn) = (Instant::ZERO, (to.angle - body.angle).abs());
+            let (u, p) = (to.angle, way.whole);
+            self.place_inlined(&m, Spot { u, p }, None, &mut i);
+            let bound = self.bound_inlined(&m, &i, &Pace::linear(turn, p));
+            return self.arrives(body, to, (&m, &i), &bound);
+        }
         match self.calm_end(body, &m, way.whole) {
             Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
             None => Calm::Unsure,

@@ -1,6 +1,6 @@
 //! What is known of a window of a motion.
 
-use crate::bounds::{Bound, Curvature, Extent, Pace};
+use crate::bounds::{Bound, Pace};
 use crate::pair_bounds::PairSup;
 use crate::real::Real;
 
@@ -24,23 +24,9 @@ impl<R: Real> Judging<R> {
     /// Of no window yet.
     #[inline(always)]
     pub(crate) const fn new() -> Self {
-        let curvature = Curvature {
-            k: R::ZERO,
-            j: R::ZERO,
-            q: R::ZERO,
-        };
-        let extent = Extent {
-            way: R::ZERO,
-            strip: R::ZERO,
-        };
         Self {
             bound: Bound::ZERO,
-            pace: Pace {
-                rate: R::ZERO,
-                bent: R::ZERO,
-                curvature,
-                extent,
-            },
+            pace: Pace::linear(R::ZERO, R::ZERO),
             pair: None,
             p_bend: R::ZERO,
             drive: R::ZERO,
