@@ -7,7 +7,6 @@ use crate::geometry::Vec2;
 use crate::motion::Kind;
 use crate::real::Real;
 use crate::search::{Ended, Run, WindowEnd};
-use crate::state::HandPose;
 use crate::thresholds::Thresholds;
 use crate::values::{Value, Values};
 use crate::world::Statics;
@@ -170,11 +169,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             Order::First(_) if self.bracket.round >= 2 => false,
             Order::First(_) => a.v <= R::ZERO && b.v <= R::ZERO,
         };
-        // At a hand that stands still it has to fall by more than rounding up to the end; a path goes on.
-        let stands = self.watched.motion.hand_p == HandPose::REST;
+        // It has to fall by more than rounding up to the end.
         let least = match track.order {
-            Order::Second(_) if stands => -R::of_products(),
-            Order::Second(_) | Order::First(_) => a.v.max(R::ZERO),
+            Order::Second(_) => -R::of_products(),
+            Order::First(_) => a.v.max(R::ZERO),
         };
         let is_zero = a.v <= track.level(R::of_products());
         self.bracket.certain == R::ZERO && is_zero && b.v < least && falls

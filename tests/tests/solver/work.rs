@@ -109,7 +109,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("block set down tilted", [[433, 6020], [439, 5540]]),
     (
         "block slid flush against a slanted wall",
-        [[546, 7820], [1140, 7740]],
+        [[820, 5_900], [820, 5_900]],
     ),
     ("strut buckles", [[557, 16_200], [559, 16_700]]),
     ("strut buckles in a groove", [[730, 28_100], [749, 28_000]]),
