@@ -106,6 +106,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             if i.e.abs() > R::TOUCH || !is_there {
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
+        } else if contact.sense.slides() {
+            self.body.loosen();
         } else {
             self.begin_by_rates();
         }
