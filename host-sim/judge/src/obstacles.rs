@@ -55,8 +55,23 @@ pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
     }
     let mut findings = Vec::new();
     if frame.meets_obstacles() {
-        let allowed = bounds.gap + OVERLAP * model.size / size;
-        findings.push(Finding::new(law::ON_SIDE, beyond / size, allowed));
+        let little = OVERLAP * model.size / size;
+        findings.push(Finding::new(
+            law::ON_SIDE,
+            beyond / size,
+            bounds.gap + little,
+        ));
+        // Two contacts near each other tell the body's angle, and with it the sides beyond them, less exactly.
+        let span = match &frame.contacts[..] {
+            [a, b] => {
+                distance(
+                    model.foot(frame.pose, a.touch),
+                    model.foot(frame.pose, b.touch),
+                ) / model.size
+            }
+            _ => 1.0,
+        };
+        let allowed = bounds.gap / span.clamp(OVERLAP, 1.0) + little;
         findings.push(Finding::new(law::FACES, hidden / size, allowed));
     }
     let off = |contact: &Contact| -> Option<f64> {
