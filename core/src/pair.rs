@@ -71,18 +71,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             spread: false,
             pressed: true,
         };
-        // Frictions against the motion just ahead: where a slide turns back it is the new one.
-        let g_u = first.t * twist.x - first.r.turned() * twist.y;
-        let mut v = frames.map(|frame| frame.advance(g_u, twist.y));
-        let [v1, v2] = v;
-        let slower = v1.abs().min(v2.abs());
-        if slower <= R::standstill() || slower * slope < R::of_turn() {
-            let ahead = Spot {
-                u: R::ahead(),
-                p: R::ZERO,
-            };
-            v = self.feet(&m, &self.placed(&m, ahead));
-        }
+        let v = self.feet_ahead(&m, frames);
         for (contact, v) in m.contacts.iter_mut().zip(v) {
             contact.sense = if v.abs() > R::standstill() {
                 Sense::of(v)
@@ -96,9 +85,25 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         m.pair.flip = self.flip(&m, frames, v);
         let [c1, c2] = m.contacts;
-        let sine = self.edge(c1, &first).f.cross(self.edge(c2, &second).f);
+        let sine = self.edge(c1, first).f.cross(self.edge(c2, second).f);
         m.pair.spread = sine.abs() >= R::spread();
         m
+    }
+    /// v_k at the beginning of a pair; where a slide turns back those just ahead, against which friction acts.
+    fn feet_ahead(&self, m: &Motion<R>, frames: &[Frame<R>; 2]) -> [R; 2] {
+        let ([first, _], twist, slope) = (frames, m.pair.twist, m.pair.slope);
+        let g_u = first.t * twist.x - first.r.turned() * twist.y;
+        let v = frames.map(|frame| frame.advance(g_u, twist.y));
+        let [v1, v2] = v;
+        let slower = v1.abs().min(v2.abs());
+        if slower > R::standstill() && slower * slope >= R::of_turn() {
+            return v;
+        }
+        let ahead = Spot {
+            u: R::ahead(),
+            p: R::ZERO,
+        };
+        self.feet(m, &self.placed(m, ahead))
     }
     /// The sign of E such that E > 0 drives: that of the product of X = w_1×w_2 and the drag's opposite.
     fn flip(&self, m: &Motion<R>, [first, second]: &[Frame<R>; 2], v: [R; 2]) -> R {

@@ -310,7 +310,10 @@ fn a_board_without_a_knob_refuses_both_commands() {
     for command in [Command::AskKnob, Command::Knob(NUMBERS)] {
         let refused = rig.ask(command);
         assert_eq!(refused.reason, Reason::Unsupported);
-        assert!(refused.allowed.to_string().contains("a knob"), "{refused:?}");
+        assert!(
+            refused.allowed.to_string().contains("a knob"),
+            "{refused:?}"
+        );
     }
     // With a knob whose numbers are constants.
     let motor = Motor::new(Bench::default(), Bench::default(), MOTOR).unwrap();

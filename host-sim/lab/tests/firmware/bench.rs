@@ -61,7 +61,7 @@ impl Bench {
         let sequence = self.client.sequence;
         self.send(command);
         self.wait(|said| match said {
-            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.clone()),
+            Said::Reply(answer) if answer.command.sequence == sequence => Some(*answer),
             _ => None,
         })
     }
