@@ -53,8 +53,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             // The angle is the hand's.
             let (mut i, turn) = (Instant::ZERO, (to.angle - body.angle).abs());
             let (u, p) = (to.angle, way.whole);
-            self.place_inlined(&m, Spot { u, p }, None, &mut i);
-            let bound = self.bound_inlined(&m, &i, &Pace::linear(turn, p));
+            self.place(&m, Spot { u, p }, None, &mut i);
+            let bound = self.bound(&m, &i, &Pace::linear(turn, p), None);
             return self.arrives(body, to, (&m, &i), &bound);
         }
         match self.calm_end(body, &m, way.whole) {

@@ -33,6 +33,8 @@ const PARAMETERS_SHAPE = "ffffFf";
 const PARAMETERS = "k_h k_theta mu_s mu_d has_memory memory";
 const MODE_SHAPE = "BBBBFHHHH";
 const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every";
+const KNOB_SHAPE = "fffIFfffFf";
+const KNOB = "origin_x origin_y radius counts_per_turn encoder_reversed torque_constant full_current torque_limit motor_reversed damping";
 const FAULTS = "too_long cobs crc version unknown_type length value";
 
 /**
@@ -58,6 +60,8 @@ const LAYOUTS = {
   hello: layout(0x06, "", ""),
   ping: layout(0x07, "", ""),
   reset: layout(0x08, "B", "what"),
+  knob: layout(0x09, KNOB_SHAPE, KNOB),
+  "ask-knob": layout(0x0a, "", ""),
   pose: layout(0x80, "ffffBHB", "x y theta depth flags events sample"),
   forces: layout(0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
     [{ count: "contacts", item: "contact", shape: "BBBffffffb" }]),
@@ -70,12 +74,13 @@ const LAYOUTS = {
   health: layout(0x94, "B" + "I".repeat(15),
     `drive ticks missed_ticks samples late_samples lost_frames unsent worst_step worst_tick ${FAULTS}`),
   pong: layout(0x95, "BI", "ping_sequence ping_time"),
+  "knob-info": layout(0x96, "B" + KNOB_SHAPE, `source ${KNOB}`),
 };
 
 /** Largest codes of fields, by "type.field". @type {{[key: string]: number}} */
 const CODES = {
   "mode.evolution": 1, "mode.stepping": 1, "info.evolution": 1, "info.stepping": 1, "info.number": 1,
-  "reset.what": 1, "reply.reason": 8, "health.drive": 2, "events.event": 10, "forces.contacts": 8, "events.events": 16,
+  "reset.what": 1, "reply.reason": 8, "health.drive": 2, "knob-info.source": 2, "events.event": 10, "forces.contacts": 8, "events.events": 16,
   "pose.events": 0x7ff,
 };
 
