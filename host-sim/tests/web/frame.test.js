@@ -54,7 +54,7 @@ function single(value) {
 }
 
 test("there is an example of every type", () => {
-  assert.equal(new Set(examples.map(({ message }) => message.type)).size, 15);
+  assert.equal(new Set(examples.map(({ message }) => message.type)).size, 18);
 });
 
 for (const { bytes, message } of examples) {
