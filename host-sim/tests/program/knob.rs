@@ -11,13 +11,12 @@ use stiction_core::{Description, Hand, Wrench};
 use stiction_firmware::device::{Actuators, Sample, Servo, Source};
 use stiction_firmware::devices::knob::NUMBERS;
 use stiction_firmware::knob::{PAGE, Stored, page};
-use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Setup, Station};
 use stiction_tests::station::BOX;
-use stiction_wire::{KnobNumbers, Mode, NumberType};
+use stiction_wire::{KnobNumbers, NumberType};
 
 use crate::common::{Folder, assert_all};
-use crate::view::station::{LONGEST, Line, S, V};
+use crate::view::station::{LONGEST, Line, S, V, described};
 
 const EXAMPLE: &str = include_str!("../../../firmware/knob.toml");
 const EMPTY: [u8; PAGE] = [0xFF; PAGE];
@@ -49,27 +48,21 @@ impl Actuators for Still {
     fn off(&mut self) {}
 }
 
-fn described() -> Setup {
+/// With a scene that is passive with the compiled-in damping.
+fn with_soft_scene() -> Setup {
+    let scene = Description {
+        stiffness_translation: 350.0,
+        ..BOX
+    };
     Setup {
-        name: "a thread",
-        number: NumberType::F32,
-        line_rate: 1_000_000,
-        fastest_tick: 1_000,
-        work_rate: u32::MAX,
-        limits: Limits::DEFAULT,
-        passivity: None,
-        mode: Mode::DEFAULT,
-        scene: Description {
-            stiffness_translation: 350.0,
-            ..BOX
-        },
-        knob: None,
+        scene,
+        ..described(NumberType::F32)
     }
 }
 
 /// From power-up until it restarts with other numbers.
 fn lives(listener: &UnixListener, pages: [&[u8; PAGE]; 2], knob: &Still) -> KnobNumbers {
-    let described = described();
+    let described = with_soft_scene();
     let info = Stored::read(pages).info(&NUMBERS, &described);
     let setup = match knob.has_numbers {
         true => described.with_knob(info),

@@ -28,6 +28,23 @@ pub(crate) struct Board {
     thread: Option<JoinHandle<()>>,
 }
 
+/// The description of a board that is a thread, without a device.
+pub(crate) fn described(number: NumberType) -> Setup {
+    Setup {
+        name: "a thread",
+        number,
+        line_rate: 1_000_000,
+        fastest_tick: 1_000,
+        work_rate: u32::MAX,
+        limits: Limits::DEFAULT,
+        passivity: None,
+        mode: Mode::DEFAULT,
+        // A client sends its own.
+        scene: BOX,
+        knob: None,
+    }
+}
+
 impl Board {
     pub(crate) fn f32(place: &Path) -> Self {
         Self::behind::<f32>(place, NumberType::F32)
@@ -38,21 +55,8 @@ impl Board {
     }
 
     fn behind<R: Real<Si = f32>>(place: &Path, number: NumberType) -> Self {
-        let setup = Setup {
-            name: "a thread",
-            number,
-            line_rate: 1_000_000,
-            fastest_tick: 1_000,
-            work_rate: u32::MAX,
-            limits: Limits::DEFAULT,
-            passivity: None,
-            mode: Mode::DEFAULT,
-            // A client sends its own.
-            scene: BOX,
-            knob: None,
-        };
         // A station has its setup for good.
-        let setup: &'static Setup = Box::leak(Box::new(setup));
+        let setup: &'static Setup = Box::leak(Box::new(described(number)));
         let listener = UnixListener::bind(place).expect("a socket");
         listener.set_nonblocking(true).expect("an option");
         let (is_wanted, is_pulled) = (Arc::new(AtomicBool::new(true)), Arc::default());
