@@ -38,7 +38,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             [only] if self.turns(*only) => Calm::Unsure,
             [only] if only.sense.slides() => self.slides_calmly(body, to),
             [_] => self.turns_calmly(body, to),
-            [only, _] if only.sense.slides() && self.is_edge(&body.contacts) => {
+            [first, _] if first.sense.slides() && self.is_edge(&body.contacts) => {
                 self.edge_slides_calmly(body, to)
             }
             [_, _, ..] => Calm::Unsure,
