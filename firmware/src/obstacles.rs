@@ -2,22 +2,13 @@
 
 use heapless::Vec;
 use stiction_core::{Description, ObstacleDescription, SceneError, SurfaceDescription};
-use stiction_wire::{Parameters, SceneCommand};
+use stiction_wire::{ObstacleRow, Parameters, SceneCommand};
 
 /// Obstacles as they were given, with room for C corners.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StoredObstacles<const C: usize> {
     corners: Vec<[f32; 2], C>,
-    rows: Vec<Row, C>,
-}
-
-/// An obstacle without its corners, of which it has `corners`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Row {
-    corners: usize,
-    friction_static: f32,
-    friction_dynamic: f32,
-    memory: Option<f32>,
+    rows: Vec<ObstacleRow, C>,
 }
 
 /// A place for a surface that is to be received.
@@ -45,13 +36,7 @@ impl<const C: usize> StoredObstacles<C> {
         };
         for obstacle in obstacles {
             stored.corners.extend_from_slice(obstacle.vertices).ok()?;
-            let row = Row {
-                corners: obstacle.vertices.len(),
-                friction_static: obstacle.friction_static,
-                friction_dynamic: obstacle.friction_dynamic,
-                memory: obstacle.memory,
-            };
-            stored.rows.push(row).ok()?;
+            stored.rows.push(ObstacleRow::of(obstacle)).ok()?;
         }
         Some(stored)
     }
@@ -67,12 +52,7 @@ impl<const C: usize> StoredObstacles<C> {
             // The number of corners is the sum over the rows, and there is one row for each obstacle.
             let (vertices, after) = rest.split_at_checked(row.corners).unwrap_or((rest, &[]));
             rest = after;
-            let _ = obstacles.push(ObstacleDescription {
-                vertices,
-                friction_static: row.friction_static,
-                friction_dynamic: row.friction_dynamic,
-                memory: row.memory,
-            });
+            let _ = obstacles.push(row.described(vertices));
         }
         look(&obstacles)
     }

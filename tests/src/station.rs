@@ -5,6 +5,20 @@ pub mod client;
 pub mod noise;
 
 use stiction_core::{Description, SurfaceDescription};
+use stiction_wire::KnobNumbers;
+
+/// Not the knob that is compiled in: twice as wide, a finer encoder the other way round, a stronger motor.
+pub const OTHER_KNOB: KnobNumbers = KnobNumbers {
+    origin: [0.01, 0.03],
+    radius: 0.03,
+    counts_per_turn: 4_096,
+    encoder_reversed: true,
+    torque_constant: 0.1,
+    full_current: 2.0,
+    torque_limit: 0.15,
+    motor_reversed: true,
+    damping: 9e-4,
+};
 
 /// A floor of the default friction.
 pub const FLOOR: SurfaceDescription<f32> = SurfaceDescription {

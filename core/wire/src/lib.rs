@@ -69,7 +69,7 @@ pub use list::{List, Text};
 pub use logitech::{LogitechDecoder, LogitechRecord, REQUEST as LOGITECH_REQUEST};
 pub use message::Message;
 pub use mode::{Mode, Stepping};
-pub use obstacles::ObstacleList;
+pub use obstacles::{ObstacleList, ObstacleRow};
 pub use pose::{EventSet, Pose};
 pub use reply::{Reason, Reply, Subject};
 pub use report::{LONGEST_REPORT, Pong, Report};

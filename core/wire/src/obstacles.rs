@@ -9,7 +9,7 @@ use stiction_core::{ObstacleDescription, Parameter, SceneError};
 
 /// The bytes of this many obstacles with this many corners together.
 pub(crate) const fn obstacle_bytes(obstacles: usize, corners: usize) -> usize {
-    let rows = obstacles.saturating_mul(Row::BYTES);
+    let rows = obstacles.saturating_mul(ObstacleRow::BYTES);
     rows.saturating_add(corners.saturating_mul(<[f32; 2]>::BYTES))
 }
 
@@ -23,21 +23,25 @@ pub struct ObstacleList<'a> {
 enum Obstacles<'a> {
     Given(&'a [ObstacleDescription<'a, f32>]),
     Received {
-        rows: List<'a, Row>,
+        rows: List<'a, ObstacleRow>,
         corners: List<'a, [f32; 2]>,
     },
 }
 
 /// An obstacle without its corners, of which it has `corners`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Row {
-    corners: usize,
-    friction_static: f32,
-    friction_dynamic: f32,
-    memory: Option<f32>,
+pub struct ObstacleRow {
+    /// The number of corners.
+    pub corners: usize,
+    /// mu_s
+    pub friction_static: f32,
+    /// mu_d
+    pub friction_dynamic: f32,
+    /// D_c (m), if it is not the default.
+    pub memory: Option<f32>,
 }
 
-layout! { Row { corners: usize, friction_static: f32, friction_dynamic: f32, memory: Option<f32> } }
+layout! { ObstacleRow { corners: usize, friction_static: f32, friction_dynamic: f32, memory: Option<f32> } }
 
 impl<'a> ObstacleList<'a> {
     /// The number of obstacles.
@@ -69,12 +73,7 @@ impl<'a> ObstacleList<'a> {
         corners: &'c mut [[f32; 2]],
         obstacles: &'b mut [ObstacleDescription<'c, f32>],
     ) -> Result<&'b [ObstacleDescription<'c, f32>], SceneError<f32>> {
-        let without_corners = self.rows().map(|row| ObstacleDescription {
-            vertices: &[],
-            friction_static: row.friction_static,
-            friction_dynamic: row.friction_dynamic,
-            memory: row.memory,
-        });
+        let without_corners = self.rows().map(|row| row.described(&[]));
         let counted = Parameter::ObstacleCount;
         let places = copied(without_corners, self.len(), counted, obstacles)?;
         let counted = Parameter::CornerCount;
@@ -86,10 +85,10 @@ impl<'a> ObstacleList<'a> {
         Ok(places)
     }
 
-    fn rows(&self) -> impl Iterator<Item = Row> + use<'a> {
+    fn rows(&self) -> impl Iterator<Item = ObstacleRow> + use<'a> {
         let source = self.source;
         (0..self.len()).filter_map(move |i| match source {
-            Obstacles::Given(given) => given.get(i).map(Row::of),
+            Obstacles::Given(given) => given.get(i).map(ObstacleRow::of),
             Obstacles::Received { rows, .. } => rows.get(i),
         })
     }
@@ -124,13 +123,23 @@ impl<'a> ObstacleList<'a> {
     }
 }
 
-impl Row {
-    fn of(obstacle: &ObstacleDescription<'_, f32>) -> Self {
+impl ObstacleRow {
+    /// What is left of an obstacle without its corners.
+    pub const fn of(obstacle: &ObstacleDescription<'_, f32>) -> Self {
         Self {
             corners: obstacle.vertices.len(),
             friction_static: obstacle.friction_static,
             friction_dynamic: obstacle.friction_dynamic,
             memory: obstacle.memory,
+        }
+    }
+    /// The obstacle with these corners.
+    pub const fn described<'a>(&self, vertices: &'a [[f32; 2]]) -> ObstacleDescription<'a, f32> {
+        ObstacleDescription {
+            vertices,
+            friction_static: self.friction_static,
+            friction_dynamic: self.friction_dynamic,
+            memory: self.memory,
         }
     }
 }

@@ -11,26 +11,13 @@ use stiction_firmware::devices::knob::{GEOMETRY, MOTOR, NUMBERS};
 use stiction_firmware::knob::{Counter, Knob, KnobSettings, PAGE, Stored, page};
 use stiction_firmware::pantograph::Motor;
 use stiction_firmware::station::Setup;
-use stiction_tests::station::BOX;
 use stiction_tests::station::client::Said;
+use stiction_tests::station::{BOX, OTHER_KNOB};
 use stiction_wire::{
     Command, Drive, KnobInfo, KnobNumber, KnobNumbers, KnobSource, Mode, Reason, Reset, Subject,
 };
 
 const EMPTY: [u8; PAGE] = [0xFF; PAGE];
-/// Another knob: twice as wide, a finer encoder the other way round, a stronger motor.
-const OTHERS: KnobNumbers = KnobNumbers {
-    origin: [0.01, 0.03],
-    radius: 0.03,
-    counts_per_turn: 4_096,
-    encoder_reversed: true,
-    torque_constant: 0.1,
-    full_current: 2.0,
-    torque_limit: 0.15,
-    motor_reversed: true,
-    damping: 9e-4,
-};
-
 #[derive(Clone, Default)]
 struct Shown(Rc<Cell<u16>>);
 
@@ -100,7 +87,7 @@ fn a_board_with_nothing_stored_has_the_numbers_that_are_compiled_in() {
 fn accepted_numbers_are_stored_when_the_motor_is_off_and_the_reply_has_left() {
     let (mut rig, shown, bench) = started([&EMPTY; 2]);
     driven(&mut rig, &shown, &bench);
-    rig.done(Command::Knob(OTHERS));
+    rig.done(Command::Knob(OTHER_KNOB));
     assert_eq!(*bench.duty.borrow(), 0, "off in the tick of the reply");
     assert_eq!(rig.station.restarts_with(), None, "the reply is leaving");
     // Nothing that comes meanwhile brings the force back.
@@ -118,13 +105,13 @@ fn accepted_numbers_are_stored_when_the_motor_is_off_and_the_reply_has_left() {
         assert_eq!((*bench.duty.borrow(), rig.force.force), (0, [0.0; 2]));
     }
     assert_eq!(rig.health().drive, Drive::Latched);
-    assert_eq!(rig.station.restarts_with(), Some(&OTHERS));
+    assert_eq!(rig.station.restarts_with(), Some(&OTHER_KNOB));
 }
 
 /// x = x0 + r q, and tau = r Fx at the duty of tau over that at full duty, by the numbers that are stored.
 #[test]
 fn a_start_with_stored_numbers_has_their_hand_and_their_torque() {
-    let stored = page(&OTHERS);
+    let stored = page(&OTHER_KNOB);
     for pages in [[&stored, &EMPTY], [&EMPTY, &stored]] {
         let (mut rig, shown, bench) = started(pages);
         assert_eq!(asked(&mut rig).source, KnobSource::Stored);
@@ -149,56 +136,44 @@ fn a_start_with_stored_numbers_has_their_hand_and_their_torque() {
 
 #[test]
 fn a_number_that_cannot_be_used_is_refused_by_its_name_with_the_nearest() {
+    use KnobNumber::{
+        CountsPerTurn, Damping, FullCurrent, Origin, Radius, TorqueConstant, TorqueLimit,
+    };
     type Change = fn(&mut KnobNumbers);
     let none = f32::NAN;
     let cases: [(Change, KnobNumber, f32, &str); 12] = [
-        (|n| n.origin[1] = -11.0, KnobNumber::Origin, -10.0, "-10"),
-        (|n| n.origin[0] = f32::NAN, KnobNumber::Origin, none, "10"),
-        (|n| n.radius = 0.0, KnobNumber::Radius, 0.001, "0.001"),
-        (|n| n.radius = 11.0, KnobNumber::Radius, 10.0, "10"),
-        (
-            |n| n.counts_per_turn = 3,
-            KnobNumber::CountsPerTurn,
-            4.0,
-            "4",
-        ),
+        (|n| n.origin[1] = -11.0, Origin, -10.0, "-10"),
+        (|n| n.origin[0] = f32::NAN, Origin, none, "10"),
+        (|n| n.radius = 0.0, Radius, 0.001, "0.001"),
+        (|n| n.radius = 11.0, Radius, 10.0, "10"),
+        (|n| n.counts_per_turn = 3, CountsPerTurn, 4.0, "4"),
         (
             |n| n.counts_per_turn = u32::MAX,
-            KnobNumber::CountsPerTurn,
+            CountsPerTurn,
             4_194_304.0,
             "4194304",
         ),
-        (
-            |n| n.torque_constant = 0.0,
-            KnobNumber::TorqueConstant,
-            1e-6,
-            "1e-6",
-        ),
+        (|n| n.torque_constant = 0.0, TorqueConstant, 1e-6, "1e-6"),
         (
             |n| n.full_current = f32::INFINITY,
-            KnobNumber::FullCurrent,
+            FullCurrent,
             1_000.0,
             "1000",
         ),
         (
             |n| n.torque_limit = 0.25,
-            KnobNumber::TorqueLimit,
+            TorqueLimit,
             0.2,
             "torque constant",
         ),
-        (
-            |n| n.torque_limit = -1.0,
-            KnobNumber::TorqueLimit,
-            none,
-            "more than 0",
-        ),
-        (|n| n.damping = -1e-4, KnobNumber::Damping, 0.0, "0 or more"),
-        (|n| n.damping = f32::NAN, KnobNumber::Damping, none, "0"),
+        (|n| n.torque_limit = -1.0, TorqueLimit, none, "more than 0"),
+        (|n| n.damping = -1e-4, Damping, 0.0, "0 or more"),
+        (|n| n.damping = f32::NAN, Damping, none, "0"),
     ];
-    let stored = page(&OTHERS);
+    let stored = page(&OTHER_KNOB);
     for (change, number, limit, allowed) in cases {
         let (mut rig, ..) = started([&stored, &EMPTY]);
-        let refused = rig.ask(Command::Knob(with(OTHERS, change)));
+        let refused = rig.ask(Command::Knob(with(OTHER_KNOB, change)));
         assert_eq!(
             (refused.reason, refused.subject),
             (Reason::Number, Subject::Knob(number))
@@ -210,7 +185,7 @@ fn a_number_that_cannot_be_used_is_refused_by_its_name_with_the_nearest() {
             rig.tick();
         }
         assert_eq!(rig.station.restarts_with(), None);
-        assert_eq!(asked(&mut rig).numbers, OTHERS);
+        assert_eq!(asked(&mut rig).numbers, OTHER_KNOB);
     }
 }
 
@@ -219,13 +194,17 @@ fn a_number_that_cannot_be_used_is_refused_by_its_name_with_the_nearest() {
 fn a_damping_with_which_the_scene_after_power_up_is_not_passive_is_refused() {
     let least = 200.0 * (0.5e-3 + 0.75e-3) * 0.03 * 0.03;
     let (mut rig, ..) = started([&EMPTY; 2]);
-    let refused = rig.ask(Command::Knob(with(OTHERS, |n| n.damping = 0.999 * least)));
+    let refused = rig.ask(Command::Knob(with(OTHER_KNOB, |n| {
+        n.damping = 0.999 * least
+    })));
     assert_eq!(refused.reason, Reason::NotPassive);
     assert_eq!(refused.subject, Subject::Knob(KnobNumber::Damping));
     assert!((refused.limit / least - 1.0).abs() < 1e-5, "{refused:?}");
-    rig.done(Command::Knob(with(OTHERS, |n| n.damping = 1.001 * least)));
+    rig.done(Command::Knob(with(OTHER_KNOB, |n| {
+        n.damping = 1.001 * least
+    })));
     // A scene of the client, too, has the bound of the numbers that are stored: 800 N/m here.
-    let (mut rig, ..) = started([&page(&OTHERS), &EMPTY]);
+    let (mut rig, ..) = started([&page(&OTHER_KNOB), &EMPTY]);
     let [k_h, _] = rig.info().stiffest;
     assert!((k_h / 800.0 - 1.0).abs() < 1e-5, "{k_h}");
     static SOFT: Description<'static, f32> = Description {
@@ -244,7 +223,7 @@ fn a_damping_with_which_the_scene_after_power_up_is_not_passive_is_refused() {
 /// What is not whole leads to the compiled-in numbers, without force: they may be those of a weaker motor.
 #[test]
 fn every_flipped_bit_of_what_is_stored_is_found_and_the_motor_is_off() {
-    let stored = page(&OTHERS);
+    let stored = page(&OTHER_KNOB);
     let written = stored.iter().position(|&byte| byte == 0).expect("an end") + 1;
     let unusable = KnobInfo {
         source: KnobSource::Unusable,
@@ -263,7 +242,7 @@ fn every_flipped_bit_of_what_is_stored_is_found_and_the_motor_is_off() {
         assert_eq!(read.source == KnobSource::CompiledIn, end == 0, "{end}");
         assert_eq!(read.numbers, NUMBERS);
         // The former numbers are still there.
-        let former = page(&with(OTHERS, |n| n.radius = 0.02));
+        let former = page(&with(OTHER_KNOB, |n| n.radius = 0.02));
         let read = Stored::read([&torn, &former]).info(&NUMBERS, &described());
         assert_eq!(
             (read.source, read.numbers.radius),
@@ -280,20 +259,20 @@ fn every_flipped_bit_of_what_is_stored_is_found_and_the_motor_is_off() {
         assert_eq!((*bench.duty.borrow(), rig.force.force), (0, [0.0; 2]));
     }
     // It answers, and takes others.
-    rig.done(Command::Knob(OTHERS));
+    rig.done(Command::Knob(OTHER_KNOB));
 }
 
 #[test]
 fn stored_numbers_with_which_another_scene_is_not_passive_do_not_stop_the_board() {
-    let weak = page(&with(OTHERS, |n| n.damping = 1e-6));
+    let weak = page(&with(OTHER_KNOB, |n| n.damping = 1e-6));
     let (mut rig, ..) = started([&weak, &EMPTY]);
     assert_eq!(asked(&mut rig).source, KnobSource::Unusable);
-    rig.done(Command::Knob(OTHERS));
+    rig.done(Command::Knob(OTHER_KNOB));
 }
 
 #[test]
 fn numbers_go_to_the_sector_that_has_none() {
-    let stored = page(&OTHERS);
+    let stored = page(&OTHER_KNOB);
     for (pages, free) in [
         ([&EMPTY, &EMPTY], 0),
         ([&stored, &EMPTY], 1),

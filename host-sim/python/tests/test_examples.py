@@ -52,10 +52,9 @@ def test_the_notebook():
 
 
 def shown(cell):
-    """What a reader sees below a cell: text, and what is drawn by how many lines."""
+    """What a reader sees below a cell: text, and where there are pictures."""
     for output in cell.get("outputs", []):
         if output.output_type == "stream":
             yield output.text
         else:
-            svg = output.data.get("image/svg+xml")
-            yield svg.count("<path") if svg else output.data["text/plain"]
+            yield "a picture" if "image/svg+xml" in output.data else output.data["text/plain"]

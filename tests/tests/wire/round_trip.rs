@@ -4,9 +4,10 @@ use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, bare, decoded, encoded, first, sampled, times};
 use stiction_core::{Angle, Hand};
+use stiction_tests::station::BOX;
 use stiction_wire::{
-    Command, Frame, List, ObstacleList, Pose, Reason, Reference, Reply, Report, SceneCommand, Text,
-    VERSION, scene_bytes, wire_bytes,
+    Command, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text, VERSION,
+    scene_bytes, wire_bytes,
 };
 
 #[test]
@@ -179,13 +180,7 @@ fn text_is_compared_by_its_characters() {
 pub(crate) fn scene(vertices: &[[f32; 2]]) -> SceneCommand<'_> {
     SceneCommand {
         vertices: List::from(vertices),
-        start: [1.1; 3],
-        weight: 1.1,
-        holding_point: Some([1.1; 2]),
-        reach: 1.1,
-        stiffness_translation: 1.1,
-        stiffness_rotation: 1.1,
         surfaces: List::from(&[]),
-        obstacles: ObstacleList::from(&[][..]),
+        ..SceneCommand::from(&BOX)
     }
 }

@@ -18,6 +18,7 @@ const DYNAMIC: f64 = 0.3;
 const STRIDE: f64 = 0.0007;
 
 pub(crate) const SCENE: &str = r#"
+spring = { translation = 500.0, rotation = 0.5 }
 [body]
 vertices = [[-0.05, 0.0], [0.05, 0.0], [0.05, 0.06], [-0.05, 0.06]]
 start = [0.0, 0.0, 0.0]
@@ -25,14 +26,6 @@ weight = 1
 
 [grasp]
 point = [0.0, 0.05]
-
-[spring]
-translation = 500.0
-rotation = 0.5
-
-[friction]
-static = 0.5
-dynamic = 0.3
 
 [[surface]]
 name = "floor"
@@ -43,6 +36,10 @@ offset = 0.0
 name = "wall"
 normal = [-1.0, 0.0]
 offset = -1.0
+
+[friction]
+static = 0.5
+dynamic = 0.3
 "#;
 
 pub(crate) fn drag_scene() -> Scene {

@@ -3,7 +3,7 @@
 use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, Source, State, Touch, law};
 
 use crate::drag::SCENE;
-use crate::write::{FORMATS, frame, judged, lines};
+use crate::write::{FORMATS, corner, frame, judged, lines, side};
 
 const OBSTACLES: &str = r#"
 [[obstacle]]
@@ -54,16 +54,8 @@ fn message(format: &str, touch: Touch, from: &str, to: &str) -> String {
     error.to_string()
 }
 
-const SIDE: Touch = Touch::Side {
-    vertex: 1,
-    obstacle: 2,
-    side: 1,
-};
-const CORNER: Touch = Touch::Corner {
-    obstacle: 1,
-    corner: 0,
-    body_side: 3,
-};
+const SIDE: Touch = side(1, 2, 1);
+const CORNER: Touch = corner(1, 0, 3);
 
 #[test]
 fn contacts_that_cannot_be_are_refused() {
@@ -142,11 +134,7 @@ fn contacts_with_obstacles_are_read_in_both_formats() {
 /// Frames that do not come from a file may refer to any feature.
 #[test]
 fn contact_of_what_there_is_not_is_found() {
-    let side_of_a_pin = Touch::Side {
-        vertex: 0,
-        obstacle: 1,
-        side: 0,
-    };
+    let side_of_a_pin = side(0, 1, 0);
     let no_vertex = Touch::Surface {
         vertex: 4,
         surface: 0,

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use stiction_judge::{Contact, Event, Frame, Scene, State, Touch, law};
 
-use crate::write::{frame, laws as laws_of, only, scene};
+use crate::write::{corner, frame, laws as laws_of, only, scene, side};
 
 const K: f64 = 500.0;
 const WEIGHT: f64 = 3.0;
@@ -14,21 +14,9 @@ const MU: f64 = 0.3;
 const DOWN: f64 = 0.004;
 const NONE: BTreeSet<&str> = BTreeSet::new();
 
-const LEFT: Touch = Touch::Side {
-    vertex: 0,
-    obstacle: 0,
-    side: 2,
-};
-const RIGHT: Touch = Touch::Side {
-    vertex: 1,
-    obstacle: 0,
-    side: 2,
-};
-const EDGE: Touch = Touch::Corner {
-    obstacle: 0,
-    corner: 2,
-    body_side: 0,
-};
+const LEFT: Touch = side(0, 0, 2);
+const RIGHT: Touch = side(1, 0, 2);
+const EDGE: Touch = corner(0, 2, 0);
 
 fn table() -> Scene {
     scene(
@@ -131,11 +119,7 @@ fn vertex_beyond_the_edge_is_found() {
 fn contact_that_changes_elsewhere_than_at_an_end_is_found() {
     let mut frames = pushed();
     // The other end of the table, without an event.
-    frames[BEYOND].contacts[1].touch = Touch::Corner {
-        obstacle: 0,
-        corner: 3,
-        body_side: 0,
-    };
+    frames[BEYOND].contacts[1].touch = corner(0, 3, 0);
     let broken = laws(frames);
     assert!(broken.contains(law::PASSED_ON), "{broken:?}");
     // A sticking contact is not replaced.
@@ -195,11 +179,7 @@ fn pressed(x: f64) -> Frame {
     Frame {
         state: State::SingleVertex,
         contacts: vec![Contact {
-            touch: Touch::Side {
-                vertex: 0,
-                obstacle: 0,
-                side: 1,
-            },
+            touch: side(0, 0, 1),
             direction: Some([0.0, 1.0]),
             point: [x, 0.0],
             normal: 5.0,
@@ -232,11 +212,7 @@ fn point_behind_a_thin_wall_is_found() {
     // On the lower side, the point would have to be pulled down.
     let mut below = vec![free([0.0, 0.05]), with(Event::Touch, pressed(0.0))];
     let contact = &mut below[1].contacts[0];
-    contact.touch = Touch::Side {
-        vertex: 0,
-        obstacle: 0,
-        side: 0,
-    };
+    contact.touch = side(0, 0, 0);
     contact.direction = Some([0.0, -1.0]);
     (contact.normal, contact.friction) = (-5.0, 1.0);
     let broken = laws_of(&scene, below);

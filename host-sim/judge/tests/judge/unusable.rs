@@ -123,17 +123,17 @@ fn scene_that_is_none_is_refused_with_key_and_line() {
         (
             "start = [0.0, 0.0, 0.0]",
             "",
-            "scene.toml, line 2: missing field `start`",
+            "scene.toml, line 3: missing field `start`",
         ),
         (
             "translation = 500.0",
             "translation = 0.0",
-            "line 11: `spring.translation` is 0.0, allowed: ",
+            "line 2: `spring.translation` is 0.0, allowed: ",
         ),
         (
             "[[surface]]\nname = \"wall\"",
             "[[obstacle]]\nvertices = [[2.0, 0.0], [3.0, 0.5], [3.0, 0.0]]\n[[surface]]\nname = \"wall\"",
-            "line 24: `obstacle[0].vertices` is in clockwise order, allowed: ",
+            "line 17: `obstacle[0].vertices` is in clockwise order, allowed: ",
         ),
     ] {
         let error = changed(from, to).expect_err("an error").to_string();

@@ -20,6 +20,24 @@ pub(crate) fn on(vertex: usize, surface: usize) -> Touch {
     Touch::Surface { vertex, surface }
 }
 
+/// A vertex on a side of an obstacle.
+pub(crate) const fn side(vertex: usize, obstacle: usize, side: usize) -> Touch {
+    Touch::Side {
+        vertex,
+        obstacle,
+        side,
+    }
+}
+
+/// A corner of an obstacle on a side of the body.
+pub(crate) const fn corner(obstacle: usize, corner: usize, body_side: usize) -> Touch {
+    Touch::Corner {
+        obstacle,
+        corner,
+        body_side,
+    }
+}
+
 /// A frame without contacts, at rest.
 pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
     Frame {

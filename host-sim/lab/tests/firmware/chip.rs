@@ -33,10 +33,7 @@ pub(crate) const F405: Chip = Chip {
 };
 
 /// With a device of its own.
-pub(crate) const PANTOGRAPH: Chip = Chip {
-    features: "pantograph",
-    ..F405
-};
+pub(crate) const PANTOGRAPH: Chip = F405.with("pantograph");
 
 pub(crate) const MICROBIT: Chip = Chip {
     board: Board::MICROBIT,
@@ -67,31 +64,16 @@ pub(crate) const AN505: Chip = Chip {
 };
 
 /// As it is flashed, with its log.
-pub(crate) const PICO_FLASHED: Chip = Chip {
-    features: "rtt",
-    ..PICO
-};
+pub(crate) const PICO_FLASHED: Chip = PICO.with("rtt");
 
-pub(crate) const KNOB: Chip = Chip {
-    features: "knob",
-    ..PICO
-};
+pub(crate) const KNOB: Chip = PICO.with("knob");
 
-pub(crate) const KNOB_2: Chip = Chip {
-    features: "knob",
-    ..PICO2
-};
+pub(crate) const KNOB_2: Chip = PICO2.with("knob");
 
-pub(crate) const PICO_PANTOGRAPH: Chip = Chip {
-    features: "pantograph",
-    ..PICO
-};
+pub(crate) const PICO_PANTOGRAPH: Chip = PICO.with("pantograph");
 
 /// With a log, and an end where it stops.
-pub(crate) const ENDING_AN505: Chip = Chip {
-    features: "semihosting",
-    ..AN505
-};
+pub(crate) const ENDING_AN505: Chip = AN505.with("semihosting");
 
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,
@@ -108,6 +90,10 @@ pub(crate) struct Image {
 }
 
 impl Chip {
+    const fn with(self, features: &'static str) -> Self {
+        Self { features, ..self }
+    }
+
     /// Of its folder in firmware/boards.
     pub(crate) const fn name(&self) -> &'static str {
         self.board.name

@@ -6,22 +6,16 @@ use crate::bench::{Bench, MS};
 use crate::chip::KNOB;
 use crate::wiring::{Driver, Pins, Tracks, turn};
 use stiction_firmware::devices::knob::NUMBERS;
+use stiction_tests::station::OTHER_KNOB;
 use stiction_tests::station::client::{Client, Said};
 use stiction_wire::{
     Command, Drive, KnobInfo, KnobNumber, KnobNumbers, KnobSource, Mode, Reason, Subject,
 };
 
-/// A larger knob with another encoder, which is connected the other way round, as its motor is.
+/// The hand presses the tool 6 mm deep.
 const OTHERS: KnobNumbers = KnobNumbers {
     origin: [0.001, 0.034],
-    radius: 0.02,
-    counts_per_turn: 4_096,
-    encoder_reversed: true,
-    torque_constant: 0.08,
-    full_current: 1.25,
-    torque_limit: 0.08,
-    motor_reversed: true,
-    damping: 1e-3,
+    ..OTHER_KNOB
 };
 /// Where the linker leaves room: the last two sectors of 2 MB.
 const SECTORS: [usize; 2] = [(2 << 20) - 8192, (2 << 20) - 4096];
@@ -116,11 +110,11 @@ fn numbers_over_the_line_are_those_of_the_hand_and_the_motor_from_then_on() {
         numbers: OTHERS,
     };
     assert_eq!(asked(&mut bench), now);
-    // After another power-up, too: 40 counts the other way round are x = x0 + r q, and the motor gets r F of 0.1 N·m at full duty.
+    // After another power-up, too: 40 counts the other way round are x = x0 + r q, and the motor gets r F of 0.2 N·m at full duty.
     let mut bench = Bench::of(bench.chip.flash().to_vec());
     assert_eq!(asked(&mut bench), now);
     let [along, duty] = driven(&mut bench, -40);
-    let x = 0.001 + 0.02 * 40.0 / 4_096.0 * std::f64::consts::TAU;
+    let x = 0.001 + 0.03 * 40.0 / 4_096.0 * std::f64::consts::TAU;
     // The square of the tilt, 0.04 rad, is left out.
     assert!(
         (along / statics(x, 0.006) - 1.0).abs() < 0.005,
@@ -128,7 +122,7 @@ fn numbers_over_the_line_are_those_of_the_hand_and_the_motor_from_then_on() {
     );
     // It is connected the other way round. A period of the PWM has 6 250 counts.
     assert!(
-        (-duty * 0.1 - 0.02 * along).abs() < 1.5 * 0.1 / 6_250.0,
+        (-duty * 0.2 - 0.03 * along).abs() < 1.5 * 0.2 / 6_250.0,
         "{duty}"
     );
     assert_eq!(bench.health().drive, Drive::On);
