@@ -71,6 +71,8 @@ pub(crate) struct Errand<R> {
     pub(crate) stage: Stage,
     /// Contacts slid when the body was last still.
     pub(crate) slid: bool,
+    /// Contacts without stiction slid to where they may be at rest.
+    pub(crate) slid_to_rest: bool,
     /// The displacement under way.
     pub(crate) before: HandPose<R>,
     pub(crate) target: HandPose<R>,
@@ -100,6 +102,7 @@ impl<R: Real> Errand<R> {
         Self {
             stage: Stage::Still,
             slid: false,
+            slid_to_rest: false,
             before: HandPose::REST,
             target: HandPose::REST,
             whole: R::ZERO,

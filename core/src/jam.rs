@@ -17,6 +17,16 @@ type Sides<R> = Vec<Wrench<R>, { 3 * MAX_CONTACTS }>;
 /// The corners of the triangles but for zero.
 type Corners<R> = Vec<[Wrench<R>; 2], MAX_CONTACTS>;
 
+/// What is borne within the limit, as a body in the space of wrenches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Shape {
+    Solid,
+    /// Without friction a triangle is a segment, and the sum of segments may lie in one plane.
+    Flat,
+    /// In the plane of forces.
+    Corner,
+}
+
 impl<R: Real> WrenchCone<R> {
     /// The edges of one contact after the other. `chunk_by` has a panic in it that is not optimised away.
     fn contacts(&self) -> impl Iterator<Item = &[ConeEdge<R>]> {
@@ -49,8 +59,15 @@ impl<R: Real> WrenchCone<R> {
         let (mut sides, mut corners) = (Sides::new(), Corners::new());
         fill(&mut sides, self.sides());
         fill(&mut corners, self.corners());
+        let shape = if is_corner {
+            Shape::Corner
+        } else if sides.len() == corners.len() {
+            Shape::Flat
+        } else {
+            Shape::Solid
+        };
         let mut least = most;
-        normals(&sides, is_corner, &mut |x| {
+        normals(&sides, shape, &mut |x| {
             let size = x.size();
             if size <= R::in_plane() {
                 return;
@@ -85,11 +102,11 @@ fn margins<R: Real>(
     [ahead, back]
 }
 
-/// Directions among which are the normals of all faces of what is borne: those to two of the sides, in a corner, whose contacts bear forces
-/// through one vertex, those to one.
-fn normals<R: Real>(sides: &[Wrench<R>], is_corner: bool, each: &mut impl FnMut(Wrench<R>)) {
+/// Directions among which are the normals of all faces of what is borne: those to two of the sides; if all may lie in one plane, also those
+/// in it to one; in a corner, whose contacts bear forces through one vertex, those to one.
+fn normals<R: Real>(sides: &[Wrench<R>], shape: Shape, each: &mut impl FnMut(Wrench<R>)) {
     for (i, &a) in sides.iter().enumerate() {
-        if is_corner {
+        if shape == Shape::Corner {
             each(Wrench {
                 force: a.force.turned(),
                 moment: R::ZERO,
@@ -97,7 +114,12 @@ fn normals<R: Real>(sides: &[Wrench<R>], is_corner: bool, each: &mut impl FnMut(
             continue;
         }
         for &b in sides.iter().skip(i.saturating_add(1)) {
-            each(a.cross(b));
+            let normal = a.cross(b);
+            each(normal);
+            if shape == Shape::Flat {
+                each(normal.cross(a));
+                each(normal.cross(b));
+            }
         }
     }
 }

@@ -103,6 +103,7 @@ mod bounds;
 mod bracket;
 mod calm;
 mod carry;
+mod components;
 mod cone;
 mod contact;
 mod couple;

@@ -14,6 +14,8 @@ use crate::world::Statics;
 
 /// After this many rounds a search returns what is certain.
 const ROUNDS: u8 = 40;
+/// In the last of them no window is longer than half of the one before.
+const LAST_ROUNDS: u8 = 8;
 
 /// How a search ended: at which end of its last window, at which x (or p, if it went along u), how far nothing else is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -223,8 +225,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             R::HALF
         };
         let middle = b.certain + w * part;
+        // Where a function only just crosses zero, its crossing may be estimated a little closer each time: the last rounds find a window that
+        // is certain.
+        let is_late = b.round >= ROUNDS - LAST_ROUNDS;
         b.shrunk = true;
-        let mut hi = match (found.crossing.is_some(), found.unsure) {
+        let mut hi = match (found.crossing.is_some(), found.unsure || is_late) {
             (true, true) => found.cross.min(middle),
             (true, false) => found.cross,
             (false, _) => middle,

@@ -280,11 +280,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn fly(&mut self) {
         let free = Motion::frozen(Kind::Free, self.body);
         let statics = self.statics;
-        let mut theta = if statics.world.weight == R::ZERO && !statics.grip.swings {
-            self.body.hand.angle
-        } else {
-            self.body.angle
-        };
+        let mut theta = self.body.angle;
+        if !statics.grip.swings {
+            // Farther from the hand's angle the spring turns the body more than its weight can; from there balance is within a turn.
+            let moment = statics.world.weight * statics.grip.centroid.length_bound();
+            let most = moment / statics.world.stiffness.value;
+            let angle = self.body.hand.angle;
+            theta = theta.max(angle - most).min(angle + most);
+        }
         let at = |u: R| Spot { u, p: R::ZERO };
         let mut i = statics.placed(&free, at(theta));
         if statics.world.weight > R::ZERO {

@@ -1,5 +1,4 @@
-//! The distribution of a load among contacts that fix the pose: three edges of their cone bear any load in it, two or one come close to
-//! others. And the reactions of all states.
+//! The reactions of all states: the distribution of the load among the contacts.
 
 use crate::cone::{ConeEdge, WrenchCone};
 use crate::contact::MAX_CONTACTS;
@@ -12,209 +11,8 @@ use crate::thresholds::Thresholds;
 use crate::world::Statics;
 use heapless::Vec;
 
-/// Edges, and so components along them.
-const MOST: usize = 2 * MAX_CONTACTS;
-/// The components along edges that are almost coplanar are computed at most this many times, and refined in between.
-const REFINEMENTS: usize = 4;
-
 /// N and T of each contact, in their order.
 pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
-
-/// The component along an edge, by its place.
-#[derive(Clone, Copy, Debug)]
-struct Part<R> {
-    edge: usize,
-    size: R,
-}
-
-impl<R: Real> Part<R> {
-    const NONE: Self = Self {
-        edge: 0,
-        size: R::ZERO,
-    };
-}
-
-/// Components along up to three edges.
-type Solution<R> = [Part<R>; 3];
-
-impl<R: Real> WrenchCone<R> {
-    /// The mean of all sets of components that bear a load on three edges within the limit, or the closest to that.
-    #[inline(never)]
-    fn shared(&self, load: Wrench<R>, little: R, limit: R) -> Vec<R, MOST> {
-        let mut parts = self.none();
-        let (mut count, mut large) = (0_i32, None);
-        self.triples(|edges| {
-            let Some(solution) = self.bearing(edges, load, little) else {
-                return;
-            };
-            if self.is_within_limit(&solution, limit) {
-                count = count.saturating_add(1);
-                add(&mut parts, &solution);
-            } else {
-                large = Some(solution);
-            }
-        });
-        if let (0, Some(solution)) = (count, large) {
-            add(&mut parts, &solution);
-        }
-        let share = R::ONE / R::from_int(count.max(1));
-        for part in &mut parts {
-            *part = *part * share;
-        }
-        self.approach(load, &mut parts);
-        parts
-    }
-    /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
-    #[inline(never)]
-    fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
-        for _ in 0..2 {
-            let rest = self.remainder(load, parts);
-            if rest.size() <= R::of_balance(load.size()).halved() {
-                return;
-            }
-            let (mut left, mut better) = (rest.size(), None);
-            let mut consider = |solution: Solution<R>| {
-                let mut trial = parts.clone();
-                add(&mut trial, &solution);
-                let size = self.remainder(load, &trial).size();
-                if size < left {
-                    (left, better) = (size, Some(solution));
-                }
-            };
-            self.solutions(rest, &mut consider);
-            match better {
-                Some(solution) => add(parts, &solution),
-                None => return,
-            }
-        }
-    }
-    /// The components along any three, two and single edges that bear a load or come closest to it.
-    fn solutions(&self, load: Wrench<R>, consider: &mut dyn FnMut(Solution<R>)) {
-        self.triples(|edges| {
-            if let Some((solution, _)) = self.on_three(edges, load) {
-                consider(solution);
-            }
-        });
-        let n = self.edges.len();
-        for i in 0..n {
-            for k in i.saturating_add(1)..n {
-                if let Some([a, b]) = self.on_two([i, k], load) {
-                    consider([a, b, Part::NONE]);
-                }
-            }
-        }
-        for (edge, along) in self.edges.iter().enumerate() {
-            let w = along.wrench;
-            let size = -(w.dot(load) / w.dot(w));
-            consider([Part { edge, size }, Part::NONE, Part::NONE]);
-        }
-    }
-    fn none(&self) -> Vec<R, MOST> {
-        gather(self.edges.iter().map(|_| R::ZERO))
-    }
-    /// What components along the edges leave of a load.
-    #[inline(never)]
-    fn remainder(&self, load: Wrench<R>, parts: &[R]) -> Wrench<R> {
-        let edges = self.edges.iter().zip(parts);
-        edges.fold(load, |rest, (edge, &part)| rest + edge.wrench * part)
-    }
-    /// Any three edges.
-    fn triples(&self, mut each: impl FnMut([usize; 3])) {
-        let n = self.edges.len();
-        for i in 0..n {
-            for j in i.saturating_add(1)..n {
-                for k in j.saturating_add(1)..n {
-                    each([i, j, k]);
-                }
-            }
-        }
-    }
-    fn wrench(&self, edge: usize) -> Option<Wrench<R>> {
-        self.edges.get(edge).map(|edge| edge.wrench)
-    }
-    /// The components along three edges that bear a load; those along edges that are almost coplanar are refined.
-    #[inline(never)]
-    fn bearing(&self, edges: [usize; 3], load: Wrench<R>, little: R) -> Option<Solution<R>> {
-        let (mut solution, volume) = self.on_three(edges, load)?;
-        let presses = |solution: &Solution<R>| {
-            let is_usable = |part: &Part<R>| part.size >= R::ZERO && part.size < R::HUGE;
-            solution.iter().all(is_usable)
-        };
-        if !presses(&solution) {
-            return None;
-        }
-        if volume > R::sharp() {
-            return Some(solution);
-        }
-        for _ in 0..REFINEMENTS {
-            let mut parts = self.none();
-            add(&mut parts, &solution);
-            let rest = self.remainder(load, &parts);
-            let sum = solution.iter().fold(R::ZERO, |sum, part| sum + part.size);
-            let rounding = (R::EPSILON * sum * R::from_int(4)).min(load.size() * R::divisor());
-            let size = rest.size();
-            if size <= little + rounding {
-                return presses(&solution).then_some(solution);
-            }
-            // In units of its size, as it is small beside the load.
-            let unit = size.unit();
-            let (more, _) = self.on_three(edges, rest.in_units(unit))?;
-            for (part, more) in solution.iter_mut().zip(more) {
-                part.size = part.size + more.size * unit;
-            }
-        }
-        None
-    }
-    /// The components along three edges that balance a load, and the volume of the edges.
-    #[inline(never)]
-    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<(Solution<R>, R)> {
-        let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
-        let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
-        let volume = a.dot(bc);
-        let part = |edge, face: Wrench<R>| Part {
-            edge,
-            size: -(face.dot(load) / volume),
-        };
-        // A component that is hardly known shows in its residual.
-        let is_usable = volume.abs() > R::EPSILON;
-        is_usable.then(|| ([part(i, bc), part(j, ca), part(k, ab)], volume.abs()))
-    }
-    /// The components along two edges that come closest to bearing a load.
-    fn on_two(&self, [i, k]: [usize; 2], load: Wrench<R>) -> Option<[Part<R>; 2]> {
-        let (a, b) = (self.wrench(i)?, self.wrench(k)?);
-        let normal = a.cross(b);
-        let square = normal.dot(normal);
-        let part = |edge, face: Wrench<R>| Part {
-            edge,
-            size: -(face.dot(normal) / square),
-        };
-        let is_usable = normal.size() > R::EPSILON * R::from_int(4);
-        is_usable.then(|| [part(i, load.cross(b)), part(k, a.cross(load))])
-    }
-    /// No contact has to press harder than the limit up to which reactions are reported as they are.
-    fn is_within_limit(&self, solution: &[Part<R>], limit: R) -> bool {
-        let edges = &self.edges;
-        let pressing = |contact: usize| {
-            let own = solution.iter().filter_map(|part| {
-                let edge = edges
-                    .get(part.edge)
-                    .filter(|edge| edge.contact == contact)?;
-                Some(edge.cone.cos * part.size)
-            });
-            own.fold(R::ZERO, |sum, part| sum + part)
-        };
-        (0..MAX_CONTACTS).all(|contact| pressing(contact) <= limit)
-    }
-}
-
-/// Adds to the components along some edges; no component falls below zero.
-fn add<R: Real>(parts: &mut Vec<R, MOST>, more: &[Part<R>]) {
-    for part in more {
-        if let Some(sum) = parts.get_mut(part.edge) {
-            *sum = (*sum + part.size).max(R::ZERO);
-        }
-    }
-}
 
 impl<R: Real> ConeEdge<R> {
     /// N and T of a component along it.
@@ -303,10 +101,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn fixed_shares(&self, body: &Body<R>) -> Reactions<R> {
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
-        // Along an edge of large friction the component of a reaction is far more than its N: of a part of the load it is representable.
-        let cosines = cone.edges.iter().map(|edge| edge.cone.cos.doubled());
+        // Along an edge of large friction the component of a reaction is far more than its N, and so is its moment over a long lever: of a
+        // part of the load they are representable.
+        let parts = cone.edges.iter().map(|c| c.cone.cos / c.wrench.size());
         let part = if R::is_fixed() {
-            cosines.fold(R::ONE, R::min).unit()
+            parts.fold(R::ONE, R::min).unit()
         } else {
             R::ONE
         };

@@ -120,7 +120,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.body.stiction = is_pressed;
         if self.errand.search.motion.lasting != R::ZERO {
-            return Next::Relax(sense);
+            return self.relax_after(length, sense);
         }
         if !is_pressed {
             self.body.contacts.slide(sense);
@@ -163,7 +163,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Ending::End | Ending::GoesOn | Ending::Halt => match self.again(m) {
                 Some(on) => return self.slide_together(on),
                 // Nothing drives it on.
-                None => Next::Relax(sense),
+                None => {
+                    let [foot, _] = self.errand.feet;
+                    let length = self.body.foot - foot;
+                    if self.body.stiction {
+                        self.log.slip(length);
+                    }
+                    self.relax_after(length, sense)
+                }
             },
             Ending::Fold
             | Ending::Yields(_)
@@ -172,6 +179,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             | Ending::GivesWay => Next::Relax(Sense::Rests),
         };
         self.settled(next);
+    }
+    /// A slip of this length has ended out of balance. What has no stiction then has slid, even if it comes to rest.
+    fn relax_after(&mut self, length: R, sense: Sense) -> Next {
+        self.errand.slid_to_rest |= !self.body.stiction && length.abs() > R::MICRO;
+        Next::Relax(sense)
     }
     /// In balance, after a slip of two with their senses: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
     /// `pressed`: their reactions counted on the way.
@@ -193,14 +205,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 friction.threshold < R::HUGE && way.abs() >= friction.memory
             })
         };
+        let length = moved.into_iter().next().unwrap_or(R::ZERO);
         if self.body.stiction || is_pressed {
-            let length = moved.into_iter().next().unwrap_or(R::ZERO);
             self.log.slip(length);
         }
         self.body.stiction = is_pressed;
         let senses = contacts.map(|c| c.sense);
         if is_edge && !pressed || !is_edge && !self.press_in_balance(senses) {
-            return Next::Relax(first.sense);
+            return self.relax_after(length, first.sense);
         }
         if !is_pressed {
             self.body.contacts.slide_pair(senses);

@@ -195,12 +195,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         if slides && about_to_jump {
             return;
         }
+        let rests = !slides && !self.body.contacts.is_empty();
         if slides && !self.errand.slid {
             self.log.event(Event::Slide);
-        } else if self.errand.slid && !slides && !self.body.contacts.is_empty() {
+        } else if self.errand.slid && rests {
+            self.log.event(Event::Stop);
+        } else if self.errand.slid_to_rest && rests && self.log.events.is_empty() {
+            self.log.event(Event::Slide);
             self.log.event(Event::Stop);
         }
-        self.errand.slid = slides;
+        (self.errand.slid, self.errand.slid_to_rest) = (slides, false);
     }
     /// What follows from the end of a search at the frozen hand.
     #[inline(never)]

@@ -142,14 +142,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// The outermost of a contact and of those that are in one line with it, or close with it.
     fn outermost(&self, joining: &Joining<'_, R>, flat: usize) -> [Option<Contact>; 2] {
-        let Joining {
-            touched,
-            at,
-            old,
-            tol,
-            steps,
-        } = *joining;
-        if steps {
+        let (touched, at, old) = (joining.touched, joining.at, joining.old);
+        if joining.steps {
             let mut span = Span::NONE;
             span.take(touched, R::ZERO, R::ZERO);
             for k in old.iter().filter(|&k| self.is_flat(touched, k, at)) {
@@ -157,7 +151,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
             return span.ends(R::LEAST);
         }
-        let mut ends = self.flat(touched, at, tol);
+        let mut ends = self.flat(touched, at, joining.tol);
         let [_, high] = ends;
         // What bears already stays; what touches now decides on its side of it.
         if flat == 1

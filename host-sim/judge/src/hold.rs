@@ -10,7 +10,6 @@ use stiction_core::{Event, StateKind as State, Status};
 use crate::bearing::Bearing;
 use crate::finding::{Finding, law};
 use crate::frame::{Contact, Frame};
-use crate::model::LIMIT;
 use crate::slip::Step;
 use crate::touch::Face;
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
@@ -62,7 +61,7 @@ fn bears_all_along(step: &Step<'_>) -> bool {
     let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, last, mu);
     let of_static = bearing(|face| face.friction_static);
     let of_dynamic = bearing(|face| face.friction_dynamic);
-    let limit = LIMIT * step.model.unit_force();
+    let limit = step.model.limit();
     // Beyond the limit a body is jammed, but it stays as well.
     let bears = |contacts: &Bearing<'_>| {
         let hands = [last.hand, next.hand];
@@ -138,7 +137,7 @@ fn is_wedged(step: &Step<'_>, limit: f64) -> bool {
 /// load; a body with status ok has such reactions.
 fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
-    let limit = LIMIT * step.model.unit_force();
+    let limit = step.model.limit();
     let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, next, mu);
     if next.status == Status::Jammed {
         let keeps = !next.events.is_empty() || next.has_contacts_of(step.last);

@@ -104,30 +104,42 @@ impl Model {
         self.scene.stiffness_translation * self.size
     }
 
-    /// D_c (m) of a contact. For a point, whose size means nothing, only if the scene gives a length that is not too short for the
-    /// size that a solver may use (STATICS 10): up to 1 m, or half the radius from the lever of the holding point and the springs.
-    fn memory(&self, face: &Face) -> Option<f64> {
-        let is_point = self.scene.vertices.len() == 1;
-        let largest = || {
-            let grasp = self.scene.holding_point.iter();
-            let levers = grasp.map(|&g| length(sub(g, self.scene.vertices[0])));
-            let springs = self.scene.stiffness_rotation / self.scene.stiffness_translation;
-            levers.fold(springs.sqrt(), f64::hypot) / 2.0
+    /// L of a solver (m). That of a point, whose size means nothing, is 1 m, or the nearest power of two from r/4 to 8 r, with the radius r
+    /// of the springs and the lever of the holding point (STATICS 1).
+    fn unit_length(&self) -> f64 {
+        let scene = &self.scene;
+        let [vertex] = scene.vertices[..] else {
+            return self.size;
         };
-        match face.memory {
-            Some(given) if is_point && given >= SHORTEST * largest().max(1.0) => Some(given),
-            _ if is_point => None,
-            Some(given) => Some(given.max(SHORTEST * self.size)),
-            None => Some(MEMORY * self.size),
+        let springs = (scene.stiffness_rotation / scene.stiffness_translation).sqrt();
+        let lever = scene.holding_point.map(|g| length(sub(g, vertex)));
+        let radius = lever.into_iter().fold(springs, f64::hypot);
+        let mut unit = self.size;
+        while radius > 0.0 && unit > 8.0 * radius {
+            unit /= 2.0;
         }
+        while unit < radius / 4.0 {
+            unit *= 2.0;
+        }
+        unit
     }
 
-    /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own. Infinite for mu_s = mu_d,
-    /// `None` if unknown.
-    pub(crate) fn threshold(&self, face: &Face) -> Option<f64> {
-        let memory = self.memory(face)?;
+    /// The largest reaction that is borne (N): 64 k_h L.
+    pub(crate) fn limit(&self) -> f64 {
+        LIMIT * self.scene.stiffness_translation * self.unit_length()
+    }
+
+    /// D_c (m) of a contact.
+    fn memory(&self, face: &Face) -> f64 {
+        let unit = self.unit_length();
+        let given = face.memory.map(|given| given.max(SHORTEST * unit));
+        given.unwrap_or(MEMORY * unit)
+    }
+
+    /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own. Infinite for mu_s = mu_d.
+    pub(crate) fn threshold(&self, face: &Face) -> f64 {
         let drop = face.friction_static - face.friction_dynamic;
-        Some(self.scene.stiffness_translation * memory / drop.max(0.0))
+        self.scene.stiffness_translation * self.memory(face) / drop.max(0.0)
     }
 
     pub(crate) fn springs(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {

@@ -165,7 +165,7 @@ fn stops(step: &Step<'_>) -> Option<Finding> {
     if ![last, next].iter().all(|frame| frame.is_followed()) {
         return None;
     }
-    let threshold = step.model.threshold(&face)?;
+    let threshold = step.model.threshold(&face);
     let normal = |frame: &Frame| -> f64 { frame.contacts.iter().map(|c| c.normal).sum() };
     let beyond = (threshold - normal(last)).min(normal(next) - threshold);
     Some(step.finding(law::SLIDE_STOPS, beyond.max(0.0), true))

@@ -11,7 +11,7 @@ use stiction_core::{Event, StateKind as State, Status};
 use crate::bearing::Bearing;
 use crate::finding::Bounds;
 use crate::frame::Frame;
-use crate::model::{Grip, LIMIT, Model};
+use crate::model::{Grip, Model};
 use crate::slip::{EVENTS, Step};
 use crate::touch::Face;
 use crate::yielding::can_move;
@@ -76,7 +76,7 @@ fn is_stuck(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> bool 
         |face| face.friction_static
     };
     let contacts = Bearing::new(model, bounds, grip, frame, mu);
-    let limit = LIMIT * model.unit_force();
+    let limit = model.limit();
     let opens = frame.events.iter().filter(|&&event| event == Event::Lift);
     let goes_round = frame.events.len() >= EVENTS || opens.count() >= ROUNDS;
     let stays = goes_round || (several && !can_move(model, grip, frame));

@@ -1,7 +1,7 @@
 //! Arbitrary bytes, and the properties that must hold for them: [`wire`] (a line to a board and from it), [`scene_file`], [`hand_path`],
 //! [`solver`] (a scene, its parameters and a hand's path: every frame obeys the laws), and [`obstacles`] (the same among obstacles, with
 //! the laws of single frames). Each takes bytes and panics if a property is violated. cargo-fuzz searches for such bytes; its finds, and
-//! inputs that reach deep into the codeare under `corpus/` and checked by the tests.
+//! inputs that reach deep into the code, are under `corpus/` and are checked by the tests.
 //!
 //! ```sh
 //! tests/fuzz/run.sh solver 60

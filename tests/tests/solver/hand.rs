@@ -18,6 +18,7 @@ test_each!(
     cases::hand_out_of_range_is_held,
     cases::depth_passes_through,
     cases::soft_grip_turns_a_free_body_up_to_the_floor,
+    cases::heavy_body_follows_a_hand_that_turns_by_many_turns,
 );
 
 mod cases {
@@ -51,6 +52,27 @@ mod cases {
                 assert_eq!(frame.status, Status::Ok);
             }
             assert_eq!(run.frame.state, StateKind::SingleVertex);
+        }
+    }
+
+    /// A body that its weight turns by up to 2 rad from the hand hangs in balance wherever the hand is next.
+    pub(super) fn heavy_body_follows_a_hand_that_turns_by_many_turns<R: Number>(
+        evolution: Evolution,
+    ) {
+        let setup = Setup::block(0.1, 0.06)
+            .at([0.0, 1.5, 0.0])
+            .held_at([0.05, 0.06])
+            .weighing(30.0)
+            .springs(500.0, 0.8)
+            .floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 1.5, 0.0]);
+        for phi in [3.0, 20.0, -15.0, 25.0, -30.0, 0.4] {
+            let frame = run.step([0.0, 1.5, phi]).clone();
+            assert_eq!(
+                (frame.state, frame.status),
+                (StateKind::NonContact, Status::Ok)
+            );
+            assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
         }
     }
 

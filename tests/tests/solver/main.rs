@@ -23,6 +23,7 @@ mod models;
 mod one_coefficient;
 mod projection;
 mod range;
+mod reactions;
 mod scene_errors;
 mod size;
 mod slips;

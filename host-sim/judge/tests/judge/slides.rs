@@ -230,9 +230,9 @@ fn thresholds_of_memory_lengths() {
     }
 }
 
-/// Less than 2^-19 of a body's size counts as that: 1.9 um for a point, whose size is 1 m.
+/// Less than 2^-19 of L counts as that: 4.8e-7 m for the tool, whose springs have a radius of 32 mm, so that its L is 1/4 m.
 #[test]
-fn threshold_of_a_point_is_not_known_where_its_memory_is_shorter_than_all() {
+fn threshold_of_a_point_is_that_of_its_springs() {
     let pressed = |memory: f64| {
         let scene = TOOL.replace("memory = 0.01", &format!("memory = {memory}"));
         // N rises from less than N* to more.
@@ -240,8 +240,8 @@ fn threshold_of_a_point_is_not_known_where_its_memory_is_shorter_than_all() {
         let frames = [0.9, 1.1].map(|part| sliding([part, -part * depth], 1));
         laws(&scene, frames.to_vec())
     };
-    assert_eq!(pressed(2e-6), only(law::SLIDE_STOPS));
-    assert_eq!(pressed(1.8e-6), BTreeSet::new());
+    assert_eq!(pressed(5e-7), only(law::SLIDE_STOPS));
+    assert_eq!(pressed(4e-7), BTreeSet::new());
 }
 
 /// A box without weight that slides under `normal`: each vertex bears its part.

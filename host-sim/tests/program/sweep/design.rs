@@ -50,12 +50,10 @@ fn a_grid_holds_every_point_once_the_last_key_fastest() {
 
 #[test]
 fn keys_may_be_written_without_quotes() {
-    let bare = GRID
-        .replace('"', "'")
-        .replace("'friction.static'", "friction.static");
-    let bare = bare
-        .replace("'spring.rotation'", "spring.rotation")
-        .replace("'body.weight'", "body.weight");
+    let mut bare = GRID.replace('"', "'");
+    for key in ["friction.static", "spring.rotation", "body.weight"] {
+        bare = bare.replace(&format!("'{key}'"), key);
+    }
     assert_eq!(
         table(&folder(&bare), "out.csv", ""),
         table(&folder(GRID), "out.csv", "")
