@@ -49,15 +49,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn flies_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
         let way = body.hand.to(to);
         let m = Motion::new(Kind::Free, body, way.per_p).to(*to, way.whole);
-        if self.world.weight == R::ZERO && !self.grip.swings {
+        let end = if self.world.weight == R::ZERO && !self.grip.swings {
             // The angle is the hand's.
             let (mut i, turn) = (Instant::ZERO, (to.angle - body.angle).abs());
             let (u, p) = (to.angle, way.whole);
             self.place(&m, Spot { u, p }, None, &mut i);
             let bound = self.bound(&m, &i, &Pace::linear(turn, p), None);
-            return self.arrives(body, to, (&m, &i), &bound);
-        }
-        match self.calm_end(body, &m, way.whole) {
+            Some((i, bound))
+        } else {
+            self.calm_end(body, &m, way.whole)
+        };
+        match end {
             Some((i, bound)) => self.arrives(body, to, (&m, &i), &bound),
             None => Calm::Unsure,
         }

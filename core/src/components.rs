@@ -155,57 +155,60 @@ impl<R: Real> WrenchCone<R> {
         None
     }
     /// The components along edges that balance a load or come closest to it, and the volume of three.
-    fn on(&self, edges: &[usize], load: Wrench<R>) -> Option<(Solution<R>, R)> {
-        match *edges {
-            [i, j, k] => self.on_three([i, j, k], load),
-            [i, k] => {
-                let [a, b] = self.on_two([i, k], load)?;
-                Some(([a, b, Part::NONE], R::ZERO))
-            }
-            [i] => Some(([self.on_one(i, load)?, Part::NONE, Part::NONE], R::ZERO)),
-            _ => None,
-        }
-    }
-    /// The components along three edges that balance a load, and the volume of the edges.
     #[inline(never)]
-    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<(Solution<R>, R)> {
+    fn on(&self, edges: &[usize], load: Wrench<R>) -> Option<(Solution<R>, R)> {
+        let (load, unit) = normalized(load);
+        let (mut solution, small, volume) = match *edges {
+            [i, j, k] => self.on_three([i, j, k], load)?,
+            [i, k] => self.on_two([i, k], load)?,
+            [i] => self.on_one(i, load)?,
+            _ => return None,
+        };
+        let times = unit.in_units(small);
+        for part in &mut solution {
+            part.size = part.size * times;
+        }
+        Some((solution, volume))
+    }
+    /// The components along three edges that balance a load, divided by a unit, this unit, and the volume of the edges.
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench<R>) -> Option<(Solution<R>, R, R)> {
         let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
         let small = unit_of(volume);
-        let (load, unit) = normalized(load);
-        let (divisor, times) = (volume.in_units(small), unit.in_units(small));
+        let divisor = volume.in_units(small);
         let part = |edge, face: Wrench<R>| Part {
             edge,
-            size: -(face.dot(load) / divisor) * times,
+            size: -(face.dot(load) / divisor),
         };
         // A component that is hardly known shows in its residual.
         let is_usable = volume.abs() > R::EPSILON;
-        is_usable.then(|| ([part(i, bc), part(j, ca), part(k, ab)], volume.abs()))
+        let solution = [part(i, bc), part(j, ca), part(k, ab)];
+        is_usable.then_some((solution, small, volume.abs()))
     }
-    /// The components along two edges that come closest to bearing a load.
-    fn on_two(&self, [i, k]: [usize; 2], load: Wrench<R>) -> Option<[Part<R>; 2]> {
+    /// The components along two edges that come closest to bearing a load, divided by a unit, this unit, and no volume.
+    fn on_two(&self, [i, k]: [usize; 2], load: Wrench<R>) -> Option<(Solution<R>, R, R)> {
         let (a, b) = (self.wrench(i)?, self.wrench(k)?);
         let across = a.cross(b);
         let (normal, small) = normalized(across);
         let square = normal.dot(normal);
-        let (load, unit) = normalized(load);
-        let times = unit.in_units(small);
         let part = |edge, face: Wrench<R>| Part {
             edge,
-            size: -(face.dot(normal) / square) * times,
+            size: -(face.dot(normal) / square),
         };
         let is_usable = across.size() > R::EPSILON * R::from_int(4);
-        is_usable.then(|| [part(i, load.cross(b)), part(k, a.cross(load))])
+        let solution = [part(i, load.cross(b)), part(k, a.cross(load)), Part::NONE];
+        is_usable.then_some((solution, small, R::ZERO))
     }
-    /// The component along an edge that comes closest to bearing a load.
-    fn on_one(&self, edge: usize, load: Wrench<R>) -> Option<Part<R>> {
+    /// The component along an edge that comes closest to bearing a load, divided by a unit, this unit, and no volume.
+    fn on_one(&self, edge: usize, load: Wrench<R>) -> Option<(Solution<R>, R, R)> {
         let (along, small) = normalized(self.wrench(edge)?);
-        let (load, unit) = normalized(load);
-        Some(Part {
-            edge,
-            size: -(along.dot(load) / along.dot(along)) * unit.in_units(small),
-        })
+        let size = -(along.dot(load) / along.dot(along));
+        Some((
+            [Part { edge, size }, Part::NONE, Part::NONE],
+            small,
+            R::ZERO,
+        ))
     }
     /// No contact has to press harder than the limit up to which reactions are reported as they are.
     fn is_within_limit(&self, solution: &[Part<R>], limit: R) -> bool {

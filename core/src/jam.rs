@@ -104,7 +104,7 @@ fn margins<R: Real>(
 
 /// Directions among which are the normals of all faces of what is borne: those to two of the sides; if all may lie in one plane, also those
 /// in it to one; in a corner, whose contacts bear forces through one vertex, those to one.
-fn normals<R: Real>(sides: &[Wrench<R>], shape: Shape, each: &mut impl FnMut(Wrench<R>)) {
+fn normals<R: Real>(sides: &[Wrench<R>], shape: Shape, each: &mut dyn FnMut(Wrench<R>)) {
     for (i, &a) in sides.iter().enumerate() {
         if shape == Shape::Corner {
             each(Wrench {

@@ -64,7 +64,7 @@ impl Page {
         Ok(Self {
             web,
             pictures: pictures()?,
-            worker,
+            worker: without_comments(&String::from_utf8_lossy(&worker)).into_bytes(),
             wasm,
         })
     }
