@@ -59,7 +59,7 @@ impl<R: Real> WrenchCone<R> {
         self.approach(load, &mut parts);
         parts
     }
-    /// Removes the rounding; if no three edges bear the load, this is the closest that up to three come to it.
+    /// Removes the rounding; if no edges bear the load, this is the closest that up to three come to it.
     #[inline(never)]
     fn approach(&self, load: Wrench<R>, parts: &mut Vec<R, MOST>) {
         for _ in 0..2 {

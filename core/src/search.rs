@@ -14,7 +14,7 @@ use crate::world::Statics;
 
 /// After this many rounds a search returns what is certain.
 const ROUNDS: u8 = 40;
-/// In the last of them no window is longer than half of the one before.
+/// In the last of them a window on which something crosses zero is followed by one of at most half its length.
 const LAST_ROUNDS: u8 = 8;
 
 /// How a search ended: at which end of its last window, at which x (or p, if it went along u), how far nothing else is.

@@ -1,4 +1,4 @@
-//! Scripts of the page as they are sent to a browser: without comments, which are a third of them.
+//! Scripts of the page as they are sent to a browser: without comments, which are a third of them, and empty lines.
 
 /// A script without its comment lines and empty lines. It relies on the style of the page: a comment begins a line, or is a cast before
 /// code, and no text has empty lines.
