@@ -53,6 +53,31 @@ impl<R: Real> WrenchCone<R> {
         let both = move |own: &[ConeEdge<R>]| Some([unit(own.first()?), unit(own.last()?)]);
         self.contacts().filter_map(both)
     }
+    /// A load that is borne, and any that differs by at most `most`, is borne within the limit, by one direction x that has all edges ahead
+    /// of it: no force along an edge is negative, so each is at most the part of the load along x over the least x·edge. x is the mean of the
+    /// edges; where those of one side outnumber another one, it leans to the edge that is least ahead.
+    fn is_surely_within_limit(&self, is_corner: bool, load: Wrench<R>, most: R) -> bool {
+        let part = R::ONE / R::from_int(self.edges.len() as i32);
+        let edges = || self.edges.iter().map(|edge| edge.wrench);
+        let mut x = edges().fold(Wrench::ZERO, |sum, edge| sum + edge * part);
+        for _ in 0..2 {
+            if is_corner {
+                x.moment = R::ZERO;
+            }
+            let (mut least, mut last) = (R::HUGE, Wrench::ZERO);
+            for edge in edges() {
+                let along = x.dot(edge);
+                if along < least {
+                    (least, last) = (along, edge);
+                }
+            }
+            if most * x.size() - x.dot(load) < least * R::limit() {
+                return true;
+            }
+            x = x + last * part;
+        }
+        false
+    }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.
     fn within_limit(&self, is_corner: bool, load: Wrench<R>, little: R, most: R) -> R {
@@ -140,6 +165,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         let (mut cone, load) = (WrenchCone::new(), self.present_load(body));
         self.cone(body, &mut cone);
+        if cone.is_surely_within_limit(is_corner, load, most) {
+            return Some(most);
+        }
         let change = cone.within_limit(is_corner, load, self.rounding(body), most);
         let is_within =
             change >= -R::of_release(load.size()) || self.bears_within_limit(body, load);
