@@ -9,7 +9,7 @@
 
 use crate::finding::Bounds;
 use crate::frame::{Contact, Frame};
-use crate::model::{Grip, LIMIT, Model};
+use crate::model::{Grip, Model};
 use crate::touch::Face;
 use crate::vector::{Vec2, Vec3, add, cross, cross3, dot3, length3, scaled, sub};
 
@@ -67,7 +67,7 @@ impl<'a> Bearing<'a> {
             pose: frame.pose,
             contacts,
             unknown,
-            blur: unknown * (2.0 * LIMIT * slant + 1.0) * model.unit_force() + of_angle,
+            blur: unknown * (2.0 * slant * model.limit() + model.unit_force()) + of_angle,
         }
     }
 

@@ -19,8 +19,8 @@ use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
-/// A load this large (k_h L) needs large reactions in any case, and some number types refuse it.
-const LOAD: f64 = 16.0;
+/// A load of this part of the limit needs large reactions in any case, and some number types refuse it.
+const LOAD: f64 = 1.0 / 4.0;
 
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
@@ -154,7 +154,7 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
         return Some(keeps && several && !idle && !idle_corner);
     }
     let load = step.model.load(next.pose, next.hand, step.grip);
-    let is_large = length(load.force) > LOAD * step.model.unit_force();
+    let is_large = length(load.force) > LOAD * limit;
     if !next.is_followed() || !next.tells_slides() || !is_fixed(next) || is_large {
         return None;
     }

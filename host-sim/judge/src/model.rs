@@ -69,7 +69,7 @@ const MEMORY: f64 = 1.0 / 4096.0;
 const SHORTEST: f64 = 1.0 / 524_288.0;
 
 /// The largest reaction that is borne without a limit, in units of k_h L; beyond it a body is jammed.
-pub(crate) const LIMIT: f64 = 64.0;
+const LIMIT: f64 = 64.0;
 
 impl Model {
     pub(crate) fn new(mut scene: Scene) -> Self {

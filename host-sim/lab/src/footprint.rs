@@ -32,20 +32,17 @@ use table::{LEGEND, Row, table};
 pub struct FootprintArgs {
     /// Scene file (TOML), or the name of a bundled scene; without one, a few bundled scenes, those of the README
     scene: Option<PathBuf>,
-    /// Measure this evolution only, instead of both
-    #[arg(long, value_parser = parse_evolution)]
-    evolution: Option<Evolution>,
+    /// How a frame is evolved: path, or frame
+    #[arg(long, default_value = "path", value_parser = parse_evolution)]
+    evolution: Evolution,
 }
 
-const SCENES: [&str; 8] = [
-    "locked",
-    "corner-stick-slip",
-    "ladder",
-    "vertex-stick-slip",
-    "box-flat",
-    "rod-on-floor",
+/// A point and a box on a floor, a box in a corner, a box on a table.
+const SCENES: [&str; 4] = [
     "point-stick-slip",
-    "point-frictionless",
+    "box-flat",
+    "corner-stick-slip",
+    "table-edge",
 ];
 
 /// A scene and its hand in every frame.
@@ -80,21 +77,18 @@ pub fn footprint(args: &FootprintArgs, output: Destination) -> Result<(), Box<dy
         scene.scene::<f32>()?;
         scene.scene::<Fixed>()?;
     }
-    let all = Evolution::ALL.into_iter();
-    let evolutions: Vec<_> = all
-        .filter(|evolution| args.evolution.is_none_or(|asked| asked == *evolution))
-        .collect();
     Board::require_all(&Chip::ALL.map(Board::of))?;
     let mut rows = Vec::new();
     for case in &cases {
         println!("{}", heading(case));
-        rows.extend(measured(case, &evolutions)?);
+        rows.extend(measured(case, args.evolution)?);
     }
     let table = table(&rows);
     let text = format!(
-        "Written by `cargo run --release -p stiction-lab -- footprint --write`. {LEGEND}\n{table}"
+        "Written by `cargo run --release -p stiction-lab -- footprint --write`. Evolution: {}. {LEGEND}\n{table}",
+        args.evolution.name()
     );
-    let write = output.write && args.scene.is_none() && args.evolution.is_none();
+    let write = output.write && args.scene.is_none() && args.evolution == Evolution::Path;
     Ok(Destination { write }.put("host-sim/TRADE.md", "footprint", &text)?)
 }
 
@@ -109,33 +103,28 @@ fn heading(case: &Case) -> String {
     text + &format!("  the full model is {}\n\n", model.full())
 }
 
-fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
+fn measured(case: &Case, evolution: Evolution) -> Result<Vec<Row>, EmulatorError> {
     // One chip computes while the image of another one is built.
     let of_chips = thread::scope(|scope| {
-        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, evolutions)));
+        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, evolution)));
         started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
     });
-    let rows: Result<Vec<_>, _> = of_chips.into_iter().collect();
-    Ok(rows?.concat())
+    of_chips.into_iter().collect()
 }
 
-fn of_chip(chip: Chip, case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, EmulatorError> {
+fn of_chip(chip: Chip, case: &Case, evolution: Evolution) -> Result<Row, EmulatorError> {
     let Case { scene, hands } = case;
     let model = SceneModel::smallest(scene);
-    let row = |&evolution| {
-        let of = |model| {
-            let measured = measure(chip, model, scene, evolution, hands);
-            eprintln!("{} done: {model}", chip.name());
-            measured
-        };
-        Ok(Row {
-            scene: scene.title.clone(),
-            model,
-            chip,
-            evolution,
-            smallest: of(model)?,
-            full: of(model.full())?,
-        })
+    let of = |model| {
+        let measured = measure(chip, model, scene, evolution, hands);
+        eprintln!("{} done: {model}", chip.name());
+        measured
     };
-    evolutions.iter().map(row).collect()
+    Ok(Row {
+        scene: scene.title.clone(),
+        model,
+        chip,
+        smallest: of(model)?,
+        full: of(model.full())?,
+    })
 }

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use stiction_core::Evolution;
 use stiction_host_sim::trade::chip::Chip;
 use stiction_scene::SceneModel;
 
@@ -23,12 +22,11 @@ pub(super) struct Row {
     pub(super) scene: String,
     pub(super) model: SceneModel,
     pub(super) chip: Chip,
-    pub(super) evolution: Evolution,
     pub(super) smallest: Measured,
     pub(super) full: Measured,
 }
 
-const COLUMNS: &str = "scene | smallest model | chip | evolution | flash, small (bytes): | flash, fast (bytes): | state (bytes): | \
+const COLUMNS: &str = "scene | smallest model | chip | flash, small (bytes): | flash, fast (bytes): | state (bytes): | \
     stack (bytes): | instructions, mean: | instructions, worst: | µs, mean: | µs, worst:";
 
 /// A chip with its number type.
@@ -38,7 +36,7 @@ fn label(chip: Chip) -> String {
 }
 
 impl Row {
-    fn cells(&self) -> [String; 12] {
+    fn cells(&self) -> [String; 11] {
         fn pair(row: &Row, figure: impl Fn(&Measured) -> String) -> String {
             format!("{} / {}", figure(&row.smallest), figure(&row.full))
         }
@@ -58,7 +56,6 @@ impl Row {
             self.scene.clone(),
             self.model.to_string(),
             label(self.chip),
-            self.evolution.name().to_owned(),
             both(|measured| measured.flash_small.to_string()),
             both(|measured| measured.flash_fast.to_string()),
             both(|measured| measured.counted.totals.state.to_string()),
@@ -117,7 +114,6 @@ mod tests {
             scene: "tip".to_owned(),
             model,
             chip: Chip::CortexM0,
-            evolution: Evolution::Frame,
             smallest: measured(&[900, 10, 20]),
             full: measured(&[900]),
         };
@@ -126,7 +122,6 @@ mod tests {
             "tip",
             "V = 1, S = 1",
             "M0, fixed",
-            "frame",
             "100 / 100",
             "200 / 200",
             "30 / 30",
