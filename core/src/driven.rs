@@ -48,7 +48,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             return self.driven_at_turn(body, hand, contacts, pressing);
         }
         let senses = v.map(Sense::of);
-        let little = R::of_drive(load.force.length_bound());
+        let of_load = R::of_drive(load.force.length_bound());
+        // The normal of two edges is known to their rounding, however short it is.
+        let of_normal = R::EPSILON * R::from_int(8) * load.size();
         let along = Wrench::at(first.r, first.t) * v1 + Wrench::at(second.r, second.t) * v2;
         for direction in [Sense::Plus, Sense::Minus] {
             let senses = match direction {
@@ -58,12 +60,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let [w1, w2] = self.edges_of(pair, &frames, senses);
             let x = w1.cross(w2);
             let full = x.dot(along);
+            let little = of_load.min(of_load * x.size() + of_normal);
             if direction.along(x.dot(load) * full.sign()) <= little {
                 continue;
             }
             let shares = [w2.cross(along).dot(load), along.cross(w1).dot(load)];
             let mut normal = shares.iter().map(|&share| -(share / full));
-            let is_pressed = normal.all(|n| n >= -R::TOUCH - little);
+            let known = of_load * along.size() / full.abs();
+            let is_pressed = normal.all(|n| n >= -(R::TOUCH + known));
             if pressing == Pressing::AtBalance || is_pressed {
                 return Some(Driven {
                     senses,
@@ -121,7 +125,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     fn drives(&self, m: &Motion<R>, i: &Instant<R>, pressing: Pressing) -> bool {
         let little = R::of_drive(i.force.length_bound());
         let shares = self.shares(m, i);
-        let is_pressed = pressing == Pressing::AtBalance || shares.press(R::TOUCH + little);
+        let is_pressed = pressing == Pressing::AtBalance || shares.press();
         i.e > little && shares.drag > R::ZERO && is_pressed
     }
 }

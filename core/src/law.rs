@@ -215,7 +215,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
             let i = self.statics.placed_at_start(&m);
             let shares = self.statics.shares(&m, &i);
-            let presses = shares.press(R::TOUCH) && self.statics.press_on(self.body, &m, &i);
+            let presses = shares.press() && self.statics.press_on(self.body, &m, &i);
             if i.e_u < R::ZERO && i.e_p > R::ZERO && presses {
                 if self.statics.has_stiction(&m, &i) {
                     self.body.stiction = true;

@@ -16,11 +16,14 @@ use crate::world::Statics;
 pub(crate) struct Shares<R> {
     pub(crate) normal: [R; 2],
     pub(crate) drag: R,
+    /// What the normal reactions are known to: over a short lever a moment tells little.
+    pub(crate) known: R,
 }
 
 impl<R: Real> Shares<R> {
-    /// No contact is pulled by more than `little`.
-    pub(crate) fn press(&self, little: R) -> bool {
+    /// No contact is pulled by more than a touch.
+    pub(crate) fn press(&self) -> bool {
+        let little = R::TOUCH + self.known;
         self.normal.iter().all(|&n| n >= -little)
     }
 }
@@ -51,8 +54,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let slope = g.length();
         let twist = Vec2::new(g.y, -g.x) * (sense / slope);
         let apart = (second.r - first.r).length_bound();
+        // Of one kind only a turn changes g: between parallel normals there is none, however far they slide.
         let bend = if first.turns == second.turns {
-            apart
+            apart * (twist.y.abs() + twist.y.abs().halved().halved()).min(R::ONE)
         } else {
             apart + R::ONE + R::HALF.halved()
         };
@@ -61,7 +65,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             twist,
             flip: R::ONE,
             slope,
-            reach: if line {
+            reach: if line || bend == R::ZERO {
                 R::HUGE
             } else {
                 slope / (bend * R::from_int(5))
@@ -258,7 +262,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         let full = through_first(f1, w2, drag);
         let [cos1, cos2] = m.contacts.map(|c| self.friction(c).sliding.cos);
+        let load = i.force.length_bound().max(i.moment.abs());
         Shares {
+            known: R::of_balance(load) * drag.size() / full.abs(),
             normal: [
                 w2.cross(drag).dot(borne) / full * cos1,
                 through_first(f1, borne, drag) / full * cos2,

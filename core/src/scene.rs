@@ -110,7 +110,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
         let k = d.stiffness_rotation;
-        let scene = Self {
+        let mut scene = Self {
             world: World {
                 centroid: centroid(&vertices),
                 vertices,
@@ -135,6 +135,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
             turns: theta.turns,
         };
         scene.check_range(d)?;
+        scene.world.unite_sides();
         scene.check_start()?;
         Ok(scene)
     }

@@ -48,7 +48,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         out
     }
     /// Two contacts that slide: along the edges of their cones, in balance. Where these differ enough they bear the force, since over a short
-    /// lever the moment tells less; otherwise each bears the moment about the other.
+    /// lever the moment tells less; otherwise the second bears the moment about the first, and both together the force.
     fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
         let contacts = body.contacts.pair();
         let [a, b] = contacts;
@@ -63,9 +63,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             let force = load.force;
             [f2.cross(force) / sine, force.cross(f1) / sine]
         } else {
-            let r12 = second.r - first.r;
-            let [m1, m2] = [first, second].map(|at| load.moment - at.r.cross(load.force));
-            [m2 / r12.cross(f1), -m1 / r12.cross(f2)]
+            let moment = load.moment - first.r.cross(load.force);
+            let of_second = -moment / (second.r - first.r).cross(f2);
+            [-f1.dot(load.force) - f1.dot(f2) * of_second, of_second]
         };
         let mut out = [[R::ZERO; 2]; 2];
         for ((slot, size), c) in out.iter_mut().zip(sizes).zip(contacts) {
@@ -73,6 +73,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             *slot = [size * cone.cos, -c.sense.along(size * cone.sin)];
         }
         out
+    }
+    /// What the reactions of two that slide are known to.
+    pub(crate) fn known_of_pair(&self, body: &Body<R>) -> R {
+        let contacts = body.contacts.pair();
+        let [a, b] = contacts;
+        let [first, second] = &self.frames(contacts, body.rotation, body.holding);
+        let (f1, f2) = (self.edge(a, first).f, self.edge(b, second).f);
+        let (sine, arm) = (f1.cross(f2).abs(), (second.r - first.r).cross(f2).abs());
+        self.rounding(body) / if sine >= R::spread() { sine } else { arm }
     }
     /// Two contacts in one line: N_2 by the moment about the first (E20), T in proportion to N.
     fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {

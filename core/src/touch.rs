@@ -62,8 +62,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Reactions of a pair that are zero at its beginning do not fall.
     pub(crate) fn press_on(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> bool {
         let ahead = self.shares_ahead(body, m, i);
-        let mut shares = self.shares(m, i).normal.into_iter().zip(ahead);
-        shares.all(|(n, ahead)| n > R::TOUCH || ahead.d >= R::ZERO)
+        let shares = self.shares(m, i);
+        let (zero, steady) = (R::TOUCH + shares.known, R::of_displacement(m.hand_p.size()));
+        let mut normal = shares.normal.into_iter().zip(ahead);
+        normal.all(|(n, ahead)| n > zero || ahead.d >= -steady)
     }
     /// Multiples of N_1, N_2 of a pair on the hand's path, with their rates.
     fn shares_ahead(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> [Value<R>; 2] {

@@ -74,6 +74,13 @@ impl<R: Real> Side<R> {
         offset: R::LEAST,
         friction: Friction::NONE,
     };
+
+    /// Wherever a body can be, its gaps to both close together: within a touch.
+    fn coincides(&self, other: &Self) -> bool {
+        let turn = (self.normal - other.normal).length_bound();
+        let way = (self.offset - other.offset).abs();
+        turn <= R::TOUCH / R::RANGE && way <= R::TOUCH
+    }
 }
 
 /// The rotational stiffness k = k_theta / (k_h L²).
@@ -175,6 +182,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
     /// What is only needed among obstacles is not done without them, whatever the capacity, so that all capacities give the same bits.
     pub(crate) fn has_obstacles(&self) -> bool {
         C > 0 && !self.obstacles.is_empty()
+    }
+    /// Of half-planes that coincide only the one of the largest static friction is left, as together they bear what it bears alone; of equal
+    /// ones the first.
+    pub(crate) fn unite_sides(&mut self) {
+        let all = self.sides.clone();
+        for (i, side) in self.sides.iter_mut().enumerate() {
+            let covers = |(k, other): (usize, &Side<R>)| {
+                let [own, others] = [&*side, other].map(|side| side.friction.fixed.sin);
+                let is_better = others > own || others == own && k < i;
+                is_better && side.coincides(other)
+            };
+            if all.iter().enumerate().any(covers) {
+                *side = Side::NOWHERE;
+            }
+        }
     }
     /// A hold of the body at g, body frame.
     pub(crate) fn grip(&self, point: Vec2<R>) -> Grip<R> {

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-/// A fixed half-plane in SI units, world frame. It has no ends and does not move.
+/// A fixed half-plane in SI units, world frame. It has no ends and does not move. Of several that coincide, within a touch (STATICS 16)
+/// wherever the body can be, only the one of the largest static friction makes contacts, of equal ones the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDescription<F> {
     /// Its normal n, which points to the free side; finite, of any length but 0: it is normalised.

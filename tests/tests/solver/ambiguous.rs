@@ -10,6 +10,7 @@ test_each! {
     cases::frame_after_an_imbalance_is_a_jump,
     cases::slot_without_friction_bears_nothing_along_it,
     cases::straight_across_a_slot_the_weight_is_borne,
+    cases::two_floors_at_one_height_are_the_one_with_more_friction,
 }
 
 mod cases {
@@ -97,6 +98,29 @@ mod cases {
             assert!(frame.status <= Status::EventLimit, "{frame:?}");
             let [fx, _, _] = frame.wrench;
             assert!(fx.abs() <= 1e3 * R::ROUNDING, "{}: {fx} N", R::NAME);
+        }
+    }
+
+    /// Which floor bears what is not determined, but together they bear what the one with more friction bears alone.
+    pub(super) fn two_floors_at_one_height_are_the_one_with_more_friction<R: Number>(
+        evolution: Evolution,
+    ) {
+        let (rough, smooth) = ([0.5, 0.3], [0.2, 0.2]);
+        let on = |floors: &[[f64; 2]]| {
+            let block = Setup::block(0.1, 0.06).springs(500.0, 1.0).weighing(1.0);
+            let setup = (floors.iter()).fold(block, |setup, &friction| setup.floor(friction));
+            let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.0, 0.0]);
+            let ways = [[0.0, -0.01, 0.0], [0.02, -0.01, 0.1], [-0.02, 0.01, 0.0]];
+            let frames = ways.map(|hand| run.lead(hand, 9));
+            frames.map(|frames| {
+                frames
+                    .into_iter()
+                    .map(|f| (f.pose, f.wrench, f.events, f.status))
+            })
+        };
+        let one = on(&[rough]).map(Vec::from_iter);
+        for floors in [[rough, smooth], [smooth, rough], [rough, rough]] {
+            assert_eq!(on(&floors).map(Vec::from_iter), one, "{floors:?}");
         }
     }
 

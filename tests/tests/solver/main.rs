@@ -27,6 +27,7 @@ mod reactions;
 mod scene_errors;
 mod size;
 mod slips;
+mod slots;
 mod snapshot;
 mod swings;
 mod symmetry;
