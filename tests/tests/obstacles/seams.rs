@@ -10,6 +10,7 @@ use stiction_tests::{Number, Setup, test_each};
 test_each!(
     cases::nothing_slides_between_a_block_and_its_ground,
     cases::rod_turns_about_the_place_where_two_walls_meet,
+    cases::box_turns_next_to_the_place_where_two_walls_meet,
 );
 
 /// A box between two x and two y; upside down if `up` is -1.
@@ -105,6 +106,41 @@ mod cases {
                         R::near(&what, pose[k], expected[k]);
                     }
                 }
+            }
+        }
+    }
+
+    /// Without friction a box stands with a vertex in the hollow of two walls. A hand that goes away from one of them in one step takes it along
+    /// the other, and turns it next to the place where they meet: it comes to where a hundred steps lead it.
+    pub(super) fn box_turns_next_to_the_place_where_two_walls_meet<R: Number>(
+        evolution: Evolution,
+    ) {
+        let wall = |from: [f64; 2], to: [f64; 2]| Obstacle {
+            vertices: vec![from, to],
+            friction: [0.0, 0.0],
+        };
+        let theta = std::f64::consts::FRAC_PI_4;
+        let setup = Setup::block(1.0, 0.6).springs(1.0, 0.2);
+        let setup = setup.held_at([0.0, 0.3]).standing(0, [0.0, 0.0], theta);
+        let [x, y] = setup.grip();
+        let obstacles = vec![wall([0.0, 0.0], [-1.0, 0.5]), wall([1.0, 0.5], [0.0, 0.0])];
+        let scene = Among { setup, obstacles };
+        let laws = Laws::new::<R>(&scene);
+        for turn in [0.05, -0.05] {
+            let away = [x + 0.3, y, theta + turn];
+            let ends = [100, 1].map(|count| {
+                let mut run = Run::<R>::start(&scene, evolution, [x, y, theta]);
+                for hand in polyline(&[[x, y - 0.2, theta], away], count) {
+                    let frame = run.step(hand);
+                    assert_eq!(frame.status, Status::Ok, "{turn}: {frame:?}");
+                    let broken = laws.broken(frame);
+                    assert!(broken.is_empty(), "{turn}: {broken:?} {frame:?}");
+                }
+                run.frame.pose
+            });
+            let [slowly, at_once] = ends;
+            for k in 0..3 {
+                R::near(&format!("{} {turn}", R::NAME), at_once[k], slowly[k]);
             }
         }
     }
