@@ -322,4 +322,15 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         b.pivot + (arm.length_bound() + more) * b.turn
     }
+    /// The bound of the second derivative of the gap between a side of the body and a place of the world that is `arm` from the pivot: from a
+    /// vertex, which moves with its foot, or from a corner, along which the body moves.
+    pub(crate) fn corner_bound(&self, m: &Motion<R>, b: &Bound<R>, arm: Vec2<R>) -> R {
+        let [xi1, xi2] = b.foot;
+        let pivot1 = match m.kind {
+            Kind::Line | Kind::Free => b.way,
+            Kind::Pin | Kind::Slide | Kind::Pair if self.turns(m.first()) => R::ZERO,
+            Kind::Pin | Kind::Slide | Kind::Pair => xi1,
+        };
+        xi2 + (arm.length_bound() + pivot1) * b.turn + (pivot1 * b.theta).doubled()
+    }
 }

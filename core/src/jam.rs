@@ -56,6 +56,7 @@ impl<R: Real> WrenchCone<R> {
     /// A load that is borne, and any that differs by at most `most`, is borne within the limit, by one direction x that has all edges ahead
     /// of it: no force along an edge is negative, so each is at most the part of the load along x over the least x·edge. x is the mean of the
     /// edges; where those of one side outnumber another one, it leans to the edge that is least ahead.
+    #[inline(never)]
     fn is_surely_within_limit(&self, is_corner: bool, load: Wrench<R>, most: R) -> bool {
         let part = R::ONE / R::from_int(self.edges.len() as i32);
         let edges = || self.edges.iter().map(|edge| edge.wrench);

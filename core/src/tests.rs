@@ -316,6 +316,11 @@ fn bounds_hold_on_every_accepted_window() {
                     rounding2,
                 );
                 at_most("way'", first(&gap), bound.way, rounding1);
+                let corner = end.g + arm + end.r * 1.5;
+                let gap = |i: &Instant<f64>| i.rotation.undo(corner - i.g).y;
+                let arm = corner - end.g - end.r;
+                let bound = statics.corner_bound(&m, &bound, arm);
+                at_most("corner's gap''", second(&gap), bound, rounding2);
             }
             let apart = 1e-5;
             let near = |du: f64, dp: f64| {

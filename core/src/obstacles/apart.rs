@@ -31,13 +31,18 @@ impl<R: Real> Instant<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// What a place is known to, and its gaps: it follows from the hand, which is as far as the load is large. On half-planes a gap that was
-    /// missed is closed later; a thin wall has two sides.
+    /// What a place is known to, and its gaps: it follows from the hand, which is as far as the load is large, and from u, where E is zero to
+    /// its rounding. On half-planes a gap that was missed is closed later; a thin wall has two sides.
     pub(crate) fn rounding_at(&self, i: &Instant<R>) -> R {
-        if self.world.has_obstacles() {
-            R::of_balance(i.force.length_bound())
+        if !self.world.has_obstacles() {
+            return R::ZERO;
+        }
+        let little = R::of_balance(i.force.length_bound());
+        // A line has no balance.
+        if i.e_u == R::ZERO {
+            little
         } else {
-            R::ZERO
+            little + little / i.e_u.abs()
         }
     }
     /// The bound of the second derivative of a gap along an axis, with the lever of what it compares at the end of a window.
@@ -46,12 +51,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if !axis.turns() {
             return self.gap_bound(m, b, lever - i.r);
         }
-        let [xi1, _] = b.foot;
-        let g1 = match m.kind {
-            Kind::Line | Kind::Free => b.way,
-            Kind::Pin | Kind::Slide | Kind::Pair => xi1 + (i.r.length_bound() + xi1) * b.theta,
-        };
-        b.holding + (lever.length_bound() + g1) * b.turn + (g1 * b.theta).doubled()
+        self.corner_bound(m, b, lever - i.r)
     }
     /// The room that a window leaves before an obstacle, by its end alone; none if it may be touched.
     pub(crate) fn room_before(

@@ -6,6 +6,7 @@ use crate::contact::{Contact, Feature};
 use crate::geometry::{Rotation, Vec2};
 use crate::motion::Rates;
 use crate::real::Real;
+use crate::state::Body;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
@@ -188,6 +189,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     pub(crate) fn slowest(
         &self,
         o: &Obstacle<R>,
+        body: &Body<R>,
         [before, at]: [At<R>; 2],
         rates: &Rates<R>,
         step: R,
@@ -199,8 +201,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         for axis in self.axes(o, at) {
             let then = self.axis(o, axis.normal, before);
             let gap = self.along(o, then, before).gap;
-            let was_in_front =
-                gap > R::zero() || gap >= -step_before && !self.is_pinched(o, &then, before);
+            let is_apart =
+                || gap > R::zero() || gap >= -step_before && !self.is_pinched(o, &then, before);
+            let holds = self.holds_in_front(o, body, &axis, at);
+            let was_in_front = holds.unwrap_or_else(is_apart);
             let is_behind = self.along(o, axis, at).gap < -step;
             if !was_in_front || is_behind || self.is_hollow(o, &axis, at) {
                 continue;
@@ -229,6 +233,28 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         }
         best
+    }
+    /// Of a point or rod with a contact at a corner of an obstacle at which another one goes on, its normal along an axis: the body is in front
+    /// of the axis, or behind, and the axis keeps nothing apart. Where it is closed, gaps do not say so.
+    pub(crate) fn holds_in_front(
+        &self,
+        o: &Obstacle<R>,
+        body: &Body<R>,
+        axis: &Axis<R>,
+        at: At<R>,
+    ) -> Option<bool> {
+        if self.world.vertices.len() > 2 {
+            return None;
+        }
+        body.contacts.iter().find_map(|contact| {
+            let (place, n) = (self.point(contact, at), self.frame_here(contact, at).n);
+            let is_here = |k: u8| {
+                let way = self.corner(k).place - place;
+                way.length_bound() <= R::MICRO && self.is_joined(k)
+            };
+            let is_along = n.cross(axis.n).abs() <= R::one_line() && o.corners().any(is_here);
+            is_along.then(|| n.dot(axis.n) > R::ZERO)
+        })
     }
     /// Along an axis that is closed what keeps apart is a corner at which another obstacle goes on: nothing passes between them, however thin
     /// it is.

@@ -18,9 +18,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let (statics, tol) = (self.watched.statics, R::zero());
         let step = statics.step_behind(o);
         let gap = |at: At<R>| statics.along(o, statics.axis(o, normal, at), at).gap;
+        let begin = self.lo.instant.at();
         // Where a thin wall is closed it is so on both sides.
-        if step < R::MICRO && gap(self.lo.instant.at()) <= tol && gap(self.came_from()) < -tol {
-            return false;
+        if step < R::MICRO && gap(begin) <= tol && gap(self.came_from()) < -tol {
+            let axis = statics.axis(o, normal, begin);
+            if statics.holds_in_front(o, self.watched.body, &axis, begin) != Some(true) {
+                return false;
+            }
         }
         let axis = statics.axis(o, normal, self.hi.instant.at());
         let mut all = statics.compared(o, &axis);
@@ -115,7 +119,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let step = R::MICRO.max(tol - gap);
         let is_thick = statics.step_behind(o) >= R::MICRO;
         let before = if is_thick { at } else { self.came_from() };
-        let Some(slowest) = statics.slowest(o, [before, at], &self.lo.rates, step) else {
+        let Some(slowest) =
+            statics.slowest(o, self.watched.body, [before, at], &self.lo.rates, step)
+        else {
             return Ok(R::ZERO);
         };
         let still = tol * speed(&self.lo.rates);
@@ -134,7 +140,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if self.keeps_apart(on, o, slowest.axis.normal) {
             return Ok(now.max(R::ZERO));
         }
-        let mut others = statics.axes(o, at);
+        let is_behind =
+            |axis: &Axis<R>| statics.holds_in_front(o, self.watched.body, axis, at) == Some(false);
+        let mut others = statics.axes(o, at).filter(|axis| !is_behind(axis));
         if is_thick && others.any(|axis| self.keeps_apart(on, o, axis.normal)) {
             return Ok(R::ZERO);
         }
@@ -161,7 +169,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
                 return widest.gap;
             }
             let both = [self.lo.instant.at(), at];
-            if let Some(slowest) = statics.slowest(o, both, &self.hi.rates, R::MICRO) {
+            if let Some(slowest) =
+                statics.slowest(o, self.watched.body, both, &self.hi.rates, R::MICRO)
+            {
                 found.unsure |= !is_apart && self.bracket.width() > tol;
                 let still = tol * speed(&self.hi.rates);
                 let level = statics.along(o, slowest.axis, at).gap;
@@ -224,7 +234,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         }
         let both = [self.lo.instant.at(), self.hi.instant.at()];
         let step = R::MICRO.max(-gap);
-        let slowest = (self.watched.statics).slowest(o, both, &self.hi.rates, step)?;
+        let slowest =
+            (self.watched.statics).slowest(o, self.watched.body, both, &self.hi.rates, step)?;
         slowest.contact.map(|(feature, _)| feature)
     }
 }

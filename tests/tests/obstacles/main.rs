@@ -11,3 +11,4 @@ mod lawful;
 mod level;
 mod pegs;
 mod rests;
+mod seams;
