@@ -9,7 +9,7 @@ use crate::obstacles::union::unite;
 use crate::real::Real;
 use crate::state::HandPose;
 use crate::units::Units;
-use crate::world::{Stiffness, World};
+use crate::world::{Stiffness, World, united};
 use heapless::Vec;
 
 mod check;
@@ -110,11 +110,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
         let k = d.stiffness_rotation;
-        let mut scene = Self {
+        let scene = Self {
             world: World {
                 centroid: centroid(&vertices),
                 vertices,
-                sides: gather(d.surfaces.iter().map(|s| side(s, &units))),
+                sides: united(gather(d.surfaces.iter().map(|s| side(s, &units)))),
                 normals: gather(normals::<R>(d.vertices)),
                 corners,
                 obstacles,
@@ -135,7 +135,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
             turns: theta.turns,
         };
         scene.check_range(d)?;
-        scene.world.unite_sides();
         scene.check_start()?;
         Ok(scene)
     }
@@ -169,8 +168,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         {
             return error(Parameter::HoldingPoint, larger(given), allowed.place);
         }
-        for (i, (side, given)) in world.sides.iter().zip(d.surfaces).enumerate() {
-            if !fits(side.offset) {
+        for (i, given) in d.surfaces.iter().enumerate() {
+            if !fits(side::<R>(given, &self.units).offset) {
                 return error(Parameter::Offset(i), given.offset, allowed.offset);
             }
         }

@@ -36,7 +36,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Freedom::Free => {}
             Freedom::Slides => add(self.reaction(body)),
             Freedom::Turns if body.contacts.len() == 1 => add(self.reaction(body)),
-            Freedom::Together => self.sliding_shares(body).into_iter().for_each(add),
+            Freedom::Together => self.sliding_shares(body).0.into_iter().for_each(add),
             Freedom::Fixed if self.is_edge(&body.contacts) => {
                 self.edge_shares(body).into_iter().for_each(add);
             }
@@ -48,40 +48,34 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         out
     }
     /// Two contacts that slide: along the edges of their cones, in balance. Where these differ enough they bear the force, since over a short
-    /// lever the moment tells less; otherwise the second bears the moment about the first, and both together the force.
-    fn sliding_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {
+    /// lever the moment tells less; otherwise the second bears the moment about the first, and both together the force. Also that sine or lever:
+    /// they are known to the rounding of the load over it.
+    pub(crate) fn sliding_shares(&self, body: &Body<R>) -> ([[R; 2]; 2], R) {
         let contacts = body.contacts.pair();
         let [a, b] = contacts;
         if self.is_even(a, b) {
-            return self.edge_shares(body);
+            return (self.edge_shares(body), R::ONE);
         }
         let [first, second] = &self.frames(contacts, body.rotation, body.holding);
         let load = self.present_load(body);
         let (f1, f2) = (self.edge(a, first).f, self.edge(b, second).f);
         let sine = f1.cross(f2);
-        let sizes = if sine.abs() >= R::spread() {
+        let (sizes, over) = if sine.abs() >= R::spread() {
             let force = load.force;
-            [f2.cross(force) / sine, force.cross(f1) / sine]
+            ([f2.cross(force) / sine, force.cross(f1) / sine], sine)
         } else {
             let moment = load.moment - first.r.cross(load.force);
-            let of_second = -moment / (second.r - first.r).cross(f2);
-            [-f1.dot(load.force) - f1.dot(f2) * of_second, of_second]
+            let lever = (second.r - first.r).cross(f2);
+            let of_second = -moment / lever;
+            let of_first = -f1.dot(load.force) - f1.dot(f2) * of_second;
+            ([of_first, of_second], lever)
         };
         let mut out = [[R::ZERO; 2]; 2];
         for ((slot, size), c) in out.iter_mut().zip(sizes).zip(contacts) {
             let cone = self.friction(c).sliding;
             *slot = [size * cone.cos, -c.sense.along(size * cone.sin)];
         }
-        out
-    }
-    /// What the reactions of two that slide are known to.
-    pub(crate) fn known_of_pair(&self, body: &Body<R>) -> R {
-        let contacts = body.contacts.pair();
-        let [a, b] = contacts;
-        let [first, second] = &self.frames(contacts, body.rotation, body.holding);
-        let (f1, f2) = (self.edge(a, first).f, self.edge(b, second).f);
-        let (sine, arm) = (f1.cross(f2).abs(), (second.r - first.r).cross(f2).abs());
-        self.rounding(body) / if sine >= R::spread() { sine } else { arm }
+        (out, over.abs())
     }
     /// Two contacts in one line: N_2 by the moment about the first (E20), T in proportion to N.
     fn edge_shares(&self, body: &Body<R>) -> [[R; 2]; 2] {

@@ -228,8 +228,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn press_in_balance(&self, senses: [Sense; 2]) -> bool {
         let mut body = *self.body;
         body.contacts.slide_pair(senses);
-        let known = self.statics.known_of_pair(&body);
-        let reactions = self.statics.reactions(&body);
+        let (reactions, over) = self.statics.sliding_shares(&body);
+        let known = self.statics.rounding(&body) / over;
         reactions.iter().all(|&[n, _]| n >= -known)
     }
     /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (R31).

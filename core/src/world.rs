@@ -83,6 +83,23 @@ impl<R: Real> Side<R> {
     }
 }
 
+/// Half-planes, of which only the one of the largest static friction is left where some coincide, as together they bear what it bears alone; of
+/// equal ones the first.
+pub(crate) fn united<R: Real, const S: usize>(mut sides: Vec<Side<R>, S>) -> Vec<Side<R>, S> {
+    let mut rest = sides.as_mut_slice();
+    while let Some((side, others)) = rest.split_first_mut() {
+        for other in others.iter_mut() {
+            if side.coincides(other) {
+                let [own, its] = [&*side, other].map(|side| side.friction.fixed.sin);
+                let worse = if its > own { &mut *side } else { other };
+                *worse = Side::NOWHERE;
+            }
+        }
+        rest = others;
+    }
+    sides
+}
+
 /// The rotational stiffness k = k_theta / (k_h L²).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stiffness<R> {
@@ -182,21 +199,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
     /// What is only needed among obstacles is not done without them, whatever the capacity, so that all capacities give the same bits.
     pub(crate) fn has_obstacles(&self) -> bool {
         C > 0 && !self.obstacles.is_empty()
-    }
-    /// Of half-planes that coincide only the one of the largest static friction is left, as together they bear what it bears alone; of equal
-    /// ones the first.
-    pub(crate) fn unite_sides(&mut self) {
-        let all = self.sides.clone();
-        for (i, side) in self.sides.iter_mut().enumerate() {
-            let covers = |(k, other): (usize, &Side<R>)| {
-                let [own, others] = [&*side, other].map(|side| side.friction.fixed.sin);
-                let is_better = others > own || others == own && k < i;
-                is_better && side.coincides(other)
-            };
-            if all.iter().enumerate().any(covers) {
-                *side = Side::NOWHERE;
-            }
-        }
     }
     /// A hold of the body at g, body frame.
     pub(crate) fn grip(&self, point: Vec2<R>) -> Grip<R> {
