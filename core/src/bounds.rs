@@ -183,6 +183,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     (b + f * r * (nu + turn * r), f * r * n_p, R::ZERO)
                 }
             }
+            Kind::Pair if !self.has_pairs() => (b, R::ZERO, R::ZERO),
             Kind::Pair => {
                 return self.pair_curvature(m, &self.pair_sup(m, i, at));
             }
@@ -199,7 +200,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         at: Extent<R>,
         pair: &mut Option<PairSup<R>>,
     ) -> Curvature<R> {
-        if m.kind == Kind::Pair {
+        if self.has_pairs() && m.kind == Kind::Pair {
             self.pair_curvature(m, pair.insert(self.pair_sup(m, i, at)))
         } else {
             self.curvature(m, i, at)

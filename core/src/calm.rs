@@ -120,6 +120,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// An edge that slides.
     #[inline(never)]
     fn edge_slides_calmly(&self, body: &mut Body<R>, to: &HandPose<R>) -> Calm {
+        if !self.has_pairs() {
+            return Calm::Unsure;
+        }
         let first = body.contacts.first();
         let n = self.frame(first, body.rotation, body.holding).n;
         let friction = self.friction(first);

@@ -163,7 +163,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// that they hold by their inner force.
     #[inline(never)]
     pub(crate) fn free_of_jam(&self, body: &Body<R>, most: R) -> Option<R> {
-        let is_corner = match body.freedom() {
+        if !self.has_wedges() {
+            return Some(most);
+        }
+        let is_corner = match self.freedom(body) {
             Freedom::Fixed if !self.is_edge(&body.contacts) => false,
             Freedom::Turns if body.contacts.len() > 1 => true,
             Freedom::Free

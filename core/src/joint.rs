@@ -32,6 +32,9 @@ fn signed<R: Real>(value: Value<R>, sign: R) -> Value<R> {
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, S, C> {
     pub(crate) fn pair_values(&self, i: &Instant<R>, rates: &Rates<R>, out: &mut Values<R>) {
+        if !self.statics.has_pairs() {
+            return out.fill(&[]);
+        }
         let m = self.motion;
         let couple = self.statics.couple(m, i);
         let feet = self.feet(rates, &couple);
@@ -151,7 +154,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         if !m.contacts.into_iter().any(has_threshold) {
             return Value::NONE;
         }
-        if !m.pair.even {
+        if self.statics.has_wedges() && !m.pair.even {
             return Value {
                 v: self.statics.room_to_stiction(m, i, couple),
                 d: R::ZERO,
@@ -167,6 +170,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
     /// What bounds the functions of a pair. A call: compiled into the loop over all functions, it would be computed before it for any motion.
     #[inline(never)]
     pub(crate) fn pair_order(&self, function: Function, on: &Judging<R>) -> Order<R> {
+        if !self.statics.has_pairs() {
+            return Order::First(R::ZERO);
+        }
         let m = self.motion;
         let Some(sup) = &on.pair else {
             return Order::First(R::ZERO);

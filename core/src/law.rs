@@ -32,7 +32,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Ending::Opens(which) => self.opens(which),
             Ending::GivesWay => self.gives_way(),
             Ending::Fold => {
-                let kind = match self.body.freedom() {
+                let kind = match self.statics.freedom(self.body) {
                     Freedom::Free => Kind::Free,
                     Freedom::Slides => Kind::Slide,
                     Freedom::Together => Kind::Pair,
@@ -70,7 +70,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// a stop and a slide if it could stick.
     fn halts(&mut self) {
         let sense = self.body.contacts.first().sense;
-        if self.body.freedom() == Freedom::Slides && self.is_smooth() {
+        if self.statics.freedom(self.body) == Freedom::Slides && self.is_smooth() {
             // Its motion is the same: in frame evolution, too, the hand goes on (R40).
             self.errand.jumps = false;
             self.body.contacts.slide(sense.reversed());
@@ -114,6 +114,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// A reaction of two that slide has vanished: the other contact slides on.
     fn opens(&mut self, which: Which) {
+        if !self.statics.has_pairs() {
+            return;
+        }
         let before = *self.body;
         let lost = before.contacts.get(which.index());
         let lasting = which.other().of(before.contacts.pair());
@@ -152,6 +155,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Contacts that fix the pose, or those of one vertex, do not bear the load any more.
     fn gives_way(&mut self) {
+        if !self.statics.has_pairs() {
+            return;
+        }
         self.errand.released = self.released(self.body);
         if self.body.contacts.turn_about_first() {
             self.body.hand = self.errand.released;
@@ -169,7 +175,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return body.hand;
         }
         let mut p = R::TOUCH * R::from_int(4) / size;
-        if !body.contacts.turn_about_first() {
+        if self.statics.has_pairs() && !body.contacts.turn_about_first() {
             let most = R::from_int(16) * R::ahead() / size;
             p = p.max(self.statics.beyond_facets(body, &way.per_p, most));
         }
@@ -181,6 +187,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// The motion that the hand begins at contacts that give way is known.
     pub(crate) fn begins(&mut self, mode: Option<Mode>) {
+        if !self.statics.has_pairs() {
+            return;
+        }
         self.errand.stage = Stage::Still;
         self.body.forget();
         let begun = match mode {
@@ -257,7 +266,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         // So far that the drive is more than its rounding.
         let sense = self.body.contacts.first().sense;
         let (mut drive, mut runs_back) = (R::ONE, false);
-        if kind == Kind::Pair {
+        if self.statics.has_pairs() && kind == Kind::Pair {
             let m = self.statics.sliding_pair(self.body, way.per_p);
             drive = self.statics.placed_at_start(&m).e_p;
         } else if !self.statics.grip.swings {
@@ -269,7 +278,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let known = R::in_plane() / drive.abs().max(R::EPSILON);
         let p = (R::TOUCH * R::from_int(16) * way.whole).max(known.min(way.whole));
         self.body.hand = self.body.hand.moved(&way.per_p, p);
-        if kind == Kind::Pair {
+        if self.statics.has_pairs() && kind == Kind::Pair {
             let sense = if sense.slides() { sense } else { Sense::Plus };
             return self.errand.settle(Next::Slip(sense));
         }

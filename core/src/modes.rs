@@ -132,6 +132,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         hand: &HandPose<R>,
         ranking: &mut Ranking<R>,
     ) -> Picked {
+        if !self.has_pairs() {
+            return Picked::None;
+        }
         let (mode, pressing) = match ranking.place {
             Place::Facets(last) => match self.worst_facet(body, hand, last) {
                 Some((margin, mode)) => {

@@ -160,7 +160,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Two contacts in one line by what touches: on one line of the world, on one side of the body, or a vertex and a corner on both.
     pub(crate) fn is_in_line(&self, a: Contact, b: Contact) -> bool {
         if C == 0 {
-            return a.is_in_line(b);
+            return !self.has_wedges() || a.is_in_line(b);
         }
         match (a.feature, b.feature) {
             (Feature::Vertex { side, .. }, Feature::Vertex { side: other, .. }) => {
@@ -188,7 +188,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Two contacts in one line, and of equal friction: an edge.
     pub(crate) fn is_edge(&self, contacts: &Contacts) -> bool {
         let [first, second] = contacts.pair();
-        contacts.len() == 2 && self.is_even(first, second)
+        match contacts.len() {
+            0 | 1 => false,
+            2 => self.is_even(first, second),
+            _ => !self.has_wedges(),
+        }
     }
     /// Two contacts in one line are of equal friction.
     pub(crate) fn is_even(&self, a: Contact, b: Contact) -> bool {

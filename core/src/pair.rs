@@ -148,6 +148,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// (foot, angle) = tau u + (i tau) y, with y from Newton's iteration on the second gap; the angle is that of tau u so far.
     #[inline(never)]
     pub(crate) fn place_pair(&self, m: &Motion<R>, i: &mut Instant<R>) {
+        if !self.has_pairs() {
+            return;
+        }
         let tau = m.pair.twist;
         let [c1, c2] = m.contacts;
         i.foot = m.foot + tau.x * i.u;
@@ -205,6 +208,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// E = (f_1×f_2) M_1 - (r12×f_2)(f_1×F), M_1 = M - r_1×F, with its partial derivatives; in one line with [`Self::second`] (E7).
     #[inline(never)]
     pub(crate) fn weigh_pair(&self, m: &Motion<R>, m_theta: R, i: &mut Instant<R>) {
+        if !self.has_pairs() {
+            return;
+        }
         let k = self.couple_inlined(m, i);
         let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
         let [w2, w2_u] = self.second(m, &k);
@@ -224,6 +230,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// E_up of a pair.
     #[inline(never)]
     pub(crate) fn e_up_pair(&self, m: &Motion<R>, i: &Instant<R>) -> R {
+        if !self.has_pairs() {
+            return R::ZERO;
+        }
         let k = self.couple(m, i);
         let ([f1, _], [f1_u, _], [r1_u, _]) = (k.f, k.f_u, k.r_u);
         let [w2, w2_u] = self.second(m, &k);

@@ -64,7 +64,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.contacts.rest();
         self.body.slack = R::ZERO;
         let little = self.statics.rounding(self.body);
-        match self.body.freedom() {
+        match self.statics.freedom(self.body) {
             Freedom::Free => self.fly(),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
@@ -165,7 +165,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn stood(&mut self, sense: Sense) -> Next {
         let little = self.statics.rounding(self.body);
         self.renew();
-        if self.body.contacts.len() > 1 {
+        if self.statics.has_wedges() && self.body.contacts.len() > 1 {
             let force = self.statics.present_load(self.body).force;
             return match self.statics.extreme_edges(self.body) {
                 Some([low, high])
@@ -197,6 +197,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
 
     /// The next motion that the load can begin.
     fn give(&mut self) {
+        if !self.statics.has_pairs() {
+            return;
+        }
         let ranking = &mut self.errand.settling.ranking;
         let mode = match self.statics.pick(self.body, &self.body.hand, ranking) {
             Picked::More => {

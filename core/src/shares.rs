@@ -32,7 +32,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             // There is room for one of each contact.
             let _ = out.push(reaction);
         };
-        match body.freedom() {
+        match self.freedom(body) {
             Freedom::Free => {}
             Freedom::Slides => add(self.reaction(body)),
             Freedom::Turns if body.contacts.len() == 1 => add(self.reaction(body)),

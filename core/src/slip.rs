@@ -21,7 +21,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A slip begins, in a sense of the first contact.
     pub(crate) fn slip(&mut self, sense: Sense) {
         self.errand.runs = 0;
-        if self.body.contacts.len() == 1 {
+        if self.body.contacts.len() < 2 || !self.statics.has_pairs() {
             self.errand.feet = [self.body.foot; 2];
             return self.slide_on(sense);
         }
@@ -142,6 +142,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// A slip of two has ended.
     pub(crate) fn slipped_together(&mut self, m: &Motion<R>, ending: Ending) {
+        if !self.statics.has_pairs() {
+            return;
+        }
         let senses = m.contacts.map(|c| c.sense);
         let [sense, _] = senses;
         let next = match ending {

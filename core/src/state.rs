@@ -109,18 +109,6 @@ pub(crate) enum Freedom {
 }
 
 impl<R: Real> Body<R> {
-    pub(crate) fn freedom(&self) -> Freedom {
-        match self.contacts.as_slice() {
-            [] => Freedom::Free,
-            [only] if only.sense.slides() => Freedom::Slides,
-            [_] => Freedom::Turns,
-            [first, second, ..] if first.sense.slides() || second.sense.slides() => {
-                Freedom::Together
-            }
-            [_, _, ..] if self.contacts.turn_about_first() => Freedom::Turns,
-            [_, _, ..] => Freedom::Fixed,
-        }
-    }
     /// The body at an instant of a motion of its own; where that is no place it stays.
     pub(crate) fn go_to(&mut self, i: &Instant<R>, room: R) {
         if !i.is_finite() {
@@ -172,6 +160,21 @@ impl<R: Real> Body<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// How the contacts let the body move.
+    #[inline]
+    pub(crate) fn freedom(&self, body: &Body<R>) -> Freedom {
+        match body.contacts.as_slice() {
+            [] => Freedom::Free,
+            [only] if only.sense.slides() => Freedom::Slides,
+            [_] => Freedom::Turns,
+            [_, _, ..] if !self.has_pairs() => Freedom::Turns,
+            [first, second, ..] if first.sense.slides() || second.sense.slides() => {
+                Freedom::Together
+            }
+            [_, _, ..] if self.has_wedges() && body.contacts.turn_about_first() => Freedom::Turns,
+            [_, _, ..] => Freedom::Fixed,
+        }
+    }
     /// F and M: hand and weight on the body, about the holding point, with the hand at a pose.
     pub(crate) fn load(&self, body: &Body<R>, hand: &HandPose<R>) -> Wrench<R> {
         let weight = body.rotation.apply(self.grip.centroid).x * self.world.weight;

@@ -48,7 +48,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
         // A corner, whose load goes on changing while the body turns about it, is asked at the end.
-        let is_corner = self.body.contacts.len() > 1 && self.body.freedom() == Freedom::Turns;
+        let is_corner = self.statics.has_wedges()
+            && self.body.contacts.len() > 1
+            && self.statics.freedom(self.body) == Freedom::Turns;
         let is_wedged = is_corner && self.statics.free_of_jam(self.body, R::ZERO).is_none();
         if self.log.jammed || is_wedged {
             self.log.limit(Status::Jammed);
@@ -234,7 +236,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn follow(&mut self) {
         let to = self.errand.target;
         let way = self.body.hand.to(&to);
-        let (motion, watch) = match self.body.freedom() {
+        let (motion, watch) = match self.statics.freedom(self.body) {
             Freedom::Free => (self.along(Kind::Free, &way), Watch::Way),
             Freedom::Turns if self.body.contacts.len() > 1 => {
                 (self.along(Kind::Pin, &way), Watch::Corner)

@@ -28,7 +28,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         ];
         let mut out = [[zero; 3]; 3];
         for (column, hand_p) in out.iter_mut().zip(columns) {
-            let m = match body.freedom() {
+            let m = match self.freedom(body) {
                 Freedom::Fixed => continue,
                 Freedom::Free => Motion::new(Kind::Free, body, hand_p),
                 Freedom::Turns => Motion::new(Kind::Pin, body, hand_p),

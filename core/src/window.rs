@@ -154,7 +154,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let square = q * rate * rate;
         let bend = (k + (j * rate).doubled() + square) / low;
         // |E_uuu|, |E_uup|
-        let (third, mixed) = if m.kind == Kind::Pair {
+        let (third, mixed) = if self.has_pairs() && m.kind == Kind::Pair {
             let sup = self.pair_sup::<true>(m, i, Extent { way: d, strip: l });
             (sup.drive().third, self.pair_drive_p(m, &sup).bend)
         } else {

@@ -219,6 +219,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// A body can have two contacts and more: a point on one half-plane has one. What only these need is not compiled without them.
+    pub(crate) const fn has_pairs(&self) -> bool {
+        V > 1 || S > 1 || C > 0
+    }
+    /// Contacts can be in several lines: those of one half-plane are in one.
+    pub(crate) const fn has_wedges(&self) -> bool {
+        S > 1 || C > 0
+    }
     /// a: the lever of a vertex from the holding point, body frame; zero if there is no such vertex.
     pub(crate) fn vertex(&self, index: u8) -> Vec2<R> {
         let vertex = self.world.vertices.get(usize::from(index));

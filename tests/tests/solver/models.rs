@@ -1,10 +1,15 @@
 //! Capacities leave parts of the solver out of the binary; they change no bit of an answer.
 
 use stiction_core::{Evolution, Parameter, Scene, Solver};
+use stiction_tests::expect::times;
+use stiction_tests::random::{Scenario, scenarios};
 use stiction_tests::run::{planar, polyline};
 use stiction_tests::{Number, Setup, test_each};
 
-test_each!(cases::every_capacity_gives_the_same_bits);
+test_each!(
+    cases::every_capacity_gives_the_same_bits,
+    cases::room_for_one_surface_gives_the_same_bits,
+);
 
 fn tool() -> Setup {
     Setup::point().held_at([0.0, 0.3]).springs(1.0, 0.2)
@@ -32,13 +37,13 @@ fn keyframes(setup: &Setup) -> [[f64; 3]; 6] {
 /// Runs a hand path in a model with its own capacity and in the full one, frame by frame.
 fn same_as_full<R: Number, const V: usize, const S: usize, const C: usize>(
     setup: &Setup,
+    keyframes: &[[f64; 3]],
     evolution: Evolution,
 ) {
-    let keyframes = keyframes(setup);
     let small: Scene<R, V, S, C> = setup.scene_of().expect("the scene fits the model");
     let full = setup.scene::<R>().expect("the scene is sound");
     let (small, full) = (Solver::new(small, evolution), Solver::new(full, evolution));
-    let hands = polyline(&keyframes, 50).into_iter().map(planar::<R>);
+    let hands = polyline(keyframes, 50).into_iter().map(planar::<R>);
     let mut runs = None;
     for hand in hands {
         let outputs = match &mut runs {
@@ -69,11 +74,29 @@ mod cases {
             for weight in [0.0, 0.2] {
                 let (tool, block) = (tool().weighing(weight), block().weighing(weight));
                 let [tool, block] = [tool, block].map(|body| body.floor(friction));
-                same_as_full::<R, 1, 1, 0>(&tool, evolution);
-                same_as_full::<R, 4, 1, 0>(&block, evolution);
-                same_as_full::<R, 4, 1, 16>(&block, evolution);
-                same_as_full::<R, 1, 2, 0>(&tool.wall(0.6, friction), evolution);
-                same_as_full::<R, 4, 2, 16>(&block.wall(0.9, friction), evolution);
+                let [of_tool, of_block] = [&tool, &block].map(keyframes);
+                same_as_full::<R, 1, 1, 0>(&tool, &of_tool, evolution);
+                same_as_full::<R, 4, 1, 0>(&block, &of_block, evolution);
+                same_as_full::<R, 4, 1, 16>(&block, &of_block, evolution);
+                let [tool, block] = [tool.wall(0.6, friction), block.wall(0.9, friction)];
+                same_as_full::<R, 1, 2, 0>(&tool, &of_tool, evolution);
+                same_as_full::<R, 4, 2, 16>(&block, &of_block, evolution);
+            }
+        }
+    }
+
+    /// Random bodies on the first of their surfaces, a third of them without a stiffness of the angle.
+    pub(super) fn room_for_one_surface_gives_the_same_bits<R: Number>(evolution: Evolution) {
+        for (k, Scenario { setup, keyframes }) in scenarios(times(60, 2000), 6).enumerate() {
+            let mut setup = setup;
+            setup.surfaces.truncate(1);
+            if k % 3 == 0 {
+                setup.stiffness_rotation = 0.0;
+            }
+            if setup.vertices.len() == 1 {
+                same_as_full::<R, 1, 1, 0>(&setup, &keyframes, evolution);
+            } else {
+                same_as_full::<R, 6, 1, 0>(&setup, &keyframes, evolution);
             }
         }
     }
