@@ -155,9 +155,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Contacts that fix the pose, or those of one vertex, do not bear the load any more.
     fn gives_way(&mut self) {
-        if !self.statics.has_pairs() {
-            return;
-        }
         self.errand.released = self.released(self.body);
         if self.body.contacts.turn_about_first() {
             self.body.hand = self.errand.released;

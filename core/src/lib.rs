@@ -114,6 +114,7 @@ mod errand;
 mod event;
 mod events;
 mod evolution;
+mod fly;
 mod forces;
 mod found;
 mod frame;
