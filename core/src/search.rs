@@ -120,10 +120,15 @@ impl<R: Real> Search<R> {
     ) -> Option<Ended<R>> {
         let mut ended = self.run(statics, body, windows).round()?;
         if self.bracket.branch.is_some() {
-            let instant = windows.instant_mut(ended.at);
+            let (instant, stop) = (windows.instant_mut(ended.at), self.bracket.stop);
+            if (instant.p - stop) * self.motion.hand_p.size() > R::TOUCH {
+                // By more than u knows p: it has not happened (R10).
+                (ended.ending, ended.room) = (Ending::End, R::ZERO);
+            }
             if ended.ending == Ending::End {
-                // Where E hardly depends on p, u tells p no better than rounding: the hand is where its path ends.
-                let (u, p) = (instant.u, self.bracket.stop);
+                // Where E hardly depends on p, u tells p no better than rounding, or than what a search before left of E: the hand is where
+                // its path ends.
+                let (u, p) = (instant.u, stop);
                 statics.place(&self.motion, Spot { u, p }, None, instant);
             }
             ended.x = instant.p;

@@ -202,8 +202,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> World<R, V, S, C> 
     }
     /// A hold of the body at g, body frame.
     pub(crate) fn grip(&self, point: Vec2<R>) -> Grip<R> {
-        let centroid = self.centroid - point;
-        let hangs = self.weight > R::ZERO && centroid != Vec2::ZERO;
+        let lever = self.centroid - point;
+        // Within rounding it is not known on which side of the holding point the weight acts.
+        let is_known = lever.length_bound() > R::of_products();
+        let centroid = if is_known { lever } else { Vec2::ZERO };
+        let hangs = self.weight > R::ZERO && is_known;
         let levers = self.vertices.iter().map(|&v| (v - point).length_bound());
         Grip {
             point,

@@ -4,9 +4,12 @@
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::laws::assert_lawful;
-use stiction_tests::{Number, Run, scenes, test_each};
+use stiction_tests::{Number, Run, Setup, scenes, test_each};
 
-test_each!(cases::rod_follows_its_branches_and_snaps_between_them);
+test_each!(
+    cases::rod_follows_its_branches_and_snaps_between_them,
+    cases::rod_that_buckles_on_a_smooth_floor_stays_below_the_hand,
+);
 
 /// m of `scenes::rod_buckles`
 const M: f64 = SQRT_2 / 2.0 / scenes::BUCKLING;
@@ -53,5 +56,26 @@ mod cases {
             R::near("theta", frame.pose[2], -FRAC_PI_4 - balance(beta, side));
         }
         assert_eq!(snaps, 2);
+    }
+
+    /// A rod that stands upright on a smooth floor, pressed until it buckles, by a hand that also moves along: nothing holds it back, so that
+    /// its holding point stays below the hand, wherever within a frame it snaps.
+    pub(super) fn rod_that_buckles_on_a_smooth_floor_stays_below_the_hand<R: Number>(
+        evolution: Evolution,
+    ) {
+        for (turn, side) in [(0.0, 1.0), (-std::f64::consts::PI, -1.0)] {
+            let setup = Setup::new(&[[0.0, 0.5], [0.0, -0.5]])
+                .held_at([0.0, side * 0.0625])
+                .springs(1.0, 1e-3)
+                .at([0.0, 0.0, turn])
+                .surface([0.0, 1.0], -0.5, [0.0; 2]);
+            for count in 5..40 {
+                let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.0625, turn]);
+                for frame in run.lead([0.056_25, 0.056_25, turn], count) {
+                    let held = setup.world(frame.pose, [0.0, side * 0.0625]);
+                    R::near("the holding point", held[0], frame.hand[0]);
+                }
+            }
+        }
     }
 }

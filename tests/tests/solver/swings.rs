@@ -11,6 +11,7 @@ test_each!(
     cases::lever_in_the_cone_sticks,
     cases::lever_that_touches_in_the_cone_sticks,
     cases::foot_that_bears_nothing_goes_to_and_fro,
+    cases::rod_held_at_its_centroid_but_for_rounding_keeps_its_angle,
     cases::rod_held_at_its_centroid_slips_from_under_the_hand,
     cases::without_friction_the_lever_bears_upright,
 );
@@ -170,6 +171,26 @@ mod cases {
             for contact in &frame.contacts {
                 let slack = 0.1 * contact.normal - contact.friction.abs();
                 assert!(slack > -R::ANALYTIC, "{} {frame:?}", R::NAME);
+            }
+        }
+    }
+
+    /// Where its centroid is within rounding of the hand, no weight turns a rod: it is not known to which side that would be.
+    pub(super) fn rod_held_at_its_centroid_but_for_rounding_keeps_its_angle<R: Number>(
+        evolution: Evolution,
+    ) {
+        for aside in [0.0, 1e-17, -1e-17] {
+            let setup = Setup::new(&[[0.5, 0.0], [-0.5, 0.0]])
+                .held_at([0.0, aside])
+                .springs(1.0, 0.0)
+                .weighing(0.5)
+                .at([0.0, 1.0, 0.4])
+                .surface([0.0, 1.0], -1.0, [0.1, 0.03]);
+            let mut run = Run::<R>::start(&setup, evolution, [0.0, 1.0, 0.0]);
+            for frame in run.lead([0.3, 1.5, 0.0], 7) {
+                assert_eq!(frame.status, Status::Ok, "{frame:?}");
+                R::near("theta", frame.pose[2], 0.4);
+                R::near("y", frame.pose[1], frame.hand[1] - 0.5);
             }
         }
     }
