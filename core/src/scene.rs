@@ -9,7 +9,7 @@ use crate::obstacles::union::unite;
 use crate::real::Real;
 use crate::state::HandPose;
 use crate::units::Units;
-use crate::world::{Stiffness, World, united};
+use crate::world::{Side, Stiffness, World, united};
 use heapless::Vec;
 
 mod check;
@@ -168,8 +168,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         {
             return error(Parameter::HoldingPoint, larger(given), allowed.place);
         }
-        for (i, given) in d.surfaces.iter().enumerate() {
-            if !fits(side::<R>(given, &self.units).offset) {
+        for (i, (side, given)) in world.sides.iter().zip(d.surfaces).enumerate() {
+            // One that another one covers is as far away as that.
+            let is_covered = *side == Side::NOWHERE;
+            if !is_covered && !fits(side.offset) {
                 return error(Parameter::Offset(i), given.offset, allowed.offset);
             }
         }
