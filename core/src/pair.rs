@@ -21,9 +21,12 @@ pub(crate) struct Shares<R> {
 }
 
 impl<R: Real> Shares<R> {
-    /// No contact is pulled by more than a touch.
+    /// No contact is pulled by more than a touch and what the reactions are known to.
     pub(crate) fn press(&self) -> bool {
-        let little = R::TOUCH + self.known;
+        self.press_within(R::TOUCH + self.known)
+    }
+    /// No contact is pulled by more than `little`.
+    pub(crate) fn press_within(&self, little: R) -> bool {
         self.normal.iter().all(|&n| n >= -little)
     }
 }

@@ -134,7 +134,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn bears_edge(&self, sense: Sense) -> bool {
         let m = self.statics.pair_along(self.body, HandPose::REST, sense);
         let i = self.statics.placed_at_start(&m);
-        self.statics.shares(&m, &i).press()
+        // A moment is known to its rounding; over a short edge that is more.
+        let little = R::TOUCH + R::in_plane() / (i.r2 - i.r).length_bound();
+        self.statics.shares(&m, &i).press_within(little)
     }
     /// A turn about the contact to balance or touch has ended.
     pub(crate) fn turned(&mut self, sense: Sense, ending: Ending) -> Next {
