@@ -200,7 +200,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         at: Extent<R>,
         pair: &mut Option<PairSup<R>>,
     ) -> Curvature<R> {
-        if self.has_pairs() && m.kind == Kind::Pair {
+        if self.is_pair(m.kind) {
             self.pair_curvature(m, pair.insert(self.pair_sup(m, i, at)))
         } else {
             self.curvature(m, i, at)
@@ -229,7 +229,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// [`Self::bound`], compiled into the caller: what it knows of the motion is decided there.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(crate) fn bound_inlined(&self, m: &Motion<R>, i: &Instant<R>, pace: &Pace<R>) -> Bound<R> {
         let (rate, way) = (pace.rate, pace.extent.way);
         let (h_p, r) = (m.hand_p.at.length_bound() * way, i.r.length_bound());

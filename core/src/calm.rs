@@ -139,7 +139,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
 
     /// The balance at the end of a displacement of a motion in the angle, with the bounds of the window in between, if that is certified.
-    #[inline(always)]
+    // Compiled once for a page, which is loaded over a line: there few bytes count more than few instructions. So is what it is made of.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn calm_end(&self, body: &Body<R>, m: &Motion<R>, p: R) -> Option<(Instant<R>, Bound<R>)> {
         let mut i = Instant::ZERO;
         let u = body.angle;

@@ -225,7 +225,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
         let load = self.present_load(body);
-        let of_normal = R::EPSILON * R::from_int(8) * load.size();
+        let of_normal = R::of_normal(load.size());
         let mut bears = true;
         cone.facets(|facet| {
             bears &= facet.margin(load) >= -(known * facet.inward.size() + of_normal);

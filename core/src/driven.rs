@@ -49,8 +49,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
         let senses = v.map(Sense::of);
         let of_load = R::of_drive(load.force.length_bound());
-        // The normal of two edges is known to their rounding, however short it is.
-        let of_normal = R::EPSILON * R::from_int(8) * load.size();
+        let of_normal = R::of_normal(load.size());
         let along = Wrench::at(first.r, first.t) * v1 + Wrench::at(second.r, second.t) * v2;
         for direction in [Sense::Plus, Sense::Minus] {
             let senses = match direction {

@@ -114,9 +114,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// A reaction of two that slide has vanished: the other contact slides on.
     fn opens(&mut self, which: Which) {
-        if !self.statics.has_pairs() {
-            return;
-        }
         let before = *self.body;
         let lost = before.contacts.get(which.index());
         let lasting = which.other().of(before.contacts.pair());
@@ -263,7 +260,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         // So far that the drive is more than its rounding.
         let sense = self.body.contacts.first().sense;
         let (mut drive, mut runs_back) = (R::ONE, false);
-        if self.statics.has_pairs() && kind == Kind::Pair {
+        if self.statics.is_pair(kind) {
             let m = self.statics.sliding_pair(self.body, way.per_p);
             drive = self.statics.placed_at_start(&m).e_p;
         } else if !self.statics.grip.swings {
@@ -275,7 +272,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let known = R::in_plane() / drive.abs().max(R::EPSILON);
         let p = (R::TOUCH * R::from_int(16) * way.whole).max(known.min(way.whole));
         self.body.hand = self.body.hand.moved(&way.per_p, p);
-        if self.statics.has_pairs() && kind == Kind::Pair {
+        if self.statics.is_pair(kind) {
             let sense = if sense.slides() { sense } else { Sense::Plus };
             return self.errand.settle(Next::Slip(sense));
         }

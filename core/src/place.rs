@@ -35,7 +35,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         self.place_inlined(m, at, known, i);
     }
     /// [`Self::place`], compiled into the caller: what it knows of the motion is decided there.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(crate) fn place_inlined(
         &self,
         m: &Motion<R>,

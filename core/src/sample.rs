@@ -173,7 +173,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             extent,
         };
         let go = statics.foot_per_p(motion) * on.p_bend;
-        if statics.has_pairs() && motion.kind == Kind::Pair {
+        if statics.is_pair(motion.kind) {
             on.pair = Some(statics.pair_sup(motion, i, extent));
         }
         on.bound = statics.bound(motion, i, &on.pace, on.pair.as_ref());

@@ -48,9 +48,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
         // A corner, whose load goes on changing while the body turns about it, is asked at the end.
-        let is_corner = self.statics.has_wedges()
-            && self.body.contacts.len() > 1
-            && self.statics.freedom(self.body) == Freedom::Turns;
+        let is_corner =
+            self.body.contacts.len() > 1 && self.statics.freedom(self.body) == Freedom::Turns;
         let is_wedged = is_corner && self.statics.free_of_jam(self.body, R::ZERO).is_none();
         if self.log.jammed || is_wedged {
             self.log.limit(Status::Jammed);

@@ -48,6 +48,10 @@ pub(crate) trait Thresholds: Real {
     fn of_lasting_moment(load: Self) -> Self {
         Self::zero() + Self::of_balance(load) * Self::from_int(8)
     }
+    /// 8 ε load (k_h L²): the normal of two edges is known to their rounding, however short it is, and its product with the load to that.
+    fn of_normal(load: Self) -> Self {
+        Self::EPSILON * Self::from_int(8) * load
+    }
     /// 2 ε (1 + load) (k_h L²): the load drives a motion by more than the rounding of one product.
     fn of_drive(load: Self) -> Self {
         Self::EPSILON.doubled() * (Self::ONE + load)

@@ -93,7 +93,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         self.certified_inlined(m, i, residual, pair)
     }
     /// [`Self::certified`], compiled into the caller: what it knows of the motion is decided there.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(crate) fn certified_inlined(
         &self,
         m: &Motion<R>,
@@ -154,7 +154,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let square = q * rate * rate;
         let bend = (k + (j * rate).doubled() + square) / low;
         // |E_uuu|, |E_uup|
-        let (third, mixed) = if self.has_pairs() && m.kind == Kind::Pair {
+        let (third, mixed) = if self.is_pair(m.kind) {
             let sup = self.pair_sup::<true>(m, i, Extent { way: d, strip: l });
             (sup.drive().third, self.pair_drive_p(m, &sup).bend)
         } else {

@@ -2,6 +2,7 @@
 //! Lengths / L, forces / (k_h L). L is the largest distance of two vertices, k_h the translational stiffness.
 
 use crate::geometry::Vec2;
+use crate::motion::Kind;
 use crate::obstacles::{Corner, Obstacle};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
@@ -225,6 +226,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// A body can have two contacts and more: a point on one half-plane has one. What only these need is not compiled without them.
     pub(crate) const fn has_pairs(&self) -> bool {
         V > 1 || S > 1 || C > 0
+    }
+    /// A motion is of two contacts.
+    pub(crate) fn is_pair(&self, kind: Kind) -> bool {
+        self.has_pairs() && kind == Kind::Pair
     }
     /// Contacts can be in several lines: those of one half-plane are in one.
     pub(crate) const fn has_wedges(&self) -> bool {

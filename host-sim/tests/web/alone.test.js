@@ -141,8 +141,8 @@ aloneTest("an address that changes while another one is followed is followed nex
 });
 
 // The solver in three number types is nine tenths of it; a line of 10 Mbit/s brings it in 0.4 s.
-aloneTest("the page with its solver weighs at most 475 kB, and shows its first frame from these files alone", async (live) => {
+aloneTest("the page with its solver weighs at most 470 kB, and shows its first frame from these files alone", async (live) => {
   const sizes = (await filesOfFirstDrawing(live)).map((name) => brotliCompressSync(readFileSync(join(folder, name))).length);
   const sum = sizes.reduce((all, size) => all + size, 0);
-  assert.ok(sum <= 475_000, `${sum} bytes`);
+  assert.ok(sum <= 470_000, `${sum} bytes`);
 });
