@@ -85,9 +85,9 @@ pub(crate) struct Errand<R> {
     /// The hand jumps to its sample instead of following a path.
     pub(crate) jumps: bool,
     pub(crate) settling: Settling<R>,
-    /// Of a chain of searches: their number, and the feet where the first began.
+    /// Of a chain of searches: their number, and the first contact's foot where the first began.
     pub(crate) runs: u8,
-    pub(crate) feet: [R; 2],
+    pub(crate) foot: R,
     /// The hand where contacts give way beyond doubt.
     pub(crate) released: HandPose<R>,
     pub(crate) search: Search<R>,
@@ -117,7 +117,7 @@ impl<R: Real> Errand<R> {
                 angle: R::ZERO,
             },
             runs: 0,
-            feet: [R::ZERO; 2],
+            foot: R::ZERO,
             released: HandPose::REST,
             search: Search::none(Motion::frozen(Kind::Line, &start)),
             ended: None,

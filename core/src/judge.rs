@@ -1,7 +1,7 @@
 //! Event functions on a window: whether it is certain, where something crosses zero (STATICS 5).
 
 use crate::contact::{Contact, Feature};
-use crate::events::{Ending, Function, Judging, Order, Watched};
+use crate::events::{Ending, Judging, Order, Watched};
 use crate::found::Found;
 use crate::geometry::Vec2;
 use crate::motion::Kind;
@@ -76,12 +76,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
             }
             self.know_low();
             let begin = self.lo.values.get(place);
-            // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
-            let is_level = function != Function::Memory
-                || self.watched.statics.is_edge(&self.watched.body.contacts);
-            if !is_level && begin.v <= R::ZERO {
-                continue;
-            }
             let least = match order {
                 Order::Second(k) => -k,
                 Order::First(_) => R::LEAST,

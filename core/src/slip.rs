@@ -7,7 +7,7 @@ use crate::events::{Ending, Watch, Which};
 use crate::modes::{Mode, Pressing};
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
-use crate::state::HandPose;
+use crate::state::{Body, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
 
@@ -21,13 +21,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     /// A slip begins, in a sense of the first contact.
     pub(crate) fn slip(&mut self, sense: Sense) {
         self.errand.runs = 0;
+        self.errand.foot = self.body.foot;
         if self.body.contacts.len() < 2 || !self.statics.has_pairs() {
-            self.errand.feet = [self.body.foot; 2];
             return self.slide_on(sense);
         }
         let statics = self.statics;
         let pair = self.body.contacts.pair();
-        self.errand.feet = pair.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
         let motion = if statics.is_edge(&self.body.contacts) {
             let hand = self.body.hand;
             if statics.slides_straight(self.body, sense, &hand) {
@@ -113,8 +112,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let [normal, _] = self.statics.reaction(self.body);
         let friction = self.statics.friction(self.body.contacts.first());
         let is_pressed = friction.is_pressed(normal);
-        let [foot, _] = self.errand.feet;
-        let length = self.body.foot - foot;
+        let length = self.body.foot - self.errand.foot;
         if self.body.stiction || is_pressed && length.abs() > R::MICRO {
             self.log.slip(length);
         }
@@ -167,8 +165,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 Some(on) => return self.slide_together(on),
                 // Nothing drives it on.
                 None => {
-                    let [foot, _] = self.errand.feet;
-                    let length = self.body.foot - foot;
+                    let length = self.body.foot - self.errand.foot;
                     if self.body.stiction {
                         self.log.slip(length);
                     }
@@ -188,51 +185,42 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.errand.slid_to_rest |= !self.body.stiction && length.abs() > R::MICRO;
         Next::Relax(sense)
     }
-    /// In balance, after a slip of two with their senses: stiction in one line where N >= N*, otherwise where one foot has moved D_c (R31).
+    /// In balance, after a slip of two with their senses: they stick if they have enough for stiction, otherwise they slide on (R31).
     /// `pressed`: their reactions counted on the way.
     fn stopped_together(&mut self, contacts: [Contact; 2], pressed: bool) -> Next {
         let [first, second] = contacts;
         let statics = self.statics;
-        let feet = contacts.map(|c| statics.foot_of(c, self.body.rotation, self.body.holding));
-        let moved = feet
-            .iter()
-            .zip(self.errand.feet)
-            .map(|(now, then)| *now - then);
-        let is_edge = statics.is_even(first, second);
-        let is_pressed = if is_edge {
+        let mut sliding = *self.body;
+        sliding.contacts.slide_pair(contacts.map(|c| c.sense));
+        let (is_pressed, presses, slide) = if statics.is_even(first, second) {
             let [normal, _] = statics.reaction(self.body);
-            statics.friction(first).is_pressed(normal)
+            (statics.friction(first).is_pressed(normal), pressed, None)
         } else {
-            contacts.iter().zip(moved.clone()).any(|(c, way)| {
-                let friction = statics.friction(*c);
-                friction.threshold < R::HUGE && way.abs() >= friction.memory
-            })
+            let m = statics.sliding_pair(&sliding, HandPose::REST);
+            let has_stiction = statics.has_stiction(&m, &statics.placed_at_start(&m));
+            (has_stiction, self.press_in_balance(&sliding), Some(m))
         };
-        let length = moved.into_iter().next().unwrap_or(R::ZERO);
+        let length = self.body.foot - self.errand.foot;
         if self.body.stiction || is_pressed {
             self.log.slip(length);
         }
         self.body.stiction = is_pressed;
-        let senses = contacts.map(|c| c.sense);
-        if is_edge && !pressed || !is_edge && !self.press_in_balance(senses) {
+        if !presses {
             return self.relax_after(length, first.sense);
         }
         if !is_pressed {
-            self.body.contacts.slide_pair(senses);
-            if !is_edge {
-                let m = statics.sliding_pair(self.body, HandPose::REST);
+            self.body.contacts = sliding.contacts;
+            if let Some(m) = slide {
                 self.seat_slide(&Motion { frozen: true, ..m });
             }
         }
         Next::Rest
     }
-    /// Two contacts press in the balance where they have come: on the way their reactions may not have counted, and over a short lever a pull
-    /// is too small to be seen. Those in one line are not pulled in what is reported (E20).
-    fn press_in_balance(&self, senses: [Sense; 2]) -> bool {
-        let mut body = *self.body;
-        body.contacts.slide_pair(senses);
-        let (reactions, over) = self.statics.sliding_shares(&body);
-        let known = self.statics.rounding(&body) / over;
+    /// Two contacts that slide press in the balance where they have come: on the way their reactions may not have counted, and over a short
+    /// lever a pull is too small to be seen. Those in one line are not pulled in what is reported (E20).
+    fn press_in_balance(&self, sliding: &Body<R>) -> bool {
+        let (reactions, over) = self.statics.sliding_shares(sliding);
+        let known = self.statics.rounding(sliding) / over;
         reactions.iter().all(|&[n, _]| n >= -known)
     }
     /// A reaction has vanished on the way: its contact opens if its gap does, otherwise reactions count at balance only (R31).

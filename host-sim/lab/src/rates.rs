@@ -9,7 +9,6 @@ use stiction_live::scenes;
 use stiction_live::simulate::Running;
 use stiction_scene::{Motion, SceneFile, Source};
 use stiction_tests::Number;
-use stiction_tests::obstacles::Run;
 use stiction_tests::obstacles::pegs::Insertion;
 
 use crate::markdown::{Destination, Table};
@@ -30,7 +29,7 @@ impl Trial {
     fn slips<R: Number + Real<Si: SiFloat>>(&self, rate: usize) -> u32 {
         match self {
             Self::Bundled(scene) => bundled_slips::<R>(scene, rate),
-            Self::Peg(insertion) => peg_slips::<R>(insertion, rate),
+            Self::Peg(insertion) => insertion.slips::<R>(INSERTION * rate),
         }
     }
 }
@@ -42,12 +41,6 @@ fn bundled_slips<R: Real<Si: SiFloat>>(scene: &SceneFile, rate: usize) -> u32 {
     let mut running = Running::<R>::of(scene, Evolution::Path, u32::MAX).expect("a bundled scene");
     let frames = path.frames(Some(rate as f64));
     frames.map(|sample| running.frame(&sample).slips).sum()
-}
-
-fn peg_slips<R: Number>(insertion: &Insertion, rate: usize) -> u32 {
-    let hands = insertion.hands(INSERTION * rate);
-    let mut run = Run::<R>::start(&insertion.among, Evolution::Path, hands[0]);
-    hands[1..].iter().map(|&hand| run.step(hand).slips).sum()
 }
 
 /// The slips of every trial at every rate.

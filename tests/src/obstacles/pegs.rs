@@ -105,6 +105,13 @@ impl Insertion {
         polyline(&self.ends, frames)
     }
 
+    /// The slips of an insertion in so many frames, along the path.
+    pub fn slips<R: Number>(&self, frames: usize) -> u32 {
+        let hands = self.hands(frames);
+        let mut run = Run::<R>::start(&self.among, Evolution::Path, hands[0]);
+        hands[1..].iter().map(|&hand| run.step(hand).slips).sum()
+    }
+
     /// The outcome in a number type.
     pub fn end<R: Number>(&self, evolution: Evolution) -> End {
         let hands = self.hands(FRAMES);

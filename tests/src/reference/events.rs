@@ -175,8 +175,7 @@ impl Reference {
                     Happening::Open(weak)
                 });
             }
-            let long = |pose: &Pose, hand| self.slip_length(pose, pair, ways, hand) >= 1.0;
-            if long(pose, hand) && !long(&self.pose, self.hand) {
+            if self.slip_length(pose, pair, ways, hand) >= 1.0 {
                 return Err(Happening::Memory);
             }
         } else if self.pressed_hard(pose, hand) {

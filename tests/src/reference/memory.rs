@@ -78,13 +78,9 @@ impl Reference {
             .all(|&touch| self.threshold(self.scene.friction(touch)).is_infinite())
     }
 
-    /// Whether a slip of two contacts from the pose `began` to the current one was long enough to keep the stiction bit.
-    pub(super) fn slipped_far(&self, pair: [Touch; 2], began: &Pose) -> bool {
-        let far = |&touch: &Touch| {
-            let way = self.scene.place(&self.pose, touch) - self.scene.place(began, touch);
-            way.abs() >= self.memory(self.scene.friction(touch))
-        };
-        !self.indifferent(pair) && pair.iter().any(far)
+    /// Whether a slip of two contacts along `ways` would be as long as the memory of one of them.
+    pub(super) fn would_slip(&self, pair: [Touch; 2], ways: [f64; 2], hand: [f64; 3]) -> bool {
+        !self.indifferent(pair) && self.slip_length(&self.pose, pair, ways, hand) >= 1.0
     }
 
     /// The motion of two contacts in which they move along `ways`; `None` if there is none.

@@ -140,7 +140,7 @@ impl Reference {
     fn relax_locked(&mut self, hand: [f64; 3], carry: &mut Carry) -> bool {
         if carry.slipping {
             if self.admissible_in_slip(&self.pose, &self.contacts, hand) {
-                return self.stop_slip(hand, carry);
+                return self.stop_slip(hand);
             }
             if let Some(way) = self.pair().and_then(|pair| self.slip_of_pair(pair, hand)) {
                 return self.slip_pair(way, hand, carry);

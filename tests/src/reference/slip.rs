@@ -51,25 +51,26 @@ impl Reference {
     }
 
     /// Stops two slipping contacts if dynamic friction holds them from the start, for example when one of them has just closed.
-    pub(super) fn stop_slip(&mut self, hand: [f64; 3], carry: &Carry) -> bool {
+    pub(super) fn stop_slip(&mut self, hand: [f64; 3]) -> bool {
         let mut ways = Vec::new();
         if self.on_one_surface() {
             let [_, friction] = self.reaction(&self.pose, self.contacts[0], hand);
             ways = vec![-sign(friction); 2];
         }
         if self.contacts.len() == 2 {
-            let staying = self.keeps_stiction(&carry.began.unwrap_or(self.pose), hand);
+            let staying = self.keeps_stiction(&ways, hand);
             self.end_slip(ways, staying);
         }
         true
     }
 
-    /// Whether two contacts keep the stiction bit after a slip that began at a pose and has ended.
-    fn keeps_stiction(&self, began: &Pose, hand: [f64; 3]) -> bool {
-        self.pair().map_or_else(
-            || self.pressed_hard(&self.pose, hand),
-            |pair| self.slipped_far(pair, began),
-        )
+    /// Whether two contacts have the stiction bit after a slip along `ways` that has ended; if it was held from the start, as before.
+    fn keeps_stiction(&self, ways: &[f64], hand: [f64; 3]) -> bool {
+        match (self.pair(), ways) {
+            (Some(pair), &[first, second]) => self.would_slip(pair, [first, second], hand),
+            (Some(_), _) => self.stiction,
+            (None, _) => self.pressed_hard(&self.pose, hand),
+        }
     }
 
     /// Two contacts slip until dynamic friction holds them.
@@ -111,7 +112,7 @@ impl Reference {
                     *carry = Carry::default();
                     return self.opens_in_slip((pair[index], pair[1 - index], None), &began, hand);
                 }
-                let staying = self.keeps_stiction(&began, hand);
+                let staying = self.keeps_stiction(&ways, hand);
                 self.end_slip(ways.to_vec(), staying);
                 return true;
             }

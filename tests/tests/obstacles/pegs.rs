@@ -1,4 +1,5 @@
-//! Pegs inserted into a hole with a clearance of a thousandth: the outcome does not depend on the number type.
+//! Pegs inserted into a hole with a clearance of a thousandth: the outcome does not depend on the number type, nor the number of slips on the
+//! rate of frames.
 
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::pegs::Insertion;
@@ -27,6 +28,32 @@ fn insertions_end_alike_in_every_number_type() {
                 let name = evolution.name();
                 others.push(format!("peg {number}, {name}: {end:?}, {ends:?}"));
             }
+        }
+    }
+    assert!(others.is_empty(), "{others:#?}");
+}
+
+/// Two contacts that stop after a slip stick if the next one would be as long as the memory, however long this one was: pegs of which the first
+/// slip is as long as the memory to the last digits stick and slip at all rates, or at none.
+#[test]
+fn slips_do_not_depend_on_the_rate() {
+    let mut others = Vec::new();
+    for number in 0..COUNT {
+        let insertion = Insertion::of(number);
+        let slips: Vec<[u32; 3]> = [50, 100, 500, 2000]
+            .iter()
+            .map(|&frames| {
+                [
+                    insertion.slips::<f64>(frames),
+                    insertion.slips::<f32>(frames),
+                    insertion.slips::<Fixed>(frames),
+                ]
+            })
+            .collect();
+        let all = slips.iter().flatten();
+        let (least, most) = (all.clone().min().unwrap(), all.max().unwrap());
+        if most - least > 1 + most / 100 {
+            others.push(format!("peg {number}: {slips:?}"));
         }
     }
     assert!(others.is_empty(), "{others:#?}");
