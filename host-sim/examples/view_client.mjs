@@ -6,6 +6,10 @@
 // It needs a WebSocket as in browsers, which Node.js has since version 22 (20 and 21: --experimental-websocket).
 // host-sim/VIEW.md describes the messages on the socket.
 
+if (typeof WebSocket === 'undefined') {
+  console.error('This Node.js has no WebSocket: run it with --experimental-websocket, or take Node.js 22 or newer.');
+  process.exit(2);
+}
 const drags = process.argv.includes('--drag');
 const place = process.argv.slice(2).find((word) => !word.startsWith('--')) ?? '127.0.0.1:8405';
 const socket = new WebSocket(`ws://${place}/ws`);

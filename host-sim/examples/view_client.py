@@ -123,3 +123,5 @@ if __name__ == "__main__":
         main()
     except KeyboardInterrupt:
         pass
+    except OSError as error:
+        raise SystemExit(f"no `stiction view` answers: {error}; start one with: cargo run --release -- view --headless")

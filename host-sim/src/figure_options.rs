@@ -15,7 +15,7 @@ use stiction_live::record::Run;
 #[derive(Args, Clone, Debug)]
 pub(crate) struct FigureOptions {
     /// Folder for all plots, or a file for one of them, as a figure for a paper: FILE.pdf, FILE.svg or FILE.png
-    #[arg(long, value_name = "DIR|FILE", value_parser = OsStringValueParser::new().map(target))]
+    #[arg(long, value_name = "DIR|FILE", value_parser = OsStringValueParser::new().try_map(target))]
     plot: Option<PlotTarget>,
     /// What the figure shows (default: trajectory)
     #[arg(long, value_enum, help_heading = FIGURE)]
@@ -44,11 +44,22 @@ enum PlotTarget {
 }
 
 /// A file if its name says so, unless there is a folder of that name.
-fn target(name: std::ffi::OsString) -> PlotTarget {
+fn target(name: std::ffi::OsString) -> Result<PlotTarget, &'static str> {
+    /// Names of pictures that nobody gives to a folder.
+    const OTHERS: [&str; 9] = [
+        "bmp", "emf", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff",
+    ];
     let path = PathBuf::from(name);
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let is_other = extension.is_some_and(|name| OTHERS.contains(&name.to_lowercase().as_str()));
     match FigureFormat::of(&path) {
-        Some(_) if !path.is_dir() => PlotTarget::File(path),
-        _ => PlotTarget::Folder(path),
+        _ if path.is_dir() => Ok(PlotTarget::Folder(path)),
+        Some(_) => Ok(PlotTarget::File(path)),
+        None if path.is_file() => {
+            Err("it is a file, allowed: a folder, or FILE.pdf, FILE.svg or FILE.png")
+        }
+        None if is_other => Err("allowed: a folder, or FILE.pdf, FILE.svg or FILE.png"),
+        None => Ok(PlotTarget::Folder(path)),
     }
 }
 

@@ -2,6 +2,7 @@
 //! limits that applied to answers, the insertion of a peg, and the solver's run time.
 
 mod insertion;
+mod nearest;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -11,6 +12,7 @@ use stiction_core::{StateKind, Status};
 
 use crate::balance::{Imbalance, Residual};
 use insertion::Insertions;
+use nearest::Nearest;
 use stiction_live::record::{Frame, Run};
 
 /// Sums and extremes over the frames of a run.
@@ -26,6 +28,7 @@ pub(crate) struct Summary {
     pub(crate) slips: u64,
     pub(crate) longest_slip: f64,
     pub(crate) limited: BTreeMap<Status, u64>,
+    nearest: Nearest,
     /// For a scene that has a peg and a hole.
     insertions: Option<Insertions>,
     solver_time: Duration,
@@ -44,6 +47,7 @@ impl Summary {
             slips: 0,
             longest_slip: 0.0,
             limited: BTreeMap::new(),
+            nearest: Nearest::new(&run.scene),
             insertions: run.meter.clone().map(Insertions::new),
             solver_time: Duration::ZERO,
         }
@@ -69,6 +73,7 @@ impl Summary {
             *self.limited.entry(frame.status).or_default() += 1;
         }
         self.residual.add(frame);
+        self.nearest.add(frame);
         if let Some(insertions) = &mut self.insertions {
             insertions.add(frame);
         }
@@ -101,6 +106,9 @@ impl fmt::Display for Summary {
                 let percent = 100.0 * seconds / duration;
                 writeln!(f, "  {name:<18}{seconds:>10.3} s {percent:>6.1} %")?;
             }
+        }
+        if let Some(text) = self.nearest.text() {
+            writeln!(f, "  {text}")?;
         }
         writeln!(
             f,

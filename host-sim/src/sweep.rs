@@ -129,14 +129,15 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<bool, Box<dyn Error>> {
             let _ = write!(text, ", {before} of them from before");
         }
         if refused > 0 {
-            let _ = write!(text, ", {refused} refused now");
+            let _ = write!(text, ", {refused} refused now: its `status` says why");
         }
         if !is_whole {
             text += "; the same command continues";
         }
         report::print(&(text + "\n"));
     }
-    Ok(is_whole)
+    // A study of which nothing ran has no result.
+    Ok(is_whole && (refused == 0 || refused < done - before))
 }
 
 /// The default place of the table; names of parts are numbered such that any list sorts them.

@@ -11,7 +11,7 @@ use stiction_live::drawing::{HATCH, Point, Solids, Window, placed};
 use stiction_live::number::Number;
 use stiction_live::session::Session;
 use stiction_live::{input, scenes};
-use stiction_scene::{InputError, Sample, SceneFile, Source};
+use stiction_scene::{InputError, Sample, SceneFile, Source, fitted};
 
 use crate::long::{Signals, zeros};
 use crate::{positive, refused};
@@ -147,19 +147,25 @@ impl Scene {
     }
 
     /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own times.
-    #[pyo3(signature = (path = None, rate = None))]
+    /// With `fits`, a path is placed over the scene.
+    #[pyo3(signature = (path = None, rate = None, fits = false))]
     fn hand<'py>(
         &self,
         py: Python<'py>,
         path: Option<PathBuf>,
         rate: Option<f64>,
+        fits: bool,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rate = rate.map(|rate| positive("rate", rate)).transpose()?;
         let given = rate.map(|rate| ("rate", rate));
-        let file = path;
-        let opened = input::open_path(&self.file, file.as_deref(), given);
+        let (file, mut scene) = (path, self.file.clone());
+        if let Some(file) = input::path_file(&scene, file.as_deref()).filter(|_| fits) {
+            let (placement, _) = fitted(&scene, file).map_err(refused)?;
+            scene.hand.placement = placement;
+        }
+        let opened = input::open_path(&scene, file.as_deref(), given);
         let (path, rate) = opened.map_err(refused)?;
-        warn(py, &input::remarks(&self.file, file.as_deref(), &path))?;
+        warn(py, &input::remarks(&scene, file.as_deref(), &path))?;
         let row = |sample: Sample| -> [f64; COLUMNS] {
             let Hand {
                 position: [x, y],

@@ -92,6 +92,17 @@ def test_a_hand_that_is_not_finite_leaves_the_body_where_it_was():
     assert np.array_equal(before.pose, lost.pose)
 
 
+def test_a_recorded_hand_is_placed_over_the_scene_when_asked_for(tmp_path):
+    path = tmp_path / "mm.csv"
+    lines = [f"{0.01 * k},{1000 + k},{700 - k},0" for k in range(100)]
+    path.write_text("\n".join(["t,x,y,phi", *lines]))
+    with pytest.warns(UserWarning, match="hand.scale = 0.001"):
+        box().recorded(path)
+    hand = box().recorded(path, fit=True)["hand"]
+    assert np.allclose(np.ptp(hand, axis=0), [0.099, 0.099, 0.0])
+    assert np.hypot(*hand[0, :2]) < 0.2
+
+
 def poses(hand):
     """A hand as the poses of a tracker."""
     zero = np.zeros(len(hand))

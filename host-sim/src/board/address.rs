@@ -10,7 +10,7 @@ use clap::Args;
 use super::emulate::{EmulatedBoard, Emulator, Image};
 use super::error::BoardError;
 use super::link::{Link, reason};
-use super::usb::{AUTO, Port, no_such_port};
+use super::usb::{AUTO, Port, allowed_ports};
 use crate::options::parse_end;
 
 /// The arguments that say where the board is.
@@ -22,7 +22,8 @@ pub struct ConnectArgs {
     #[arg(
         long,
         value_name = "BAUD",
-        default_value_t = 921_600,
+        default_value = "921600",
+        value_parser = parse_baud,
         allow_negative_numbers = true
     )]
     baud: u32,
@@ -50,6 +51,16 @@ struct PlaceArgs {
     /// Build the image of a board (olimex-stm32-h405 unless BOARD is given) and emulate it; SCENE comes before this option
     #[arg(long, value_name = "BOARD", num_args = 0..=1, default_missing_value = "olimex-stm32-h405")]
     emulate: Option<EmulatedBoard>,
+}
+
+/// What Linux and macOS say of a file that has no baud rate.
+const ENOTTY: i32 = 25;
+
+fn parse_baud(text: &str) -> Result<u32, &'static str> {
+    let baud = text.parse().ok().filter(|baud| *baud > 0);
+    baud.ok_or(
+        "allowed: a whole number, 1 or more; 115200 for the micro:bit, 921600 for the others",
+    )
 }
 
 fn parse_timeout(text: &str) -> Result<Duration, String> {
@@ -117,10 +128,10 @@ impl Address {
         };
         opened.map_err(|error| BoardError::Gone {
             address: self.to_string(),
-            problem: if matches!(self, Self::Port(..)) && error.kind() == ErrorKind::NotFound {
-                no_such_port()
-            } else {
-                reason(&error)
+            problem: match (&*self, error.kind(), error.raw_os_error()) {
+                (Self::Port(..), ErrorKind::NotFound, _) => allowed_ports("no such port"),
+                (Self::Port(..), _, Some(ENOTTY)) => allowed_ports("no serial port"),
+                _ => reason(&error),
             },
         })
     }

@@ -128,6 +128,9 @@ impl Line {
             true => String::new(),
             false => format!(" ({})", faults.join(", ")),
         };
-        format!("{} bytes came, no frame among them{why}", self.bytes)
+        format!(
+            "{} bytes came, no frame among them{why}: perhaps at another rate (--baud), or from another program",
+            self.bytes
+        )
     }
 }

@@ -120,10 +120,10 @@ fn only_board(ports: Vec<Port>) -> Result<Port, String> {
     }
 }
 
-pub(super) fn no_such_port() -> String {
+pub(super) fn allowed_ports(problem: &str) -> String {
     let ports = Port::all().unwrap_or_default();
     format!(
-        "no such port, allowed: --port {AUTO} for a board on USB, or a serial port{}",
+        "{problem}, allowed: --port {AUTO} for a board on USB, or a serial port{}",
         here(&ports)
     )
 }

@@ -79,13 +79,13 @@ impl Endpoints {
             ends.out.push((socket, format, rate));
         }
         let inward = [
-            (args.osc_in, PoseFormat::Osc),
-            (args.opentrack_in, PoseFormat::OpenTrack),
+            ("--osc-in", args.osc_in, PoseFormat::Osc),
+            ("--opentrack-in", args.opentrack_in, PoseFormat::OpenTrack),
         ];
-        for (port, format) in inward {
+        for (option, port, format) in inward {
             let Some(port) = port else { continue };
             let socket = inward::at(place.ip(), port).map_err(|error| ViewError::Address {
-                address: format!("UDP port {port}"),
+                address: format!("{option} {port}: UDP port {port}"),
                 error,
             })?;
             ends.inward.push((socket, format));

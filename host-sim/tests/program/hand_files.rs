@@ -430,6 +430,33 @@ fn times_in_milliseconds_without_a_unit_are_reported() {
 }
 
 #[test]
+fn a_run_in_which_nothing_is_touched_says_how_near_the_body_came() {
+    // Unloaded, the body is where the hand is: held 20 mm above its middle, its lower side 30 mm below that.
+    let folder = Folder::new();
+    folder.write(
+        "high.csv",
+        file("t,x,y,phi\n", |k| planar(k, [0.0, 0.09, 0.0])),
+    );
+    let said = text(&folder.stiction("run box-flat --hand high.csv").stdout);
+    let expected =
+        ["the body touches nothing: it is never nearer than 40.000 mm to surface \"floor\""];
+    assert_all("high.csv", &said, &expected);
+}
+
+#[test]
+fn samples_that_are_missing_are_reported() {
+    let content = file("t,x,y,phi\n", |k| match k {
+        20..=49 => String::new(),
+        _ => planar(k, pose(k)),
+    });
+    let lines = content.lines().filter(|line| !line.is_empty());
+    let content = lines.collect::<Vec<_>>().join("\n");
+    let (_, _, said) = run("hole.csv", content.as_bytes(), "");
+    let expected = ["hole.csv: no samples for 0.620 s from t = 0.38 s"];
+    assert_all("hole.csv", &said, &expected);
+}
+
+#[test]
 fn utf_16_is_refused() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);

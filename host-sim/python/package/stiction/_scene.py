@@ -109,15 +109,19 @@ class Scene:
         return np.ascontiguousarray(self._scene.hand(None, rate)[:, 1:4])
 
     def recorded(
-        self, path: str | os.PathLike[str] | None = None, rate: float | None = None
+        self,
+        path: str | os.PathLike[str] | None = None,
+        rate: float | None = None,
+        fit: bool = False,
     ) -> dict[str, npt.NDArray[Any]]:
         """A recorded hand (csv, tum, txt), placed as in the scene's [hand], for `Solver.run(**scene.recorded(path))`.
 
         path: the file; None: the path of the scene file. rate: samples per second (Hz); None: those of the recording, or that of the scene.
+        fit: place it over the scene, as `stiction run --fit` does: unit, angle, plane and origin.
         Returns `hand`, (N, 3) x, y (m), phi (rad); `t` (s); `held`. An unusable file raises a ValueError; what is skipped or looks
         wrong, as a path in millimetres, is a UserWarning that names the key which mends it.
         """
-        samples = self._scene.hand(path, rate)
+        samples = self._scene.hand(path, rate, fit)
         return {
             "hand": np.ascontiguousarray(samples[:, 1:4]),
             "t": np.ascontiguousarray(samples[:, 0]),

@@ -70,7 +70,7 @@ class Scene:
         self, x: tuple[float, float], y: tuple[float, float]
     ) -> list[tuple[str, list[tuple[float, float]]]]: ...
     def hand(
-        self, path: str | os.PathLike[str] | None = None, rate: float | None = None
+        self, path: str | os.PathLike[str] | None = None, rate: float | None = None, fits: bool = False
     ) -> npt.NDArray[np.float64]: ...
 
 @final

@@ -27,6 +27,8 @@ const FASTEST_TURN: f64 = TAU;
 const DEEPER: f64 = 4.0;
 /// A time between two samples (s) that no tracker takes: a time in milliseconds that is read in seconds is longer.
 const SLOWEST: f64 = 0.9;
+/// A time between two samples that is more than so many of the usual ones is a gap: samples are missing, not late.
+const LONG_GAP: f64 = 10.0;
 
 /// A key of `[hand]` and its value that mends a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +139,15 @@ impl Seen {
             false => self.angles(placement),
         };
         let [degrees, jumps] = angles;
-        let all = [self.times(), plane, scale, degrees, jumps, origin];
+        let all = [
+            self.times(),
+            self.gap(),
+            plane,
+            scale,
+            degrees,
+            jumps,
+            origin,
+        ];
         all.into_iter().flatten().collect()
     }
 
@@ -146,6 +156,16 @@ impl Seen {
             let text = format!(
                 "the samples are {:.3} s apart: if the times are in ms, the column is to be named `t [ms]`",
                 self.step
+            );
+            (Mend::Times, text)
+        })
+    }
+
+    fn gap(&self) -> Option<(Mend, String)> {
+        let (since, seconds) = self.gap?;
+        (self.is_dense() && seconds > LONG_GAP * self.step).then(|| {
+            let text = format!(
+                "no samples for {seconds:.3} s from t = {since} s: the hand moves straight on between them"
             );
             (Mend::Times, text)
         })
@@ -249,7 +269,7 @@ impl Seen {
         (self.nearest > FAR * self.size).then(|| {
             let origin = self.origin(placement);
             let text = format!(
-                "the hand is never nearer than {:.3} m, {:.0} body sizes, to where the body is held at its start: `hand.origin = {origin:?}` begins there, and so does --fit",
+                "the hand is never nearer than {:.3} m, {:.0} body sizes, to where the body is held at its start: `hand.origin = {origin:?}` begins there, as does a path that is fitted (--fit, in Python fit=True)",
                 self.nearest,
                 self.nearest / self.size
             );

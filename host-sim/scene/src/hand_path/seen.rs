@@ -64,6 +64,8 @@ pub(super) struct Seen {
     pub(super) seconds: f64,
     /// Half of the steps from sample to sample are shorter (s).
     pub(super) step: f64,
+    /// When the longest step begins, and how long it is (s).
+    pub(super) gap: Option<(f64, f64)>,
 }
 
 impl Seen {
@@ -87,9 +89,10 @@ impl Seen {
             way += before.map_or(0.0, |from| (at[0] - from[0]).hypot(at[1] - from[1]));
             before = Some(at);
         }
-        let mut steps: Vec<f64> = (samples.iter().zip(samples.iter().skip(1)))
-            .map(|(from, to)| to.t - from.t)
-            .collect();
+        let pairs = samples.iter().zip(samples.iter().skip(1));
+        let steps = pairs.map(|(from, to)| (from.t, to.t - from.t));
+        let gap = { steps.clone() }.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let mut steps: Vec<f64> = steps.map(|(_, step)| step).collect();
         steps.sort_by(f64::total_cmp);
         Self {
             is_spatial: path.is_spatial,
@@ -100,6 +103,7 @@ impl Seen {
             way,
             seconds: path.seconds(),
             step: steps.get(steps.len() / 2).copied().unwrap_or(0.0),
+            gap,
             samples,
         }
     }
