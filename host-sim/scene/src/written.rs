@@ -13,7 +13,7 @@ use crate::document::{Body, Document};
 use crate::friction::Fallback;
 use crate::name::Names;
 use crate::obstacle::{ObstacleInfo, obstacles};
-use crate::outline::repaired;
+use crate::outline::{repaired, size};
 use crate::scene_file::HostScene;
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
@@ -26,6 +26,8 @@ pub const SURFACES: usize = 16;
 pub const OBSTACLES: usize = 32;
 /// At most this many corners of all obstacles together.
 pub const CORNERS: usize = 128;
+/// Nobody holds a body that is larger (m): numbers in millimetres make one.
+const LARGEST_HELD: f64 = 4.0;
 
 /// A scene file whose numbers are finite, in range and complete; its hand is ignored. [`WrittenScene::scene_in`] checks
 /// whether they make a scene. SI units; see [`Description`] for the meaning of each.
@@ -51,7 +53,7 @@ pub struct WrittenScene {
     pub surfaces: Vec<SurfaceInfo>,
     /// The obstacles.
     pub obstacles: Vec<ObstacleInfo>,
-    /// What was mended on reading because the file asked for it: sentences for its user.
+    /// What was mended on reading because the file asked for it, and what looks wrong: sentences for its user.
     pub notes: Vec<String>,
     pub(crate) source: Source,
     pub(crate) document: Document,
@@ -78,7 +80,8 @@ impl WrittenScene {
         let point = |given| check.numbers("grasp.point", given, "x and y");
         let title = source.file().file_stem().unwrap_or_default();
         let (fallback, mut names) = (Fallback::new(check, &document)?, Names::default());
-        let (vertices, notes) = mended(body, vertices(check, body)?);
+        let (vertices, mut notes) = mended(body, vertices(check, body)?);
+        notes.extend(doubted(&vertices));
         Ok(Self {
             title: title.to_string_lossy().into_owned(),
             vertices,
@@ -219,6 +222,11 @@ fn mended(body: &Body, vertices: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Vec<String>) 
         .iter()
         .map(|change| format!("`body.vertices`: {change}"));
     (vertices, changes.collect())
+}
+
+fn doubted(vertices: &[[f64; 2]]) -> Option<String> {
+    let size = size(vertices);
+    (size > LARGEST_HELD).then(|| format!("the body is {size:.1} m large: lengths are in metres"))
 }
 
 fn vertices(check: Check<'_>, body: &Body) -> Result<Vec<[f64; 2]>, InputError> {

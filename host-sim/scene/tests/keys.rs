@@ -66,3 +66,21 @@ fn the_table_has_the_capacities_of_the_reader() {
         assert!(text.contains(&capacity), "{capacity}");
     }
 }
+
+/// A box of 100 mm, written as 100 m.
+#[test]
+fn a_body_that_nobody_holds_is_doubted() {
+    let scene = |unit: f64| {
+        let text = format!(
+            "[body]\nrectangle = [{}, {}]\nstart = [0.0, 0.0, 0.0]\n[spring]\ntranslation = 500.0\nrotation = 0.5\n[hand]\nrate = 10.0\nkeyframes = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]]\n",
+            80.0 * unit,
+            60.0 * unit
+        );
+        SceneFile::parse(Source::new("scene.toml", text), f64::MAX).expect("a scene")
+    };
+    assert!(scene(1e-3).notes.is_empty());
+    assert_eq!(
+        scene(1.0).notes,
+        ["the body is 100.0 m large: lengths are in metres"]
+    );
+}
