@@ -71,11 +71,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         for (place, function) in self.watched.functions(along_u) {
             let end = self.hi.values.get(place);
             let order = self.watched.order(function, &self.hi.instant, on);
-            if is_clear(end.v, &order) {
+            // (R3) holds for what is not negative at the beginning. A hand that turns back there stops a slide at once.
+            let may_begin_below = function == Function::Halt && self.bracket.certain == R::ZERO;
+            if is_clear(end.v, &order) && !may_begin_below {
                 continue;
             }
             self.know_low();
             let begin = self.lo.values.get(place);
+            if may_begin_below && begin.v < R::ZERO {
+                let way = self.lo.rates.xi.abs() * self.bracket.end;
+                if way > R::TOUCH {
+                    return Some(self.ended_low(Ending::Halt, self.watched.body.room));
+                }
+            }
             // The slide of a slip that was as long goes on: a crossing, not a level (STATICS 6).
             let is_level = function != Function::Memory
                 || self.watched.statics.is_edge(&self.watched.body.contacts);
