@@ -71,7 +71,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         for (place, function) in self.watched.functions(along_u) {
             let end = self.hi.values.get(place);
             let order = self.watched.order(function, &self.hi.instant, on);
-            // (R3) holds for what is not negative at the beginning. A hand that turns back there stops a slide at once.
+            // (R3) holds for what is not negative at the beginning. A hand that turns back there stops a slide whose foot it moves by a touch.
             let may_begin_below = function == Function::Halt && self.bracket.certain == R::ZERO;
             if is_clear(end.v, &order) && !may_begin_below {
                 continue;

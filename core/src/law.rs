@@ -253,7 +253,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         begins
     }
 
-    /// Over a fold: the hand a little further, then along u to the next balance.
+    /// Over a fold: the hand so much further that the drive is more than its rounding, then along u to the next balance.
     fn snap(&mut self, kind: Kind) {
         self.log.event(Event::Snap);
         let way = self.errand.before.to(&self.errand.target);
