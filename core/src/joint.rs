@@ -87,10 +87,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             rate: rates.force,
         };
         let [f1, f2] = couple.directions(rates.u);
-        if self.motion.frozen {
+        let m = self.motion;
+        // In one line a drag has no moment.
+        if m.frozen && !m.pair.line {
             return self.drag_shares(i, rates, couple);
         }
-        if self.motion.pair.spread {
+        if m.pair.spread && !m.pair.line {
             let sine = f1.at.cross(f2.at);
             return [signed(f2.cross(force), sine), signed(force.cross(f1), sine)];
         }
@@ -185,10 +187,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
                 let tangent = which.other().of(sup.f);
                 Order::Second((tangent * sup.r12).along(&on.pace, R::ZERO))
             }
-            Function::Share(which) if m.frozen => {
+            Function::Share(which) if m.frozen && !m.pair.line => {
                 Order::Second(drag_sup(sup, which).along(&on.pace, R::ZERO))
             }
-            Function::Share(which) if m.pair.spread => {
+            Function::Share(which) if m.pair.spread && !m.pair.line => {
                 let f = which.of([f2, f1]);
                 let bend = (f * sup.force).along(&on.pace, f.slope * h_p);
                 Order::Second(bend + h_p * on.p_bend)

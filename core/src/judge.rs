@@ -1,7 +1,7 @@
 //! Event functions on a window: whether it is certain, where something crosses zero (STATICS 5).
 
 use crate::contact::{Contact, Feature};
-use crate::events::{Ending, Judging, Order, Watched};
+use crate::events::{Ending, Function, Judging, Order, Watched};
 use crate::found::Found;
 use crate::geometry::Vec2;
 use crate::motion::Kind;
@@ -71,11 +71,19 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         for (place, function) in self.watched.functions(along_u) {
             let end = self.hi.values.get(place);
             let order = self.watched.order(function, &self.hi.instant, on);
-            if is_clear(end.v, &order) {
+            // (R3) holds for what is not negative at the beginning. A hand that turns back there stops a slide whose foot it moves by a touch.
+            let may_begin_below = function == Function::Halt && self.bracket.certain == R::ZERO;
+            if is_clear(end.v, &order) && !may_begin_below {
                 continue;
             }
             self.know_low();
             let begin = self.lo.values.get(place);
+            if may_begin_below && begin.v < R::ZERO {
+                let way = self.lo.rates.xi.abs() * self.bracket.end;
+                if way > R::TOUCH {
+                    return Some(self.ended_low(Ending::Halt, self.watched.body.room));
+                }
+            }
             let least = match order {
                 Order::Second(k) => -k,
                 Order::First(_) => R::LEAST,

@@ -253,17 +253,16 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         begins
     }
 
-    /// Over a fold: the hand a little further, then along u to the next balance.
+    /// Over a fold: the hand so much further that the drive is more than its rounding, then along u to the next balance.
     fn snap(&mut self, kind: Kind) {
         self.log.event(Event::Snap);
         let way = self.errand.before.to(&self.errand.target);
-        // So far that the drive is more than its rounding.
         let sense = self.body.contacts.first().sense;
         let (mut drive, mut runs_back) = (R::ONE, false);
         if self.statics.is_pair(kind) {
             let m = self.statics.sliding_pair(self.body, way.per_p);
             drive = self.statics.placed_at_start(&m).e_p;
-        } else if !self.statics.grip.swings {
+        } else if kind != Kind::Free && !self.statics.grip.swings {
             let m = Motion::new(kind, self.body, way.per_p);
             let i = self.statics.placed_at_start(&m);
             drive = i.e_p;
@@ -313,7 +312,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         self.errand.settle(Next::Relax(Sense::Rests));
     }
-    /// At the frozen hand along the angle in the direction of the residual, to balance or touch.
+    /// At the frozen hand along the angle in the direction of the residual, to balance or touch; without contact with more than rounding, as the
+    /// hand turns: until it has turned by that much it may lead the body far along.
     pub(crate) fn turn(&mut self, stage: Stage) {
         self.errand.runs = self.errand.runs.saturating_add(1);
         let kind = if let Stage::Snap(kind) = stage {
@@ -321,7 +321,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         } else {
             Kind::Pin
         };
-        let m = Motion::frozen(kind, self.body);
+        let mut m = Motion::frozen(kind, self.body);
+        if kind == Kind::Free {
+            m.lasting = -(R::in_plane() * self.path().angle.sign());
+        }
         let i = self.statics.placed_at_start(&m);
         let mut e = i.e;
         if kind == Kind::Slide && e.abs() <= self.statics.rounding(self.body) {

@@ -142,7 +142,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Kind::Free if self.world.weight == R::ZERO => {
                 (i.e, i.e_u, i.e_p) = (phi - i.angle, -R::ONE, m.hand_p.angle);
             }
-            Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment, m_theta, m_p),
+            Kind::Free => (i.e, i.e_u, i.e_p) = (i.moment - m.lasting, m_theta, m_p),
             Kind::Pin | Kind::Slide => {
                 let turns = self.turns(m.first());
                 let r_u = if turns { -i.g_u } else { i.r.turned() };

@@ -245,7 +245,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let rate = (self.statics).opening(self.body, &self.body.hand, mode, Pressing::Always);
             rate.is_some_and(|rate| rate > R::in_plane())
         });
-        if !gap_opens {
+        if !gap_opens || m.pair.line && self.is_shut(m, which) {
             let mut free = *m;
             free.pair.pressed = false;
             if let Some(on) = self.again(&free) {
@@ -260,6 +260,17 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.log
             .open(before, self.statics.kind(&self.body.contacts));
         Some(Next::Relax(lasting.sense))
+    }
+    /// A contact in one line with another that is pulled as their slip begins, less and less: where a turn about the other is in balance its
+    /// gap is still closed.
+    fn is_shut(&self, m: &Motion<R>, which: Which) -> bool {
+        let pair = self.statics.placed_at_start(m);
+        let pull = which.of(self.statics.shares_ahead(self.body, m, &pair));
+        let mut leading = *self.body;
+        self.statics.lead(&mut leading, which.other().index());
+        let turn = (self.statics).placed_at_start(&Motion::frozen(Kind::Pin, &leading));
+        let gap = turn.e.abs() * (pair.r2 - pair.r).length_bound();
+        pull.d > R::ZERO && gap <= -(turn.e_u * R::TOUCH)
     }
     /// The slip of two from here on, in the same direction, if it is driven.
     fn again(&self, m: &Motion<R>) -> Option<Motion<R>> {

@@ -67,8 +67,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut normal = shares.normal.into_iter().zip(ahead);
         normal.all(|(n, ahead)| n > zero || ahead.d >= -steady)
     }
-    /// Multiples of N_1, N_2 of a pair on the hand's path, with their rates.
-    fn shares_ahead(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> [Value<R>; 2] {
+    /// Multiples of N_1, N_2 of a pair on its way, with their rates.
+    pub(crate) fn shares_ahead(
+        &self,
+        body: &Body<R>,
+        m: &Motion<R>,
+        i: &Instant<R>,
+    ) -> [Value<R>; 2] {
         let watched = Watched {
             statics: self,
             body,
@@ -76,7 +81,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             watch: Watch::Joint,
             direction: R::ONE,
         };
-        watched.shares(i, &self.rates(m, i))
+        let rates = if m.frozen {
+            self.rates_of(m, i, R::ONE, R::ZERO)
+        } else {
+            self.rates(m, i)
+        };
+        watched.shares(i, &rates)
     }
     /// Vertices on half-planes whose gaps are closed, but for those of the body's contacts. A convex body meets a half-plane along the one of
     /// its sides that faces it: what is beyond the ends of that side is near because the body is thin, and does not touch.

@@ -9,6 +9,7 @@ use stiction_tests::{Number, Run, Setup, scenes, test_each};
 test_each!(
     cases::rod_follows_its_branches_and_snaps_between_them,
     cases::rod_that_buckles_on_a_smooth_floor_stays_below_the_hand,
+    cases::hand_that_hardly_turns_leads_no_body_past_its_fold,
 );
 
 /// m of `scenes::rod_buckles`
@@ -76,6 +77,31 @@ mod cases {
                     R::near("the holding point", held[0], frame.hand[0]);
                 }
             }
+        }
+    }
+
+    /// A rod hangs from a hand that turns it over its fold (STATICS 16, kappa 2) while it moves by a rod's length: it snaps below the hand and
+    /// does not touch a wall that only a hand farther on would lead it to.
+    pub(super) fn hand_that_hardly_turns_leads_no_body_past_its_fold<R: Number>(
+        evolution: Evolution,
+    ) {
+        let setup = Setup::new(&[[0.0, 0.5], [0.0, -0.5]])
+            .held_at([0.0, 0.25])
+            .weighing(0.4)
+            .springs(1.0, 0.05)
+            .surface([-1.0, 0.0], -1.9, [0.0; 2]);
+        for turn in [1e-4, 1e-5, 1e-6] {
+            let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.25, 0.0]);
+            run.lead([0.0, 0.25, 3.826_445_9 - turn / 2.0], 40);
+            let frames = run.lead([1.0, 0.25, 3.826_445_9 + turn / 2.0], 1);
+            let frame = run.step([1.0, 0.25, 3.83]).clone();
+            for frame in frames.iter().chain([&frame]) {
+                assert!(
+                    frame.contacts.is_empty() && !frame.saw(Event::Touch),
+                    "{frame:?}"
+                );
+            }
+            R::near("theta", frame.pose[2], 5.389_176_889);
         }
     }
 }

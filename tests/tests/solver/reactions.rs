@@ -4,10 +4,11 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 use stiction_core::{Evolution, StateKind};
 use stiction_tests::laws::assert_lawful_run;
 use stiction_tests::run::{polyline, run};
-use stiction_tests::{Number, Setup, test_each};
+use stiction_tests::{Number, Run, Setup, test_each};
 
 test_each!(
     cases::wedge_bears_alike_on_both_sides,
+    cases::narrow_edge_that_friction_overturns_tips,
     cases::corner_bears_over_a_long_lever,
     cases::walls_of_little_friction_bear_what_they_are_pressed_by,
 );
@@ -70,5 +71,23 @@ mod cases {
         assert_lawful_run::<R>(&setup, evolution, &frames);
         let still = frames.iter().filter(|f| f.state == StateKind::Corner);
         assert!(still.count() > 50);
+    }
+
+    /// A narrow body on the floor, held high and drawn along by more than its friction bears: a slide at mu_d N would need a pull at its rear
+    /// end, of mu_d h/b - 1 times half the load, as the height h of the hand over half its width b exceeds 1/mu_d. So it tips, however small the load.
+    pub(super) fn narrow_edge_that_friction_overturns_tips<R: Number>(evolution: Evolution) {
+        let setup = Setup::new(&[[-0.037, 0.0], [0.037, 0.0], [0.0, 1.0]])
+            .held_at([0.0, 1.0 / 3.0])
+            .springs(1.0, 1e-3)
+            .surface([0.0, 1.0], 0.0, [0.15, 0.14]);
+        for load in [1e-1, 1e-2, 1e-3, 1.7e-4] {
+            let run = Run::<R>::start(&setup, evolution, [load, 1.0 / 3.0 - load, 0.0]);
+            assert_eq!(
+                run.frame.state,
+                StateKind::SingleVertex,
+                "{load}: {:?}",
+                run.frame
+            );
+        }
     }
 }
