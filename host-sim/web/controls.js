@@ -64,7 +64,7 @@ export class Controls {
     for (const name of NAMES) {
       const slider = this.sliders[name];
       slider.max = String(STEPS);
-      slider.addEventListener("input", () => this.set(name, fromSlider(name, Number(slider.value))));
+      slider.addEventListener("input", () => this.set(name, fromSlider(name, Number(slider.value)), name));
       this.typed[name].addEventListener("change", () => this.type(name));
     }
   }
@@ -117,8 +117,9 @@ export class Controls {
   /**
    * Sets one parameter. The dynamic friction never exceeds the static one: the other one is adjusted.
    * @param {ParameterName} name @param {number | null} value null: the memory length of a scene without one
+   * @param {ParameterName | null} moved the slider that is being moved, which stays where it is
    */
-  set(name, value) {
+  set(name, value, moved = null) {
     if (!this.state) return;
     const now = { ...this.state.parameters, ...this.waiting };
     /** @type {Partial<SceneParameters>} */
@@ -126,7 +127,7 @@ export class Controls {
     if (name === "static" && value !== null && value < now.dynamic) change.dynamic = value;
     if (name === "dynamic" && value !== null && value > now.static) change.static = value;
     this.waiting = { ...this.waiting, ...change };
-    this.showParameters({ ...now, ...change }, name);
+    this.showParameters({ ...now, ...change }, moved, true);
     this.sendParameters();
   }
 
@@ -169,7 +170,7 @@ export class Controls {
 
   /**
    * Shows parameters, except in the field that is being typed in and on the slider that is being moved.
-   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all updates these, too
+   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all updates the field, too
    */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
@@ -183,7 +184,7 @@ export class Controls {
       if (said) setText(said, isAbsent ? "–" : String(shown));
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(shown));
-      const typing = document.activeElement === this.typed[name] && !moved && !all;
+      const typing = document.activeElement === this.typed[name] && !all;
       if (!typing) this.typed[name].value = parameters[name] === null && name === "memory" ? "" : String(shown);
     }
   }

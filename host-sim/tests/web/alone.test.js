@@ -79,6 +79,33 @@ aloneTest("what needs the program is not shown, and is refused", async (live) =>
   await live.reads("#note", /no recordings.*allowed: stiction view/);
 });
 
+aloneTest("a cone that is dragged takes its slider with it", async (live) => {
+  await live.grab();
+  await live.drag(0, 110);
+  await live.until(() => window.stiction.frame?.frame.contacts.length === 2);
+  await live.page.keyboard.press("k");
+  await live.page.mouse.up();
+  await live.steady();
+  const [{ point }] = (await live.frame()).frame.contacts;
+  const foot = await live.pixel(...point);
+  // 92 px, the length of a cone's side, at the angle of the dynamic friction.
+  const size = 92 / Math.hypot(1, (await live.state()).parameters.dynamic);
+  await live.page.mouse.move(foot.x - size * (await live.state()).parameters.dynamic, foot.y - size);
+  await live.until(() => /** @type {HTMLElement} */ (document.querySelector("#stage")).dataset.over === "dynamic");
+  await live.page.mouse.down();
+  await live.page.mouse.move(foot.x - 60, foot.y - 75, { steps: 6 });
+  await live.page.mouse.up();
+  await live.until(() => Math.abs((window.stiction.state?.parameters.dynamic ?? 0) - 0.8) < 0.02);
+  await live.fresh();
+  for (const name of /** @type {const} */ (["static", "dynamic"])) {
+    const [place, most] = await live.page.$eval(`#slide-${name}`, (slider) => {
+      const { value, max } = /** @type {HTMLInputElement} */ (slider);
+      return [Number(value), Number(max)];
+    });
+    assert.ok(Math.abs((1.5 * place) / most - 0.8) < 0.03, `${name}: ${place} of ${most}`);
+  }
+});
+
 aloneTest("the address shows another page the same scene, parameters and window", async (live, open) => {
   await live.scene("ladder");
   await live.page.fill("#type-stiffness_translation", "820");
