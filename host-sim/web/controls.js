@@ -20,6 +20,8 @@ const RANGES = {
 const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
 /** Memory length of a scene without one, relative to the size of the body. */
 const MEMORY = 1 / 4096;
+/** Largest number of f32, the usual number type. */
+const MOST = "3.4e38";
 /** Steps of a slider. */
 const STEPS = 1000;
 
@@ -102,14 +104,19 @@ export class Controls {
 
   /** Takes a typed value. @param {ParameterName} name */
   type(name) {
-    const value = Number(this.typed[name].value.replace(",", ".").replace("−", "-"));
-    const isEmpty = this.typed[name].value.trim() === "";
-    if (isEmpty && name === "memory") {
+    const text = this.typed[name].value.trim().replace(",", ".").replace("−", "-");
+    const value = text === "" ? NaN : Number(text);
+    const inSi = Number((value * (RANGES[name].unit ?? 1)).toPrecision(12));
+    const isMore = name === "stiffness_translation";
+    const problem = Number.isNaN(value) ? " must be a number."
+      : value < 0 || (isMore && value === 0) ? ` is ${text}; allowed: ${isMore ? "more than 0" : "0 or more"}.`
+      : Number.isFinite(Math.fround(inSi)) ? "" : ` is ${text}; allowed: at most ${MOST}.`;
+    if (text === "" && name === "memory") {
       this.set(name, null);
-    } else if (!isEmpty && Number.isFinite(value)) {
-      this.set(name, Number((value * (RANGES[name].unit ?? 1)).toPrecision(12)));
+    } else if (problem === "") {
+      this.set(name, inSi);
     } else {
-      this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
+      this.tell(this.typed[name].getAttribute("aria-label") + problem);
       if (this.state) this.showParameters(this.state.parameters, null, true);
     }
   }
