@@ -106,6 +106,8 @@ async function take(page, file) {
   }
   try {
     await filesOf(page).file("scene", file.name, await file.text());
+    // What was wrong with an earlier file no longer matters.
+    page.tell("");
   } catch (why) {
     page.tell(`${file.name} cannot be used. ${/** @type {Error} */ (why).message}`);
   }

@@ -157,6 +157,9 @@ async function edits(live) {
   await drop(live, "broken.toml", text.replace(/weight = .*/, 'weight = "much"'));
   await live.reads("#note", /broken\.toml, line \d+: `body\.weight`/);
   assert.equal((await live.state()).scene.title, "saved");
+  // The message does not stay over a scene that is opened afterwards.
+  await drop(live, "saved.toml", text);
+  await page.waitForSelector("#note", { state: "hidden", timeout: 3000 });
   return text;
 }
 
