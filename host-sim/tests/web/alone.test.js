@@ -152,6 +152,23 @@ aloneTest("an address that cannot be followed is reported", async (live) => {
   await live.page.evaluate(() => { location.hash = "#scene=ladder&mu_s=much"; });
   await live.reads("#note", /mu_s=much in the address: allowed is a number/);
   assert.equal((await live.state()).scene.title, "ladder");
+  for (const [hash, words] of /** @type {const} */ ([
+    ["#foo=1", /^foo in the address: allowed are scene, file, k_h, .*hide\.$/],
+    ["#scene=ladder&number=f16", /^number=f16 in the address: allowed are f32, f64, fixed\.$/],
+    ["#scene=mine&file=H4sIAAAAAAAAA", /^The address is cut off or damaged: the scene in it cannot be read\.$/],
+    ["#scene=mine&file=H4sIAAAAAAAAA1M", /^The address is cut off or damaged: the scene in it cannot be read\.$/],
+  ])) {
+    await live.page.evaluate((text) => { location.hash = text; }, hash);
+    await live.reads("#note", words);
+  }
+  assert.equal((await live.state()).scene.title, "ladder");
+});
+
+aloneTest("a path of the hand is refused with what is allowed", async (live) => {
+  const coming = live.page.waitForEvent("filechooser");
+  await live.page.click("#open-scene");
+  await (await coming).setFiles({ name: "hand.txt", mimeType: "text/plain", buffer: Buffer.from("0 0 0") });
+  await live.reads("#note", /^hand\.txt: paths of the hand .*Allowed here: a scene \(\.toml\)\.$/);
 });
 
 aloneTest("an address that changes while another one is followed is followed next", async (live) => {
