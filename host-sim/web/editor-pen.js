@@ -3,8 +3,8 @@
 import { svg } from "./dom.js";
 import { hull, round } from "./editor-model.js";
 
-/** Distance from the first point within which a click ends the polygon (px). */
-const CLOSE = 12;
+/** Distance within which a click is meant for what is there: the first point, or the border of something (px). */
+export const CLOSE = 12;
 /** Coarsest rounding of points (px). */
 const UNIT = 0.5;
 
