@@ -214,8 +214,11 @@ export class Editor {
   draw(what) {
     this.pen?.end();
     this.select(null);
-    this.pen = new Pen(this.stage, (corners, left) => {
-      if (left > 0) this.tell(`The polygon is convex: ${left} of the points ${left === 1 ? "is" : "are"} left out.`);
+    this.pen = new Pen(this.stage, (corners, left, isCrossed) => {
+      const out = left > 0 ? `: ${left} of the points ${left === 1 ? "is" : "are"} left out` : "";
+      if (isCrossed) this.tell(`The lines cross. The polygon is the convex one around the points${out}.`);
+      else if (left > 0) this.tell(`The polygon is convex${out}.`);
+      else if (corners.length === 1) this.tell(what === "body" ? "The object is a point." : "The obstacle is a pin.");
       if (what === "obstacle") this.change((model) => addObstacle(model, corners));
       else if (corners.length > 0) this.change((model) => {
         withBody(model, corners);

@@ -78,6 +78,22 @@ liveTest("a click on its first point closes a polygon", async (bench) => {
   }
 });
 
+liveTest("the page says what becomes of lines that cross, and of a single point", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.click("#edit");
+  for (const [corners, count, words] of /** @type {[[number, number][], number, RegExp][]} */ ([
+    [[[-60, -80], [60, -20], [60, -80], [-60, -20]], 4, /^The lines cross\. The polygon is the convex one around the points\.$/],
+    [[[0, -60]], 1, /^The object is a point\.$/],
+    [[[60, -80], [-60, -80], [-60, -20], [50, -20], [0, -30]], 4, /^The polygon is convex: 1 of the points is left out\.$/],
+  ])) {
+    await page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
+    await drawPolygon(live, corners);
+    await live.reads("#note", words);
+    await live.until((wanted) => window.stiction.state?.scene.body.length === wanted, count);
+  }
+});
+
 liveTest("a polygon that is drawn a little into floor, wall and obstacle is moved out of them, and one that is deep is refused in words", async (bench) => {
   const live = await bench.open();
   const { page } = live;
