@@ -2,6 +2,7 @@
 // buttons: arrow keys select, and Tab leaves the group.
 
 import { byId, setText } from "./dom.js";
+import { FRICTION } from "./stage.js";
 
 /** Windows of this width do not scroll themselves: the wheel scrolls the gallery. */
 const wide = window.matchMedia("(min-width: 901px)");
@@ -82,7 +83,7 @@ export class Gallery {
     if (story !== undefined) card.story = story;
     card.input.title = card.story ?? "";
     this.title = title;
-    if (drawsAll) redraw(card, scene);
+    redraw(card, scene, drawsAll);
     this.select(title);
   }
 
@@ -120,12 +121,18 @@ export class Gallery {
   }
 }
 
-/** Draws the picture of a scene that has none, or that was edited since. @param {Card} card @param {Scene} scene */
-function redraw(card, { title, body, surfaces, obstacles }) {
-  const content = JSON.stringify([body, surfaces, obstacles]);
+/**
+ * Draws the picture of a scene that has none, or that was edited since.
+ * @param {Card} card @param {Scene} scene @param {boolean} isServed whether the program has pictures of all scenes
+ */
+async function redraw(card, scene, isServed) {
+  const { title, body, start, surfaces, obstacles } = scene;
+  const content = JSON.stringify([body, start, surfaces, obstacles], (name, value) => (FRICTION.includes(name) ? undefined : value));
   const isDrawn = card.drawn && (card.content === null || card.content === content);
   Object.assign(card, { content, drawn: true });
-  if (!isDrawn) draw(title, card.picture);
+  if (isDrawn) return;
+  if (isServed) draw(title, card.picture);
+  else put((await import("./shown.js")).sketch(scene), card.picture);
 }
 
 /** Pictures included in a page that is a single file. @type {{[name: string]: string} | null} */
@@ -138,12 +145,17 @@ const packed = JSON.parse(document.querySelector("#pictures")?.textContent ?? "n
 async function draw(name, place) {
   try {
     const text = packed?.[name] ?? await fetched(`scenes/${encodeURIComponent(name)}.svg`);
-    const { documentElement } = new DOMParser().parseFromString(text, "image/svg+xml");
-    documentElement.setAttribute("aria-hidden", "true");
-    place.replaceChildren(document.importNode(documentElement, true));
+    put(text, place);
   } catch {
     // The card still has its name.
   }
+}
+
+/** Puts a picture into its place. @param {string} text SVG @param {HTMLElement} place */
+function put(text, place) {
+  const { documentElement } = new DOMParser().parseFromString(text, "image/svg+xml");
+  documentElement.setAttribute("aria-hidden", "true");
+  place.replaceChildren(document.importNode(documentElement, true));
 }
 
 /** @param {string} address */

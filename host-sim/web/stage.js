@@ -17,8 +17,8 @@ const TEXT_HEIGHT = 44;
 const ORDINARY = 620;
 const MOST = 2;
 
-/** Fields of surfaces and obstacles that leave the drawing as it is. */
-const FRICTION = ["static", "dynamic", "memory"];
+/** Fields of surfaces and obstacles that leave their drawing as it is. */
+export const FRICTION = ["static", "dynamic", "memory"];
 
 /** Layers that can be hidden. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
 

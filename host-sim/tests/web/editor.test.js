@@ -275,6 +275,7 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
     await live.scene("box-flat");
     await edits(live);
+    for (const own of ["my-box-flat", "saved"]) await live.page.waitForSelector(`[data-scene="${own}"] svg path`, { state: "attached" });
     // A link shows the scene that was drawn to everyone who opens it, in a browser that has never seen it.
     const { scene, parameters } = await live.state();
     await live.until((title) => location.hash.includes(`scene=${title}&file=`), scene.title);
