@@ -30,6 +30,8 @@ export class Gallery {
     }), { root: this.cards });
     /** Selections without an answer: until then the strip shows the last selection, from which arrow keys continue. */
     this.waiting = 0;
+    // Nothing scrolls while it is closed.
+    byId("scenes-open").addEventListener("click", () => this.reveal());
     this.cards.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
@@ -95,7 +97,7 @@ export class Gallery {
     setText(this.story, story ?? "");
     if (input.checked) return;
     input.checked = true;
-    this.reveal(/** @type {HTMLElement} */ (input.parentElement));
+    this.reveal();
   }
 
   /** Takes the selection of a scene. @param {string} name */
@@ -106,8 +108,10 @@ export class Gallery {
     this.select(taken ? name : this.title);
   }
 
-  /** Scrolls the strip, and nothing else, until a card is visible. @param {HTMLElement} card */
-  reveal(card) {
+  /** Scrolls the strip, and nothing else, until the selected card is visible. */
+  reveal() {
+    const card = this.cards.querySelector(":scope > :has(:checked)");
+    if (!card) return;
     const { left, right } = this.cards.getBoundingClientRect();
     const place = card.getBoundingClientRect();
     this.cards.scrollLeft += Math.min(0, place.left - left) + Math.max(0, place.right - right);
