@@ -303,6 +303,21 @@ liveTest("an object that is let go stays, and the page says why; weight adds to 
   await live.until(() => window.stiction.state?.parameters.weight === 20);
 });
 
+liveTest("on a phone the captions cover neither the button nor the frame that shows who has the keys", async (bench) => {
+  const live = await bench.openFirst({ viewport: { width: 390, height: 844 } });
+  const boxes = (/** @type {string} */ places) => live.page.$$eval(places, (elements) => elements.map((element) => element.getBoundingClientRect())
+    .filter(({ width }) => width > 0).map(({ left, top, right, bottom }) => ({ left, top, right, bottom })));
+  await live.grab();
+  await live.page.mouse.up();
+  await live.page.locator("#released").waitFor({ state: "visible" });
+  const [[stage], [reset]] = [await boxes("#stage"), await boxes("#reset")];
+  for (const { left, top, right, bottom } of await boxes(".over > *, .foot > *")) {
+    assert.ok(right < reset.left || top > reset.bottom, `${right} px, ${top} px`);
+    // The frame is 2 px wide, 1 px inside.
+    assert.ok(left >= stage.left + 3 && top >= stage.top + 3 && bottom < stage.bottom, `${left} px, ${top} px`);
+  }
+});
+
 liveTest("every term is explained where it stands, by a title, a description, and a button", async (bench) => {
   const live = await bench.open();
   const { page } = live;
