@@ -12,6 +12,8 @@ const FARTHEST = 26;
 /** Spacing of the places that are tried, and their largest distance from the wanted one (px). */
 const STEP = 5;
 const REACH = 110;
+/** Least distance of two texts in a row (px): more than a space, so that they are not read as one. */
+const APART = 8;
 /** Least distance of a text from a line (px). */
 const CLEAR = 2;
 
@@ -50,9 +52,9 @@ export function label(ctx, { text, key, x, y, named }, toward, color, taken) {
   const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
   const at = (/** @type {Vec} */ [dx, dy]) => ({ left: left + dx, top: y - LINE / 2 + dy, width, height: LINE });
   const isFree = (/** @type {Vec} */ offset) => {
-    const box = at(offset);
+    const box = at(offset), wide = { ...box, left: box.left - APART, width: width + 2 * APART };
     return box.left >= MARGIN && box.left <= right && box.top >= MARGIN && box.top <= bottom && between(box, named) <= FARTHEST
-      && !taken.labels.some((other) => covers(other, box)) && !taken.lines.some((line) => crosses(line, box));
+      && !taken.labels.some((other) => covers(other, wide)) && !taken.lines.some((line) => crosses(line, box));
   };
   const before = previous.get(key);
   const offset = before && isFree(before) ? before : OFFSETS.find(isFree);

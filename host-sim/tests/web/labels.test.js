@@ -12,8 +12,9 @@ const WINDOWS = [
   { width: 1920, height: 1080 },
   { width: 390, height: 844 },
 ];
-/** Largest distance of a text from what it names (px). */
+/** Largest distance of a text from what it names, and least distance of two texts (px): that of two words. */
 const FARTHEST = 40;
+const APART = 4;
 /** Parts of a path at which a scene is looked at. */
 const PLACES = [0.12, 0.35, 0.6, 0.85];
 
@@ -76,7 +77,7 @@ const record = (live) =>
 
 /** Returns what is wrong with the texts of the newest drawing, and the largest distance of a text from what it names. @param {Live} live */
 const look = (live) =>
-  live.page.evaluate((farthest) => {
+  live.page.evaluate(([farthest, apart]) => {
     /** @type {{texts: {text: string, box: number[]}[], lines: {ends: number[], half: number, width: number, color: string}[]}} */
     const { texts, lines } = /** @type {any} */ (window).drawn;
     const { scene } = /** @type {StateMessage} */ (window.stiction.state);
@@ -123,7 +124,7 @@ const look = (live) =>
       const crossed = lines.find((line) => ![grid, trail].includes(line.color) && (line.width > 2 || line.color !== body) && touches(box, line));
       if (crossed) faults.push(`“${text}” at ${box.map(Math.round)} is on a line of ${crossed.color}, ${crossed.ends.map(Math.round)}`);
       for (const other of texts) {
-        if (other.box !== box && gap(box, other.box) === 0) faults.push(`“${text}” is on “${other.text}”`);
+        if (other.box !== box && gap(box, other.box) < apart) faults.push(`“${text}” is on “${other.text}”`);
       }
       for (const button of document.querySelectorAll(".tools button, .foot > *")) {
         const { left, top, right, bottom, width } = button.getBoundingClientRect();
@@ -132,7 +133,7 @@ const look = (live) =>
       }
     }
     return { faults, worst, count: labels.length, contacts: window.stiction.frame?.frame.contacts.length ?? 0 };
-  }, FARTHEST);
+  }, [FARTHEST, APART]);
 
 for (const viewport of WINDOWS) {
   liveTest(`at ${viewport.width} px every text is next to what it names, and on nothing`, async (bench) => {
