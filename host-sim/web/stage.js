@@ -292,7 +292,8 @@ export class Stage {
       ...contacts.flatMap(([contact, surface]) => linesOfContact(view, contact, surface, parameters, perNewton)),
     ];
     const taken = { labels, lines };
-    if (layers.bars && layers.values) {
+    // The handles of the editor would be on them.
+    if (layers.bars && layers.values && !this.editing) {
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, taken);
       obstacles?.nameCorners(ctx, view, frame.contacts, taken);
     }
