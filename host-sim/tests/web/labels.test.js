@@ -118,6 +118,13 @@ const look = (live) =>
           ...(window.stiction.frame?.frame.contacts ?? []).map(({ point: [px, py] }) => window.stiction.pixelOf(px, py))
             .map(({ x, y }) => [x - stage.left, y - stage.top, x - stage.left, y - stage.top]),
         ].map((part) => gap(box, part)));
+      const other = obstacle && scene.obstacles?.find(({ vertices: corners }) => corners.length > 2 && obstacle.vertices !== corners
+        && corners.map(([x, y]) => window.stiction.pixelOf(x, y)).every(({ x, y }, k, all) => {
+          const next = all[(k + 1) % all.length];
+          const [px, py] = [stage.left + (box[0] + box[2]) / 2, stage.top + (box[1] + box[3]) / 2];
+          return (next.x - x) * (py - y) < (next.y - y) * (px - x);
+        }));
+      if (other) faults.push(`“${text}” is in “${other.name}”`);
       worst = Math.max(worst, distance);
       if (distance > farthest) faults.push(`“${text}” is ${distance.toFixed(0)} px from what it names`);
       // Not the grid, not the trails and the cross of the body, which is thinner than its outline.
@@ -140,6 +147,8 @@ for (const viewport of WINDOWS) {
     const live = await bench.openFirst({ viewport });
     const { page } = live;
     await record(live);
+    // With the details the drawing is small.
+    if (viewport.width === 1440) await page.click("#details-open");
     await page.click("#scenes-open");
     const scenes = await page.locator(".card input").evaluateAll((inputs) => inputs.map((input) => /** @type {HTMLInputElement} */ (input).value));
     /** @type {string[]} */
