@@ -303,6 +303,19 @@ liveTest("an object that is let go stays, and the page says why; weight adds to 
   await live.until(() => window.stiction.state?.parameters.weight === 20);
 });
 
+liveTest("on a phone the cones of the opening are whole while it moves", async (bench) => {
+  const live = await bench.openFirst({ viewport: { width: 390, height: 844 }, reducedMotion: "no-preference" });
+  for (let time = 0.5; time < 5; time += 0.5) {
+    await shown(live, time);
+    const { contacts } = (await live.frame()).frame;
+    for (const { point } of contacts) {
+      const { x } = await live.pixel(...point);
+      const half = (CONE * 0.6) / Math.hypot(1, 0.6);
+      assert.ok(x - half > 0 && x + half < 390, `a cone at ${x} px after ${time} s`);
+    }
+  }
+}, []);
+
 liveTest("on a phone the captions cover neither the button nor the frame that shows who has the keys", async (bench) => {
   const live = await bench.openFirst({ viewport: { width: 390, height: 844 } });
   const boxes = (/** @type {string} */ places) => live.page.$$eval(places, (elements) => elements.map((element) => element.getBoundingClientRect())
