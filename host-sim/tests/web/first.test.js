@@ -121,6 +121,26 @@ liveTest("the opening slips by some 6 mm twice in a second, and the chart shows 
   const late = slips.filter(({ t }) => t > frame.t - 2);
   assert.ok(late.length >= 3 && late.length <= 5, `${late.length} slips in two seconds`);
   for (const { length } of late) assert.ok(Math.abs(length - 0.006) < 1e-3, `${length} m`);
+  // Its scale has a tick below 0 and includes both limits of static friction.
+  const [ticks, bottom] = await live.page.evaluate(async () => {
+    const { prototype } = CanvasRenderingContext2D;
+    const { fillText } = prototype;
+    /** @type {Map<number, number>} */
+    const places = new Map();
+    prototype.fillText = function (text, x, y) {
+      fillText.call(this, text, x, y);
+      if (this.canvas.closest("#chart-forces") && /^−?\d+$/.test(text)) places.set(Number(text.replace("−", "-")), y);
+    };
+    await new Promise((done) => { setTimeout(done, 500); });
+    prototype.fillText = fillText;
+    const { offsetTop, offsetHeight } = /** @type {HTMLElement} */ (document.querySelector("#chart-forces .u-over"));
+    return [[...places].sort(([a], [b]) => a - b), offsetTop + offsetHeight];
+  });
+  const [[least, low], [most, high]] = [ticks[0], ticks[ticks.length - 1]];
+  assert.ok(least < 0 && most > 0, JSON.stringify(ticks));
+  const end = least - ((bottom - low) / (low - high)) * (most - least);
+  const load = frame.contacts.reduce((sum, { normal }) => sum + normal, 0);
+  assert.ok(end < -0.6 * load, `the scale ends at ${end} N, the limit is ${-0.6 * load} N`);
   await picture(live, "opening");
 }, []);
 
