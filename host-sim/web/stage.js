@@ -87,7 +87,8 @@ export class Stage {
     this.view.width = width / this.magnify;
     this.view.height = height / this.magnify;
     this.buttons = this.buttonBoxes();
-    if (!this.adjusted) this.fitted = false;
+    // The first edit takes the story away, and the drawing becomes higher: what is being edited stays where it is.
+    if (!this.adjusted && !this.editing) this.fitted = false;
     this.draw();
   }
 
