@@ -319,5 +319,6 @@ function inWords(problem) {
   // The text with this file and line was generated: nobody wrote it.
   if (!name) return problem.replace(/^.*?, line \d+: /, "").split("\n")[0];
   const { name: unit, per } = prefixed(Number(depth), "m");
-  return `The object reaches ${digits(Number(depth) * per)} ${unit} into “${name}”. Move one of the two; all other changes wait for that.`;
+  const far = `${digits(Number(depth) * per)} ${unit}`;
+  return `The object reaches ${far} into “${name}”. Move one of the two; all other changes wait for that.`;
 }

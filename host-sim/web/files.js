@@ -101,7 +101,8 @@ function open(page) {
 async function take(page, file) {
   if (/\.(csv|tum|txt)$/i.test(file.name)) {
     if (page.transport) page.transport.upload(file);
-    else page.tell(`${file.name}: paths of the hand (.csv, .tum, .txt) are replayed by the program, stiction view. Allowed here: a scene (.toml).`);
+    else page.tell(`${file.name}: paths of the hand (.csv, .tum, .txt) are replayed by the program, stiction view. `
+      + "Allowed here: a scene (.toml).");
     return;
   }
   try {

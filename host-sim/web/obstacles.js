@@ -209,7 +209,8 @@ function drawName(ctx, view, { name, vertices }, taken, others) {
   const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x, y] = fits ? [mean(xs) - width / 2, mean(ys)] : [beside, (top + bottom) / 2];
   // On no line, it is wholly inside or outside.
-  const isElsewhere = (/** @type {number} */ px, /** @type {number} */ py) => others.some((other) => isInside(view, other.vertices, px, py));
+  const isElsewhere = (/** @type {number} */ px, /** @type {number} */ py) =>
+    others.some((other) => isInside(view, other.vertices, px, py));
   label(ctx, { text: name, key: name, x, y, named: boxOf(left, top, right, bottom), isElsewhere }, 1, colors.muted, taken);
 }
 
