@@ -5,6 +5,7 @@
 //     #scene=mine&file=H4sIAAAA...
 
 import { bytes } from "./alone.js";
+import { byId } from "./dom.js";
 
 /** Names in the address of the parameters of `set`. */
 const PARAMETERS = /** @type {const} */ ({
@@ -14,6 +15,8 @@ const PARAMETERS = /** @type {const} */ ({
 /** Defaults of a page. */
 const NUMBER = "f32";
 const EVOLUTION = "path";
+/** All keys of an address. */
+const KEYS = ["scene", "file", ...Object.keys(PARAMETERS), "number", "evolution", "view", "hide"];
 /** Time between two changes of the address (ms): a browser allows 200 in 30 s. */
 const PAUSE = 250;
 
@@ -72,9 +75,11 @@ export class Address {
   async obey(hash, state) {
     const wanted = new URLSearchParams(hash.slice(1));
     const name = wanted.get("scene") ?? state.scene.title, file = wanted.get("file");
+    const unknown = [...wanted.keys()].filter((key) => !KEYS.includes(key));
+    if (unknown.length > 0) this.tell(`${unknown.join(", ")} in the address: allowed are ${KEYS.join(", ")}.`);
     if (!await (file === null ? this.ask({ type: "scene", name }) : this.open(name, file))) return;
-    await this.ask({ type: "number", value: wanted.get("number") ?? NUMBER });
-    await this.ask({ type: "evolution", value: wanted.get("evolution") ?? EVOLUTION });
+    await this.ask({ type: "number", value: this.choice(wanted, "number", NUMBER) });
+    await this.ask({ type: "evolution", value: this.choice(wanted, "evolution", EVOLUTION) });
     const parameters = this.parameters(wanted);
     if (Object.keys(parameters).length > 0) await this.ask({ type: "set", parameters });
     this.layers((wanted.get("hide") ?? "").split(","));
@@ -83,8 +88,16 @@ export class Address {
 
   /** Opens the scene of a file in the address; returns false if it cannot be used. @param {string} name @param {string} packed */
   async open(name, packed) {
+    /** @type {ArrayBuffer} */
+    let content;
     try {
-      const text = new TextDecoder().decode(await bytes(packed.replaceAll("-", "+").replaceAll("_", "/")));
+      content = await bytes(packed.replaceAll("-", "+").replaceAll("_", "/"));
+    } catch {
+      this.tell("The address is cut off or damaged: the scene in it cannot be read.");
+      return false;
+    }
+    try {
+      const text = new TextDecoder().decode(content);
       await this.files.file("scene", `${name}.toml`, text);
       return true;
     } catch (why) {
@@ -102,6 +115,18 @@ export class Address {
       if (value !== undefined) parameters[name] = value;
     }
     return parameters;
+  }
+
+  /**
+   * Returns a choice of the address that the page's list offers, or the default.
+   * @param {URLSearchParams} wanted @param {"number" | "evolution"} key @param {string} usual
+   */
+  choice(wanted, key, usual) {
+    const value = wanted.get(key) ?? usual;
+    const all = [...byId(key, HTMLSelectElement).options].map((option) => option.value);
+    if (all.includes(value)) return value;
+    this.tell(`${key}=${value} in the address: allowed are ${all.join(", ")}.`);
+    return usual;
   }
 
   /**

@@ -23,6 +23,8 @@ const PAUSE = 66;
 const SHARED = "stiction-time";
 /** Largest distance of a slip from the moment under the pointer (px). */
 const NEAR = 4;
+/** Least distance of two ticks of the reactions (px): a line of text. */
+const TICK = 17;
 /** Room at an axis, in characters. */
 const ROOM = 6;
 
@@ -149,7 +151,7 @@ export class Charts {
     this.plots.forEach((plot, i) => plot.batch(() => {
       plot.setData(this.data[i].since(from), false);
       plot.setScale("x", { min: from, max: from + this.window });
-      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 3 : 2, this.units[i === 0 ? "force" : "length"]));
+      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 7 : 2, this.units[i === 0 ? "force" : "length"]));
       else plot.setScale("y", logRange(this.data[i]));
     }));
     this.tell();
@@ -304,7 +306,8 @@ function forcePlot(unit) {
     { stroke: () => colors.friction, width: 2, points: { show: false } },
     limit("limit-static", [6, 3]), limit("limit-static", [6, 3]),
     limit("limit-dynamic", [1.8, 2.6]), limit("limit-dynamic", [1.8, 2.6]),
-  ], {}, { values: inUnit(unit) });
+    // Small as it is on the first screen, it has a tick below 0, too.
+  ], {}, { values: inUnit(unit), space: TICK });
 }
 
 /** Plots a stem for every tick with a slip. @param {() => import("./sizes.js").Unit} unit */

@@ -20,6 +20,8 @@ const RANGES = {
 const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
 /** Memory length of a scene without one, relative to the size of the body. */
 const MEMORY = 1 / 4096;
+/** Largest number of f32, the usual number type. */
+const MOST = "3.4e38";
 /** Steps of a slider. */
 const STEPS = 1000;
 
@@ -64,7 +66,7 @@ export class Controls {
     for (const name of NAMES) {
       const slider = this.sliders[name];
       slider.max = String(STEPS);
-      slider.addEventListener("input", () => this.set(name, fromSlider(name, Number(slider.value))));
+      slider.addEventListener("input", () => this.set(name, fromSlider(name, Number(slider.value)), name));
       this.typed[name].addEventListener("change", () => this.type(name));
     }
   }
@@ -102,14 +104,19 @@ export class Controls {
 
   /** Takes a typed value. @param {ParameterName} name */
   type(name) {
-    const value = Number(this.typed[name].value.replace(",", ".").replace("−", "-"));
-    const isEmpty = this.typed[name].value.trim() === "";
-    if (isEmpty && name === "memory") {
+    const text = this.typed[name].value.trim().replace(",", ".").replace("−", "-");
+    const value = text === "" ? NaN : Number(text);
+    const inSi = Number((value * (RANGES[name].unit ?? 1)).toPrecision(12));
+    const isMore = name === "stiffness_translation";
+    const problem = Number.isNaN(value) ? " must be a number."
+      : value < 0 || (isMore && value === 0) ? ` is ${text}; allowed: ${isMore ? "more than 0" : "0 or more"}.`
+      : Number.isFinite(Math.fround(inSi)) ? "" : ` is ${text}; allowed: at most ${MOST}.`;
+    if (text === "" && name === "memory") {
       this.set(name, null);
-    } else if (!isEmpty && Number.isFinite(value)) {
-      this.set(name, Number((value * (RANGES[name].unit ?? 1)).toPrecision(12)));
+    } else if (problem === "") {
+      this.set(name, inSi);
     } else {
-      this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
+      this.tell(this.typed[name].getAttribute("aria-label") + problem);
       if (this.state) this.showParameters(this.state.parameters, null, true);
     }
   }
@@ -117,8 +124,9 @@ export class Controls {
   /**
    * Sets one parameter. The dynamic friction never exceeds the static one: the other one is adjusted.
    * @param {ParameterName} name @param {number | null} value null: the memory length of a scene without one
+   * @param {ParameterName | null} moved the slider that is being moved, which stays where it is
    */
-  set(name, value) {
+  set(name, value, moved = null) {
     if (!this.state) return;
     const now = { ...this.state.parameters, ...this.waiting };
     /** @type {Partial<SceneParameters>} */
@@ -126,7 +134,7 @@ export class Controls {
     if (name === "static" && value !== null && value < now.dynamic) change.dynamic = value;
     if (name === "dynamic" && value !== null && value > now.static) change.static = value;
     this.waiting = { ...this.waiting, ...change };
-    this.showParameters({ ...now, ...change }, name);
+    this.showParameters({ ...now, ...change }, moved, true);
     this.sendParameters();
   }
 
@@ -169,7 +177,7 @@ export class Controls {
 
   /**
    * Shows parameters, except in the field that is being typed in and on the slider that is being moved.
-   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all updates these, too
+   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all updates the field, too
    */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
@@ -183,7 +191,7 @@ export class Controls {
       if (said) setText(said, isAbsent ? "–" : String(shown));
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(shown));
-      const typing = document.activeElement === this.typed[name] && !moved && !all;
+      const typing = document.activeElement === this.typed[name] && !all;
       if (!typing) this.typed[name].value = parameters[name] === null && name === "memory" ? "" : String(shown);
     }
   }

@@ -138,6 +138,50 @@ export function withBody(model, corners) {
   if (model.grasp) model.grasp = [0, 0];
 }
 
+/**
+ * Returns the shortest displacement that brings the object out of a surface or obstacle, or null if it is outside.
+ * @param {Vec[]} corners of the object in the world @param {EditedSurface | EditedObstacle} solid
+ * @returns {{depth: number, normal: Vec} | null}
+ */
+function wayOut(corners, solid) {
+  const low = (/** @type {Vec} */ [nx, ny], /** @type {Vec[]} */ points) => Math.min(...points.map(([x, y]) => nx * x + ny * y));
+  if ("normal" in solid) {
+    const depth = solid.offset - low(solid.normal, corners);
+    return depth > 0 ? { depth, normal: solid.normal } : null;
+  }
+  // Of two convex shapes the shortest way is along a normal of a side.
+  const normals = (/** @type {Vec[]} */ points, /** @type {number} */ sense) => points.flatMap(([ax, ay], k) => {
+    const [bx, by] = points[(k + 1) % points.length], length = Math.hypot(bx - ax, by - ay);
+    return length > 0 ? [/** @type {Vec} */ ([sense * (by - ay) / length, sense * (ax - bx) / length])] : [];
+  });
+  const ways = [...normals(solid.vertices, 1), ...normals(corners, -1)].map((normal) => {
+    const [nx, ny] = normal;
+    return { normal, depth: -low([-nx, -ny], solid.vertices) - low(normal, corners) };
+  });
+  ways.sort((one, other) => one.depth - other.depth);
+  return ways.length > 0 && ways[0].depth > 0 ? ways[0] : null;
+}
+
+/**
+ * Moves an object that reaches into surfaces or obstacles by at most `most` (m) out of them.
+ * @param {Model} model @param {number} most
+ */
+export function lift(model, most) {
+  const solids = [...model.surfaces, ...model.obstacles];
+  // Out of one it may come into another one, so as many passes as there are.
+  for (let pass = 0; pass < solids.length; pass++) {
+    for (const solid of solids) {
+      const way = wayOut(model.body.map((corner) => toWorld(model, corner)), solid);
+      if (!way || way.depth > most) continue;
+      const [x, y, theta] = model.start;
+      // Outwards, by less than the solver sees, so that no rounding is inside.
+      const step = way.depth + ROUNDING * sizeOf(model);
+      const [u, v] = way.normal.map((part, axis) => Number(((axis ? y : x) + step * part).toPrecision(12)));
+      model.start = [u, v, theta];
+    }
+  }
+}
+
 /** Returns an unused name. @param {Model} model @param {string} base */
 function freeName(model, base) {
   const taken = new Set([...model.surfaces, ...model.obstacles].map(({ name }) => name));

@@ -3,16 +3,16 @@
 import { svg } from "./dom.js";
 import { hull, round } from "./editor-model.js";
 
-/** Distance from the first point within which a click ends the polygon (px). */
-const CLOSE = 12;
+/** Distance within which a click is meant for what is there: the first point, or the border of something (px). */
+export const CLOSE = 12;
 /** Coarsest rounding of points (px). */
 const UNIT = 0.5;
 
 export class Pen {
   /**
    * @param {Stage} stage
-   * @param {(corners: Vec[], left: number) => void} done called with a convex polygon, counter-clockwise, and the number of points
-   *   left out of it
+   * @param {(corners: Vec[], left: number, isCrossed: boolean) => void} done called with a convex polygon, counter-clockwise, the
+   *   number of points left out of it, and whether the clicked line went around the others in another order
    * @param {() => void} ended
    */
   constructor(stage, done, ended) {
@@ -64,7 +64,11 @@ export class Pen {
   finish() {
     const corners = hull(this.points);
     this.end();
-    this.done(corners, new Set(this.points.map(String)).size - corners.length);
+    const count = corners.length, places = corners.map(String);
+    const order = this.points.map((point) => places.indexOf(String(point))).filter((place) => place >= 0);
+    const steps = order.map((place, k) => (order[(k + 1) % order.length] - place + count) % count).filter((step) => step > 0);
+    const isCrossed = [1, count - 1].every((sense) => steps.some((step) => step !== sense));
+    this.done(corners, new Set(this.points.map(String)).size - count, isCrossed);
   }
 
   /** Removes the pen. */

@@ -1,11 +1,11 @@
 // The editor of the scene: handles over the stage, a panel next to the selection, undo and redo. Every change is sent to the
 // solver's side as an edit, which reports what is wrong with it or restarts the edited scene.
 
-import { byId, setText } from "./dom.js";
+import { byId, digits, prefixed, setText } from "./dom.js";
 import { button, Card } from "./editor-card.js";
 import { Handles } from "./editor-handles.js";
-import { addObstacle, addSurface, editOf, modelOf, same, withBody, withCorner } from "./editor-model.js";
-import { Pen } from "./editor-pen.js";
+import { addObstacle, addSurface, editOf, lift, modelOf, same, withBody, withCorner } from "./editor-model.js";
+import { CLOSE, Pen } from "./editor-pen.js";
 
 /** @typedef {import("./editor-model.js").Model} Model */
 /** @typedef {import("./editor-handles.js").Item} Item */
@@ -214,10 +214,16 @@ export class Editor {
   draw(what) {
     this.pen?.end();
     this.select(null);
-    this.pen = new Pen(this.stage, (corners, left) => {
-      if (left > 0) this.tell(`The polygon is convex: ${left} of the points ${left === 1 ? "is" : "are"} left out.`);
+    this.pen = new Pen(this.stage, (corners, left, isCrossed) => {
+      const out = left > 0 ? `: ${left} of the points ${left === 1 ? "is" : "are"} left out` : "";
+      if (isCrossed) this.tell(`The lines cross. The polygon is the convex one around the points${out}.`);
+      else if (left > 0) this.tell(`The polygon is convex${out}.`);
+      else if (corners.length === 1) this.tell(what === "body" ? "The object is a point." : "The obstacle is a pin.");
       if (what === "obstacle") this.change((model) => addObstacle(model, corners));
-      else if (corners.length > 0) this.change((model) => withBody(model, corners));
+      else if (corners.length > 0) this.change((model) => {
+        withBody(model, corners);
+        lift(model, CLOSE / this.stage.view.scale);
+      });
     }, () => {
       this.pen = null;
       this.update();
@@ -300,10 +306,19 @@ export class Editor {
     if (!this.undoButton || !this.redoButton || !this.wrong || !this.hint) return;
     this.undoButton.disabled = this.past.length === 0;
     this.redoButton.disabled = this.future.length === 0;
-    // The text with this file and line was generated: nobody wrote it.
-    setText(this.wrong, this.problem.replace(/^.*?, line \d+: /, "").split("\n")[0]);
+    setText(this.wrong, inWords(this.problem));
     this.wrong.hidden = this.problem === "";
     setText(this.hint, this.pen ? "Click the corners. Enter or a click on the first one ends, Esc cancels."
       : "Drag what is to move. Double click a side for another corner, Delete removes.");
   }
+}
+
+/** Returns what the solver refused in the words of the page. @param {string} problem */
+function inWords(problem) {
+  const [, depth, name] = problem.match(/ puts .* (\S+) m inside (?:surface|obstacle) "(.*)", allowed/) ?? [];
+  // The text with this file and line was generated: nobody wrote it.
+  if (!name) return problem.replace(/^.*?, line \d+: /, "").split("\n")[0];
+  const { name: unit, per } = prefixed(Number(depth), "m");
+  const far = `${digits(Number(depth) * per)} ${unit}`;
+  return `The object reaches ${far} into “${name}”. Move one of the two; all other changes wait for that.`;
 }

@@ -101,11 +101,14 @@ function open(page) {
 async function take(page, file) {
   if (/\.(csv|tum|txt)$/i.test(file.name)) {
     if (page.transport) page.transport.upload(file);
-    else page.tell("A path of the hand is replayed by the program: stiction view.");
+    else page.tell(`${file.name}: paths of the hand (.csv, .tum, .txt) are replayed by the program, stiction view. `
+      + "Allowed here: a scene (.toml).");
     return;
   }
   try {
     await filesOf(page).file("scene", file.name, await file.text());
+    // What was wrong with an earlier file no longer matters.
+    page.tell("");
   } catch (why) {
     page.tell(`${file.name} cannot be used. ${/** @type {Error} */ (why).message}`);
   }

@@ -2,6 +2,7 @@
 // buttons: arrow keys select, and Tab leaves the group.
 
 import { byId, setText } from "./dom.js";
+import { FRICTION } from "./stage.js";
 
 /** Windows of this width do not scroll themselves: the wheel scrolls the gallery. */
 const wide = window.matchMedia("(min-width: 901px)");
@@ -29,6 +30,8 @@ export class Gallery {
     }), { root: this.cards });
     /** Selections without an answer: until then the strip shows the last selection, from which arrow keys continue. */
     this.waiting = 0;
+    // Nothing scrolls while it is closed.
+    byId("scenes-open").addEventListener("click", () => this.reveal());
     this.cards.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
@@ -82,7 +85,7 @@ export class Gallery {
     if (story !== undefined) card.story = story;
     card.input.title = card.story ?? "";
     this.title = title;
-    if (drawsAll) redraw(card, scene);
+    redraw(card, scene, drawsAll);
     this.select(title);
   }
 
@@ -94,7 +97,7 @@ export class Gallery {
     setText(this.story, story ?? "");
     if (input.checked) return;
     input.checked = true;
-    this.reveal(/** @type {HTMLElement} */ (input.parentElement));
+    this.reveal();
   }
 
   /** Takes the selection of a scene. @param {string} name */
@@ -105,8 +108,10 @@ export class Gallery {
     this.select(taken ? name : this.title);
   }
 
-  /** Scrolls the strip, and nothing else, until a card is visible. @param {HTMLElement} card */
-  reveal(card) {
+  /** Scrolls the strip, and nothing else, until the selected card is visible. */
+  reveal() {
+    const card = this.cards.querySelector(":scope > :has(:checked)");
+    if (!card) return;
     const { left, right } = this.cards.getBoundingClientRect();
     const place = card.getBoundingClientRect();
     this.cards.scrollLeft += Math.min(0, place.left - left) + Math.max(0, place.right - right);
@@ -120,12 +125,18 @@ export class Gallery {
   }
 }
 
-/** Draws the picture of a scene that has none, or that was edited since. @param {Card} card @param {Scene} scene */
-function redraw(card, { title, body, surfaces, obstacles }) {
-  const content = JSON.stringify([body, surfaces, obstacles]);
+/**
+ * Draws the picture of a scene that has none, or that was edited since.
+ * @param {Card} card @param {Scene} scene @param {boolean} isServed whether the program has pictures of all scenes
+ */
+async function redraw(card, scene, isServed) {
+  const { title, body, start, surfaces, obstacles } = scene;
+  const content = JSON.stringify([body, start, surfaces, obstacles], (name, value) => (FRICTION.includes(name) ? undefined : value));
   const isDrawn = card.drawn && (card.content === null || card.content === content);
   Object.assign(card, { content, drawn: true });
-  if (!isDrawn) draw(title, card.picture);
+  if (isDrawn) return;
+  if (isServed) draw(title, card.picture);
+  else put((await import("./shown.js")).sketch(scene), card.picture);
 }
 
 /** Pictures included in a page that is a single file. @type {{[name: string]: string} | null} */
@@ -138,12 +149,17 @@ const packed = JSON.parse(document.querySelector("#pictures")?.textContent ?? "n
 async function draw(name, place) {
   try {
     const text = packed?.[name] ?? await fetched(`scenes/${encodeURIComponent(name)}.svg`);
-    const { documentElement } = new DOMParser().parseFromString(text, "image/svg+xml");
-    documentElement.setAttribute("aria-hidden", "true");
-    place.replaceChildren(document.importNode(documentElement, true));
+    put(text, place);
   } catch {
     // The card still has its name.
   }
+}
+
+/** Puts a picture into its place. @param {string} text SVG @param {HTMLElement} place */
+function put(text, place) {
+  const { documentElement } = new DOMParser().parseFromString(text, "image/svg+xml");
+  documentElement.setAttribute("aria-hidden", "true");
+  place.replaceChildren(document.importNode(documentElement, true));
 }
 
 /** @param {string} address */

@@ -12,6 +12,8 @@ const FARTHEST = 26;
 /** Spacing of the places that are tried, and their largest distance from the wanted one (px). */
 const STEP = 5;
 const REACH = 110;
+/** Least distance of two texts in a row (px): more than a space, so that they are not read as one. */
+const APART = 8;
 /** Least distance of a text from a line (px). */
 const CLEAR = 2;
 
@@ -39,10 +41,11 @@ const previous = new Map();
  * Writes a text with a halo of paper, to the right or left of a position, or as near to it as there is room. A text without room
  * near what it names is left out.
  * @param {Ink} ctx
- * @param {{text: string, key: string, x: number, y: number, named: Label}} place the key is that of the previous drawing
+ * @param {{text: string, key: string, x: number, y: number, named: Label, isElsewhere?: (px: number, py: number) => boolean}} place
+ *   the key is that of the previous drawing; at a place that is elsewhere it would name something else
  * @param {number} toward @param {string} color @param {Taken} taken
  */
-export function label(ctx, { text, key, x, y, named }, toward, color, taken) {
+export function label(ctx, { text, key, x, y, named, isElsewhere }, toward, color, taken) {
   const { width } = ctx.measureText(text);
   const { canvas } = ctx;
   const { a: ratio } = ctx.getTransform();
@@ -50,9 +53,10 @@ export function label(ctx, { text, key, x, y, named }, toward, color, taken) {
   const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
   const at = (/** @type {Vec} */ [dx, dy]) => ({ left: left + dx, top: y - LINE / 2 + dy, width, height: LINE });
   const isFree = (/** @type {Vec} */ offset) => {
-    const box = at(offset);
+    const box = at(offset), wide = { ...box, left: box.left - APART, width: width + 2 * APART };
     return box.left >= MARGIN && box.left <= right && box.top >= MARGIN && box.top <= bottom && between(box, named) <= FARTHEST
-      && !taken.labels.some((other) => covers(other, box)) && !taken.lines.some((line) => crosses(line, box));
+      && !taken.labels.some((other) => covers(other, wide)) && !taken.lines.some((line) => crosses(line, box))
+      && !isElsewhere?.(box.left + width / 2, box.top + LINE / 2);
   };
   const before = previous.get(key);
   const offset = before && isFree(before) ? before : OFFSETS.find(isFree);

@@ -142,11 +142,11 @@ function handRefusal() {
   return client === null ? `The hand comes by ${by}.` : `Page ${client} holds the hand.`;
 }
 
-/** Shows a note for a while. @param {string} text */
+/** Shows a note for a while; an empty one hides the last one. @param {string} text */
 function note(text) {
   const element = byId("note");
   setText(element, text);
-  element.hidden = false;
+  element.hidden = text === "";
   clearTimeout(noteTimer);
   noteTimer = window.setTimeout(() => { element.hidden = true; }, NOTE);
 }

@@ -111,7 +111,7 @@ export const linesOfObstacles = (view, obstacles) => obstacles.flatMap(({ vertic
  * @param {Ink} ctx @param {View} view @param {Obstacle[]} obstacles @param {import("./labels.js").Taken} taken
  */
 export function nameObstacles(ctx, view, obstacles, taken) {
-  for (const obstacle of obstacles) drawName(ctx, view, obstacle, taken);
+  for (const obstacle of obstacles) drawName(ctx, view, obstacle, taken, obstacles.filter((other) => other !== obstacle));
 }
 
 /** @param {Ink} ctx @param {View} view @param {Vec[]} corners */
@@ -188,11 +188,17 @@ function seen(view, corners) {
   return points;
 }
 
+/** Returns true if a place (px) is inside a polygon. @param {View} view @param {Vec[]} corners @param {number} px @param {number} py */
+function isInside(view, corners, px, py) {
+  const [x, y] = view.world(px, py);
+  return corners.length > 2 && sides(corners).every(([[ax, ay], [bx, by]]) => (bx - ax) * (y - ay) > (by - ay) * (x - ax));
+}
+
 /**
- * Writes the name in the middle of the visible part; next to it if it is too small.
- * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Taken} taken
+ * Writes the name in the middle of the visible part; next to it, and not in another obstacle, if it is too small.
+ * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle @param {import("./labels.js").Taken} taken @param {Obstacle[]} others
  */
-function drawName(ctx, view, { name, vertices }, taken) {
+function drawName(ctx, view, { name, vertices }, taken, others) {
   const points = seen(view, vertices);
   if (points.length === 0) return;
   const [xs, ys] = [0, 1].map((axis) => points.map((p) => p[axis]));
@@ -202,7 +208,10 @@ function drawName(ctx, view, { name, vertices }, taken) {
   const beside = right + 8 + width < view.width ? right + 8 : left - 8 - width;
   const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x, y] = fits ? [mean(xs) - width / 2, mean(ys)] : [beside, (top + bottom) / 2];
-  label(ctx, { text: name, key: name, x, y, named: boxOf(left, top, right, bottom) }, 1, colors.muted, taken);
+  // On no line, it is wholly inside or outside.
+  const isElsewhere = (/** @type {number} */ px, /** @type {number} */ py) =>
+    others.some((other) => isInside(view, other.vertices, px, py));
+  label(ctx, { text: name, key: name, x, y, named: boxOf(left, top, right, bottom), isElsewhere }, 1, colors.muted, taken);
 }
 
 /** Draws a ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */

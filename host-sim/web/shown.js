@@ -1,4 +1,5 @@
-// The scene, or the whole page, as a file: a picture as PNG, a film as WebM, an animation as GIF.
+// The scene, or the whole page, as a file: a picture as PNG, a film as WebM, an animation as GIF. And as a small picture for the
+// gallery.
 
 /** Size of a picture or a film (px): 1080p. */
 const SIZE = { width: 1920, height: 1080 };
@@ -17,6 +18,8 @@ const STEP = 100;
 const LONGEST = 30_000;
 /** Colours of an image of a GIF. */
 const COLORS = 256;
+/** Picture in the gallery: its size, the room around the object, spacing and depth of the hatching (px). */
+const CARD = { width: 120, height: 72, room: 12, spacing: 6, depth: 5 };
 /** Lifetime of a file offered to the browser (ms). */
 const LIFETIME = 60_000;
 
@@ -149,4 +152,44 @@ export async function animate({ stage, tell }, ended) {
     give(new Blob([gif.bytes()], { type: "image/gif" }), name);
   };
   return { end };
+}
+
+/**
+ * Returns the picture of a scene for the gallery, as SVG: the world and the object at the start, like the pictures of the program.
+ * @param {Scene} scene
+ */
+export function sketch({ body, start: [x, y, theta], home, surfaces, obstacles }) {
+  const c = Math.cos(theta), s = Math.sin(theta);
+  const corners = body.map(([u, v]) => /** @type {Vec} */ ([x + c * u - s * v, y + s * u + c * v]));
+  const [[left, right], [low, high]] = [0, 1].map((axis) => {
+    const places = [...corners, home].map((point) => point[axis]);
+    return [Math.min(...places), Math.max(...places)];
+  });
+  const { width, height, room, spacing, depth } = CARD;
+  const fits = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (high - low));
+  // A point that is held has no size.
+  const scale = Number.isFinite(fits) ? fits : 1;
+  const [middleX, middleY] = [(left + right) / 2, (low + high) / 2];
+  /** @param {number[]} point @returns {Vec} */
+  const at = ([u, v]) => [width / 2 + scale * (u - middleX), height / 2 - scale * (v - middleY)];
+  const line = (/** @type {number[][]} */ points) => `M${points.map((point) => point.map((n) => n.toFixed(1)).join(" ")).join("L")}`;
+  const path = (/** @type {string} */ d, /** @type {string} */ style = "") => `<path d="${d}" ${style}/>`;
+  let borders = "", hatch = "", behind = "";
+  for (const { normal: [nx, ny], offset } of surfaces) {
+    const gap = nx * middleX + ny * middleY - offset;
+    const [px, py] = at([middleX - gap * nx, middleY - gap * ny]);
+    /** A point along the surface and behind it (px). @param {number} along @param {number} back */
+    const place = (along, back) => [px + along * ny - back * nx, py + along * nx + back * ny];
+    borders += line([place(-width, 0), place(width, 0)]);
+    for (let k = -width; k < width; k += spacing) hatch += line([place(k, 0), place(k - 0.8 * depth, depth)]);
+    // What is buried in another surface is not seen.
+    behind += line([place(-width, depth), place(width, depth), place(width, 3 * width), place(-width, 3 * width)]);
+  }
+  const solids = (obstacles ?? []).map(({ vertices }) => `${line(vertices.map(at))}Z`).join("");
+  const [hx, hy] = at(home);
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" fill="none" stroke="currentColor" stroke-width="1.5"
+    stroke-linejoin="round" stroke-linecap="round">${path(hatch, 'stroke="var(--hatch)" stroke-width=".7"')}${path(borders)}
+    ${path(behind, 'fill="var(--paper)" stroke="none"')}${path(solids, 'fill="var(--solid)"')}
+    ${path(`${line(corners.map(at))}Z`, `fill="var(--body-fill)" stroke="var(--body)" stroke-width="${[7, 4][body.length - 1] ?? 2}"`)}
+    <circle cx="${hx}" cy="${hy}" r="3" fill="currentColor"/></svg>`;
 }

@@ -17,8 +17,8 @@ const TEXT_HEIGHT = 44;
 const ORDINARY = 620;
 const MOST = 2;
 
-/** Fields of surfaces and obstacles that leave the drawing as it is. */
-const FRICTION = ["static", "dynamic", "memory"];
+/** Fields of surfaces and obstacles that leave their drawing as it is. */
+export const FRICTION = ["static", "dynamic", "memory"];
 
 /** Layers that can be hidden. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
 
@@ -87,7 +87,8 @@ export class Stage {
     this.view.width = width / this.magnify;
     this.view.height = height / this.magnify;
     this.buttons = this.buttonBoxes();
-    if (!this.adjusted) this.fitted = false;
+    // The first edit takes the story away, and the drawing becomes higher: what is being edited stays where it is.
+    if (!this.adjusted && !this.editing) this.fitted = false;
     this.draw();
   }
 
@@ -292,7 +293,8 @@ export class Stage {
       ...contacts.flatMap(([contact, surface]) => linesOfContact(view, contact, surface, parameters, perNewton)),
     ];
     const taken = { labels, lines };
-    if (layers.bars && layers.values) {
+    // The handles of the editor would be on them.
+    if (layers.bars && layers.values && !this.editing) {
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, taken);
       obstacles?.nameCorners(ctx, view, frame.contacts, taken);
     }

@@ -7,6 +7,8 @@ import { reducedMotion } from "./dom.js";
 const ROOM = 0.09;
 /** Least distance of followed objects from the border, relative to the window. */
 const BORDER = 0.07;
+/** Least room at the left and right (px), also in a narrow window: half the width of a friction cone of 0.6. */
+const CONE = 48;
 /** Distance within which corners of obstacles are fitted, and within which an obstacle is fitted as a whole, in sizes of the body. */
 const NEAR = 4;
 const WHOLE = 8;
@@ -74,9 +76,9 @@ export class View {
     for (const { normal, offset } of scene.surfaces) clip(box, normal, offset, 0.4 * size);
     this.x = (box[0] + box[2]) / 2;
     this.y = (box[1] + box[3]) / 2;
-    const across = this.width / (box[2] - box[0]);
-    const up = (this.height - this.top) / (box[3] - box[1]);
-    this.scale = Math.max(1, (1 - 2 * ROOM) * Math.min(across, up));
+    const across = inside(this.width, ROOM) / (box[2] - box[0]);
+    const up = (1 - 2 * ROOM) * (this.height - this.top) / (box[3] - box[1]);
+    this.scale = Math.max(1, Math.min(across, up));
     this.fitting = this.scale;
   }
 
@@ -88,7 +90,7 @@ export class View {
     const r = Math.min(bodySize(scene), 0.4 * Math.min(this.width, this.height - this.top) / this.scale);
     const left = Math.min(pose[0] - r, hand[0]), right = Math.max(pose[0] + r, hand[0]);
     const low = Math.min(pose[1] - r, hand[1]), high = Math.max(pose[1] + r, hand[1]);
-    const [wide, tall] = [(1 - 2 * BORDER) * this.width, (1 - 2 * BORDER) * (this.height - this.top)];
+    const [wide, tall] = [inside(this.width, BORDER), (1 - 2 * BORDER) * (this.height - this.top)];
     const ease = reducedMotion() ? 1 : EASE;
     const scale = Math.min(this.scale, wide / (right - left), tall / (high - low));
     const zoom = scale < 0.999 * this.scale;
@@ -126,6 +128,9 @@ export class View {
     this.y += dy / this.scale;
   }
 }
+
+/** Returns the width between the rooms at the left and right (px). @param {number} width @param {number} room relative to it */
+const inside = (width, room) => width - 2 * Math.max(room * width, Math.min(CONE, width / 4));
 
 /**
  * Clips from a box what lies deeper than a depth behind a surface along x or y.

@@ -79,6 +79,33 @@ aloneTest("what needs the program is not shown, and is refused", async (live) =>
   await live.reads("#note", /no recordings.*allowed: stiction view/);
 });
 
+aloneTest("a cone that is dragged takes its slider with it", async (live) => {
+  await live.grab();
+  await live.drag(0, 110);
+  await live.until(() => window.stiction.frame?.frame.contacts.length === 2);
+  await live.page.keyboard.press("k");
+  await live.page.mouse.up();
+  await live.steady();
+  const [{ point }] = (await live.frame()).frame.contacts;
+  const foot = await live.pixel(...point);
+  // 92 px, the length of a cone's side, at the angle of the dynamic friction.
+  const size = 92 / Math.hypot(1, (await live.state()).parameters.dynamic);
+  await live.page.mouse.move(foot.x - size * (await live.state()).parameters.dynamic, foot.y - size);
+  await live.until(() => /** @type {HTMLElement} */ (document.querySelector("#stage")).dataset.over === "dynamic");
+  await live.page.mouse.down();
+  await live.page.mouse.move(foot.x - 60, foot.y - 75, { steps: 6 });
+  await live.page.mouse.up();
+  await live.until(() => Math.abs((window.stiction.state?.parameters.dynamic ?? 0) - 0.8) < 0.02);
+  await live.fresh();
+  for (const name of /** @type {const} */ (["static", "dynamic"])) {
+    const [place, most] = await live.page.$eval(`#slide-${name}`, (slider) => {
+      const { value, max } = /** @type {HTMLInputElement} */ (slider);
+      return [Number(value), Number(max)];
+    });
+    assert.ok(Math.abs((1.5 * place) / most - 0.8) < 0.03, `${name}: ${place} of ${most}`);
+  }
+});
+
 aloneTest("the address shows another page the same scene, parameters and window", async (live, open) => {
   await live.scene("ladder");
   await live.page.fill("#type-stiffness_translation", "820");
@@ -125,6 +152,23 @@ aloneTest("an address that cannot be followed is reported", async (live) => {
   await live.page.evaluate(() => { location.hash = "#scene=ladder&mu_s=much"; });
   await live.reads("#note", /mu_s=much in the address: allowed is a number/);
   assert.equal((await live.state()).scene.title, "ladder");
+  for (const [hash, words] of /** @type {const} */ ([
+    ["#foo=1", /^foo in the address: allowed are scene, file, k_h, .*hide\.$/],
+    ["#scene=ladder&number=f16", /^number=f16 in the address: allowed are f32, f64, fixed\.$/],
+    ["#scene=mine&file=H4sIAAAAAAAAA", /^The address is cut off or damaged: the scene in it cannot be read\.$/],
+    ["#scene=mine&file=H4sIAAAAAAAAA1M", /^The address is cut off or damaged: the scene in it cannot be read\.$/],
+  ])) {
+    await live.page.evaluate((text) => { location.hash = text; }, hash);
+    await live.reads("#note", words);
+  }
+  assert.equal((await live.state()).scene.title, "ladder");
+});
+
+aloneTest("a path of the hand is refused with what is allowed", async (live) => {
+  const coming = live.page.waitForEvent("filechooser");
+  await live.page.click("#open-scene");
+  await (await coming).setFiles({ name: "hand.txt", mimeType: "text/plain", buffer: Buffer.from("0 0 0") });
+  await live.reads("#note", /^hand\.txt: paths of the hand .*Allowed here: a scene \(\.toml\)\.$/);
 });
 
 aloneTest("an address that changes while another one is followed is followed next", async (live) => {

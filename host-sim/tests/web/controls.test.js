@@ -69,7 +69,8 @@ for (const name of PARAMETERS) {
     for (const [text, words] of [
       ["much", /must be a number/],
       ["", /must be a number/],
-      ["-1", /allowed/],
+      ["-1", /^(Static|Dynamic|Translational|Rotational) .* is -1; allowed: (more than 0|0 or more)\.$/],
+      ["1e99", /^(Static|Dynamic|Translational|Rotational) .* is 1e99; allowed: at most 3\.4e38\.$/],
     ]) {
       await type(live, name, /** @type {string} */ (text));
       await live.reads("#note", /** @type {RegExp} */ (words));

@@ -78,6 +78,58 @@ liveTest("a click on its first point closes a polygon", async (bench) => {
   }
 });
 
+liveTest("the page says what becomes of lines that cross, and of a single point", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.click("#edit");
+  for (const [corners, count, words] of /** @type {[[number, number][], number, RegExp][]} */ ([
+    [[[-60, -80], [60, -20], [60, -80], [-60, -20]], 4, /^The lines cross\. The polygon is the convex one around the points\.$/],
+    [[[0, -60]], 1, /^The object is a point\.$/],
+    [[[60, -80], [-60, -80], [-60, -20], [50, -20], [0, -30]], 4, /^The polygon is convex: 1 of the points is left out\.$/],
+  ])) {
+    await page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
+    await drawPolygon(live, corners);
+    await live.reads("#note", words);
+    await live.until((wanted) => window.stiction.state?.scene.body.length === wanted, count);
+  }
+});
+
+liveTest("a polygon that is drawn a little into floor, wall and obstacle is moved out of them, and one that is deep is refused in words", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  live.expects(/status 400: .*\/edit\?/);
+  live.expects(/error: Failed to load resource: .*400/);
+  await page.click("#edit");
+  const box = await page.locator("#stage").boundingBox();
+  assert.ok(box);
+  const [floor] = (await live.state()).scene.surfaces;
+  const ground = (await live.pixel(0, floor.offset)).y - box.y - box.height / 2;
+  await page.click('.editor-bar [aria-label="Add an obstacle"]');
+  await drawPolygon(live, [[120, ground], [120, ground - 90], [170, ground - 90], [170, ground]]);
+  await live.until(() => window.stiction.state?.scene.obstacles?.length === 1);
+  const draw = () => page.click('.editor-bar [aria-label="Draw the object\'s polygon"]');
+  const before = JSON.stringify((await live.state()).scene.body);
+  await draw();
+  await drawPolygon(live, [[0, ground + 5], [0, ground - 60], [127, ground - 60], [127, ground + 8]]);
+  await live.until((body) => JSON.stringify(window.stiction.state?.scene.body) !== body, before);
+  const { scene } = await live.state();
+  const low = Math.min(...scene.body.map(([, y]) => y + scene.start[1]));
+  const right = Math.max(...scene.body.map(([x]) => x + scene.start[0]));
+  const wall = Math.min(...(scene.obstacles ?? []).flatMap(({ vertices }) => vertices.map(([x]) => x)));
+  const near = 1e-6;
+  assert.ok(low >= floor.offset && low < floor.offset + near, `${low} at a floor of ${floor.offset}`);
+  assert.ok(right <= wall && right > wall - near, `${right} at a wall of ${wall}`);
+
+  // What is much deeper is meant: it is refused, and what is changed meanwhile is not lost.
+  await draw();
+  await drawPolygon(live, [[-60, ground + 40], [-60, ground - 40], [60, ground - 40], [60, ground + 40]]);
+  await live.reads(".editor-problem", /^The object reaches \d+(\.\d+)? mm into “floor”\. Move one of the two/);
+  await page.click('.editor-bar [aria-label="Add a surface"]');
+  await page.focus('[data-handle="surface-0"]');
+  for (let k = 0; k < 12; k++) await page.keyboard.press("ArrowDown");
+  await live.until(() => window.stiction.state?.scene.surfaces.length === 2);
+});
+
 /**
  * Edits a scene from its polygon to its file, which is opened again.
  * @param {Live} live @returns {Promise<string>} the saved text
@@ -157,6 +209,9 @@ async function edits(live) {
   await drop(live, "broken.toml", text.replace(/weight = .*/, 'weight = "much"'));
   await live.reads("#note", /broken\.toml, line \d+: `body\.weight`/);
   assert.equal((await live.state()).scene.title, "saved");
+  // The message does not stay over a scene that is opened afterwards.
+  await drop(live, "saved.toml", text);
+  await page.waitForSelector("#note", { state: "hidden", timeout: 3000 });
   return text;
 }
 
@@ -220,6 +275,7 @@ test("the page without a server edits, saves and opens scenes", { skip: missingP
     await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
     await live.scene("box-flat");
     await edits(live);
+    for (const own of ["my-box-flat", "saved"]) await live.page.waitForSelector(`[data-scene="${own}"] svg path`, { state: "attached" });
     // A link shows the scene that was drawn to everyone who opens it, in a browser that has never seen it.
     const { scene, parameters } = await live.state();
     await live.until((title) => location.hash.includes(`scene=${title}&file=`), scene.title);
