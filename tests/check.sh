@@ -242,7 +242,7 @@ fi
 fuzz_for_a_minute() {
   local log=$logs/fuzz-$1.log
   rm -rf "target/fuzz/found/$1"
-  tests/fuzz/run.sh "$1" 60 -seed=3 "-runs=$2" -use_cmp=0 >"$log" 2>&1 || {
+  tests/fuzz/run.sh "$1" 60 -seed=4 "-runs=$2" -use_cmp=0 >"$log" 2>&1 || {
     grep -a -m 1 -A 4 'panicked at' "$log" | cut -c 1-500 || true
     tail -n 20 "$log"
     return 1
