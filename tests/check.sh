@@ -152,6 +152,7 @@ fi
 
 part 'emulators'
 qemu_needs qemu-system-arm qemu-system-arm || true
+cargo_needs flip-link || true
 if is_all; then
   qemu_needs qemu-system-riscv32 qemu-system-misc || true
   apt_needs node nodejs || true
@@ -160,7 +161,7 @@ if is_all; then
   apt_needs clang clang libclang-rt-dev || true
   apt_needs cmake cmake make || true
   apt_needs arm-none-eabi-gcc gcc-arm-none-eabi || true
-  for tool in flip-link defmt-print; do cargo_needs $tool || true; done
+  cargo_needs defmt-print || true
   # The tests that run these programs would build them one after the other.
   cargo build -p stiction-firmware --release --features hosted --bin bits --locked & hosted=$!
   ! target_needs wasm32-unknown-unknown ||

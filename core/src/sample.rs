@@ -261,16 +261,13 @@ pub(crate) fn finish<R: Real, const V: usize, const S: usize, const C: usize>(
     end: &mut WindowEnd<R>,
 ) {
     let (statics, motion, i) = (watched.statics, watched.motion, &end.instant);
-    let mut stop = None;
-    end.rates = match &bracket.branch {
-        Some(branch) => {
-            stop = Some(bracket.stop);
-            let p = -i.e_u / i.e_p * branch.direction;
-            statics.rates_of(motion, i, branch.direction, p)
-        }
-        None if motion.frozen => statics.rates_of(motion, i, watched.direction, R::ZERO),
-        None => statics.rates(motion, i),
+    let [u, p] = match &bracket.branch {
+        Some(branch) => [branch.direction, -i.e_u / i.e_p * branch.direction],
+        None if motion.frozen => [watched.direction, R::ZERO],
+        None => [-i.e_p / i.e_u, R::ONE],
     };
+    let stop = bracket.branch.is_some().then_some(bracket.stop);
+    end.rates = statics.rates_of(motion, i, u, p);
     watched.values(i, &end.rates, stop, &mut end.values);
 }
 

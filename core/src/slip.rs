@@ -5,7 +5,7 @@ use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
 use crate::events::{Ending, Watch, Which};
 use crate::modes::{Mode, Pressing};
-use crate::motion::{Kind, Motion};
+use crate::motion::{Kind, Motion, Spot};
 use crate::real::Real;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
@@ -30,7 +30,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let motion = if statics.is_edge(&self.body.contacts) {
             let hand = self.body.hand;
             if statics.slides_straight(self.body, sense, &hand) {
-                let next = self.stopped_together(pair.map(|c| c.with(sense)), true);
+                let is_pressed = self.is_pressed();
+                let next = self.stopped_together(pair.map(|c| c.with(sense)), true, is_pressed);
                 return self.settled(next);
             }
             statics.pair_along(self.body, HandPose::REST, sense)
@@ -109,9 +110,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// At mu_d N: stiction where N >= N*, otherwise the contact slides on (R30).
     fn stopped(&mut self, sense: Sense) -> Next {
-        let [normal, _] = self.statics.reaction(self.body);
-        let friction = self.statics.friction(self.body.contacts.first());
-        let is_pressed = friction.is_pressed(normal);
+        let is_pressed = self.is_pressed();
         let length = self.body.foot - self.errand.foot;
         if self.body.stiction || is_pressed && length.abs() > R::MICRO {
             self.log.slip(length);
@@ -127,6 +126,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         Next::Rest
     }
 
+    /// N >= N* of one contact, or of two in one line.
+    fn is_pressed(&self) -> bool {
+        let [normal, _] = self.statics.reaction(self.body);
+        let friction = self.statics.friction(self.body.contacts.first());
+        friction.is_pressed(normal)
+    }
+
     /// Two contacts.
     fn slide_together(&mut self, motion: Motion<R>) {
         self.errand.runs = self.errand.runs.saturating_add(1);
@@ -138,15 +144,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let end = (load.force.length_bound() + R::from_int(4)).min(motion.pair.reach);
         self.run(Stage::Joint, motion, Watch::JointSlip, end, true);
     }
-    /// A slip of two has ended.
-    pub(crate) fn slipped_together(&mut self, m: &Motion<R>, ending: Ending) {
+    /// A slip of two has ended at a place along it.
+    pub(crate) fn slipped_together(&mut self, m: &Motion<R>, (ending, u): (Ending, R)) {
         if !self.statics.has_pairs() {
             return;
         }
         let senses = m.contacts.map(|c| c.sense);
         let [sense, _] = senses;
         let next = match ending {
-            Ending::Stopped => self.stopped_together(m.contacts, m.pair.pressed),
+            Ending::Stopped => {
+                let is_pressed = if m.pair.even {
+                    self.is_pressed()
+                } else {
+                    let end = Spot { u, p: R::ZERO };
+                    self.statics.has_stiction(m, &self.statics.placed(m, end))
+                };
+                self.stopped_together(m.contacts, m.pair.pressed, is_pressed)
+            }
             Ending::Touch(feature) => {
                 self.touch(feature);
                 Next::Relax(sense)
@@ -185,20 +199,23 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.errand.slid_to_rest |= !self.body.stiction && length.abs() > R::MICRO;
         Next::Relax(sense)
     }
-    /// In balance, after a slip of two with their senses: they stick if they have enough for stiction, otherwise they slide on (R31).
-    /// `pressed`: their reactions counted on the way.
-    fn stopped_together(&mut self, contacts: [Contact; 2], pressed: bool) -> Next {
+    /// In balance, after a slip of two with their senses: they stick if they have enough for stiction, `is_pressed`, otherwise they slide on
+    /// (R31). `counted`: their reactions on the way.
+    fn stopped_together(
+        &mut self,
+        contacts: [Contact; 2],
+        counted: bool,
+        is_pressed: bool,
+    ) -> Next {
         let [first, second] = contacts;
         let statics = self.statics;
         let mut sliding = *self.body;
         sliding.contacts.slide_pair(contacts.map(|c| c.sense));
-        let (is_pressed, presses, slide) = if statics.is_even(first, second) {
-            let [normal, _] = statics.reaction(self.body);
-            (statics.friction(first).is_pressed(normal), pressed, None)
+        let is_even = statics.is_even(first, second);
+        let presses = if is_even {
+            counted
         } else {
-            let m = statics.sliding_pair(&sliding, HandPose::REST);
-            let has_stiction = statics.has_stiction(&m, &statics.placed_at_start(&m));
-            (has_stiction, self.press_in_balance(&sliding), Some(m))
+            self.press_in_balance(&sliding)
         };
         let length = self.body.foot - self.errand.foot;
         if self.body.stiction || is_pressed {
@@ -210,7 +227,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         if !is_pressed {
             self.body.contacts = sliding.contacts;
-            if let Some(m) = slide {
+            if !is_even {
+                let m = statics.sliding_pair(self.body, HandPose::REST);
                 self.seat_slide(&Motion { frozen: true, ..m });
             }
         }

@@ -224,7 +224,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             Stage::Slip(sense) => self.slipped(sense, ended.ending),
             Stage::Joint => {
                 let m = self.errand.search.motion;
-                self.slipped_together(&m, ended.ending);
+                self.slipped_together(&m, (ended.ending, ended.x));
             }
             Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields | Stage::Path => {}
         }

@@ -81,12 +81,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             watch: Watch::Joint,
             direction: R::ONE,
         };
-        let rates = if m.frozen {
-            self.rates_of(m, i, R::ONE, R::ZERO)
+        let [u, p] = if m.frozen {
+            [R::ONE, R::ZERO]
         } else {
-            self.rates(m, i)
+            [-i.e_p / i.e_u, R::ONE]
         };
-        watched.shares(i, &rates)
+        watched.shares(i, &self.rates_of(m, i, u, p))
     }
     /// Vertices on half-planes whose gaps are closed, but for those of the body's contacts. A convex body meets a half-plane along the one of
     /// its sides that faces it: what is beyond the ends of that side is near because the body is thin, and does not touch.
