@@ -28,21 +28,26 @@ pub(crate) fn part(place: &Path) -> io::Result<NamedTempFile> {
     }
     remove_abandoned(folder);
     let [begin, end] = PART;
+    // Locked until the file is listed: a request to end in between would leave it.
+    let mut list = begun();
     // tempfile's default permissions would let nobody else read the file.
     let file = tempfile::Builder::new()
         .prefix(begin)
         .suffix(end)
         .make_in(folder, create)?;
-    begun().push(file.path().to_owned());
+    list.push(file.path().to_owned());
     Ok(file)
 }
 
 /// Removes incomplete files: for a program that exits immediately.
 pub(crate) fn discard() {
-    for file in begun().drain(..) {
+    let mut list = begun();
+    for file in list.drain(..) {
         // Completed files no longer exist under this name.
         let _ = fs::remove_file(file);
     }
+    // Locked for good: nobody begins another file before the program has ended.
+    std::mem::forget(list);
 }
 
 /// A file that is locked while it is written, which distinguishes it from a file whose program has ended.
