@@ -175,7 +175,7 @@ impl Reference {
                     Happening::Open(weak)
                 });
             }
-            if self.slip_length(pose, pair, ways, hand) >= 1.0 {
+            if self.would_slip(pose, pair, ways, hand) {
                 return Err(Happening::Memory);
             }
         } else if self.pressed_hard(pose, hand) {

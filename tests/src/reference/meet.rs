@@ -258,7 +258,7 @@ impl Reference {
         }
         let ways = [0, 1].map(|i: usize| sign(bound[i][1]) - sign(bound[i][0]));
         if !self.stiction && bears == [true; 2] && self.motion(&self.pose, pair, ways).is_some() {
-            if self.slip_length(&self.pose, pair, ways, self.hand) >= 1.0 {
+            if self.would_slip(&self.pose, pair, ways, self.hand) {
                 self.stiction = true;
                 return;
             }

@@ -78,9 +78,15 @@ impl Reference {
             .all(|&touch| self.threshold(self.scene.friction(touch)).is_infinite())
     }
 
-    /// Whether a slip of two contacts along `ways` would be as long as the memory of one of them.
-    pub(super) fn would_slip(&self, pair: [Touch; 2], ways: [f64; 2], hand: [f64; 3]) -> bool {
-        !self.indifferent(pair) && self.slip_length(&self.pose, pair, ways, hand) >= 1.0
+    /// Whether a slip of two contacts along `ways`, from a pose, would be as long as the memory of one of them.
+    pub(super) fn would_slip(
+        &self,
+        pose: &Pose,
+        pair: [Touch; 2],
+        ways: [f64; 2],
+        hand: [f64; 3],
+    ) -> bool {
+        !self.indifferent(pair) && self.slip_length(pose, pair, ways, hand) >= 1.0
     }
 
     /// The motion of two contacts in which they move along `ways`; `None` if there is none.
@@ -115,13 +121,7 @@ impl Reference {
 
     /// The length of a joint slip from here, with friction falling from static to dynamic, in memory lengths: the longer of
     /// the two feet's.
-    pub(super) fn slip_length(
-        &self,
-        pose: &Pose,
-        pair: [Touch; 2],
-        ways: [f64; 2],
-        hand: [f64; 3],
-    ) -> f64 {
+    fn slip_length(&self, pose: &Pose, pair: [Touch; 2], ways: [f64; 2], hand: [f64; 3]) -> f64 {
         let Some(twist) = self.motion(pose, pair, ways) else {
             return 0.0;
         };

@@ -67,7 +67,9 @@ impl Reference {
     /// Whether two contacts have the stiction bit after a slip along `ways` that has ended; if it was held from the start, as before.
     fn keeps_stiction(&self, ways: &[f64], hand: [f64; 3]) -> bool {
         match (self.pair(), ways) {
-            (Some(pair), &[first, second]) => self.would_slip(pair, [first, second], hand),
+            (Some(pair), &[first, second]) => {
+                self.would_slip(&self.pose, pair, [first, second], hand)
+            }
             (Some(_), _) => self.stiction,
             (None, _) => self.pressed_hard(&self.pose, hand),
         }
