@@ -209,9 +209,11 @@ export class Live {
     });
     page.on("pageerror", (error) => this.faults.push(`error: ${error.stack ?? error.message}`));
     page.on("crash", () => this.faults.push("the page crashed"));
-    page.on("requestfailed", (request) =>
-      this.faults.push(`failed: ${request.url()}: ${request.failure()?.errorText}`),
-    );
+    page.on("requestfailed", (request) => {
+      const error = request.failure()?.errorText;
+      // The browser itself gives up what a page still loads when the page is reloaded.
+      if (error !== "net::ERR_ABORTED") this.faults.push(`failed: ${request.url()}: ${error}`);
+    });
     page.on("response", (response) => {
       if (response.status() >= 400) this.faults.push(`status ${response.status()}: ${response.url()}`);
     });
