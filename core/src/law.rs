@@ -3,13 +3,14 @@
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
-use crate::events::{Ending, Watch, Which};
+use crate::events::{Ending, Watch, Watched, Which};
 use crate::modes::Mode;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
+use crate::values::Value;
 use crate::world::Friction;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
@@ -231,22 +232,30 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         false
     }
-    /// A turn in balance about a contact inside its cone drops the others.
+    /// A turn in balance about a contact inside its cone drops the others. At the edge of the cone and at zero reaction rates decide (R21); what
+    /// they lead out of the cone slides on in balance, but for a contact with stiction, which slips from where the others certainly give way.
     fn turn_begins(&mut self, mode: &Mode) -> bool {
         let before = *self.body;
         self.keep(mode);
-        let residual = self
-            .statics
-            .placed_at_start(&Motion::frozen(Kind::Pin, self.body))
-            .e;
-        let [n, t] = self.statics.reaction(self.body);
-        let contact = self.body.contacts.first();
-        let cone = self.statics.friction(contact).cone(self.body.stiction);
-        let is_inside = t.abs() * cone.cos - n * cone.sin <= R::in_plane();
-        let is_balanced = residual.abs() <= R::in_plane() && is_inside;
-        // At zero reaction rates decide (R21).
-        let presses = || self.statics.presses_by_rates(self.body, self.path());
-        let begins = is_balanced && (n > R::in_plane() || presses());
+        let motion = Motion::new(Kind::Pin, self.body, self.path());
+        let i = self.statics.placed_at_start(&motion);
+        let watched = Watched {
+            statics: self.statics,
+            body: self.body,
+            motion: &motion,
+            watch: Watch::Stick,
+            direction: R::ONE,
+        };
+        let [margins @ .., normal] = watched.stick(&i, &self.statics.rates(&motion, &i));
+        let little = R::in_plane();
+        let is_inside = margins.iter().all(|margin| margin.v >= -little);
+        let lasts = if normal.v > little {
+            let stays = |margin: &Value<R>| margin.v > little || margin.d >= R::ZERO;
+            !self.body.stiction || margins.iter().all(stays)
+        } else {
+            self.statics.presses_by_rates(self.body, self.path())
+        };
+        let begins = i.e.abs() <= little && is_inside && lasts;
         if !begins {
             *self.body = before;
         }
