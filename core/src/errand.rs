@@ -41,6 +41,8 @@ pub(crate) enum Stage {
     Still,
     /// A motion has ended there.
     At(Ending),
+    /// Contacts that fix the pose bear the load where the hand is; whether they are jammed is asked.
+    Borne,
     /// The hand stands still; the next word of coming to rest.
     Settle,
     /// The motion that begins at contacts that give way is looked for.

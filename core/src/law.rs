@@ -3,14 +3,13 @@
 use crate::contact::Sense;
 use crate::errand::{Next, Stage};
 use crate::event::{Event, Status};
-use crate::events::{Ending, Watch, Watched, Which};
+use crate::events::{Ending, Watch, Which};
 use crate::modes::Mode;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
 use crate::state::{Body, Freedom, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
-use crate::values::Value;
 use crate::world::Friction;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
@@ -232,30 +231,11 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         false
     }
-    /// A turn in balance about a contact inside its cone drops the others. At the edge of the cone and at zero reaction rates decide (R21); what
-    /// they lead out of the cone slides on in balance, but for a contact with stiction, which slips from where the others certainly give way.
+    /// A turn that is in balance drops the other contacts.
     fn turn_begins(&mut self, mode: &Mode) -> bool {
         let before = *self.body;
         self.keep(mode);
-        let motion = Motion::new(Kind::Pin, self.body, self.path());
-        let i = self.statics.placed_at_start(&motion);
-        let watched = Watched {
-            statics: self.statics,
-            body: self.body,
-            motion: &motion,
-            watch: Watch::Stick,
-            direction: R::ONE,
-        };
-        let [margins @ .., normal] = watched.stick(&i, &self.statics.rates(&motion, &i));
-        let little = R::in_plane();
-        let is_inside = margins.iter().all(|margin| margin.v >= -little);
-        let lasts = if normal.v > little {
-            let stays = |margin: &Value<R>| margin.v > little || margin.d >= R::ZERO;
-            !self.body.stiction || margins.iter().all(stays)
-        } else {
-            self.statics.presses_by_rates(self.body, self.path())
-        };
-        let begins = i.e.abs() <= little && is_inside && lasts;
+        let begins = self.statics.turns_in_balance(self.body, self.path());
         if !begins {
             *self.body = before;
         }

@@ -125,6 +125,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.errand.jumps = self.evolution == Evolution::Frame;
                 self.happens(ending);
             }
+            Stage::Borne => self.stay(),
             Stage::Settle => self.settle(),
             Stage::Yields => {
                 let errand = &mut *self.errand;
@@ -226,7 +227,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 let m = self.errand.search.motion;
                 self.slipped_together(&m, (ended.ending, ended.x));
             }
-            Stage::Still | Stage::At(_) | Stage::Settle | Stage::Yields | Stage::Path => {}
+            Stage::Still
+            | Stage::At(_)
+            | Stage::Borne
+            | Stage::Settle
+            | Stage::Yields
+            | Stage::Path => {}
         }
     }
 
@@ -299,8 +305,9 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             (Borne::Until(part), None) => (part * way.whole, Ending::GivesWay),
             (Borne::Until(_) | Borne::All(_), Some(p)) => (p, Ending::Pressed),
             (Borne::All(slack), None) => {
-                self.body.hand = to;
-                return self.stay(slack);
+                (self.body.hand, self.body.slack) = (to, slack);
+                self.errand.stage = Stage::Borne;
+                return;
             }
         };
         self.body.hand = if p >= way.whole {
@@ -310,16 +317,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         self.errand.stage = Stage::At(ending);
     }
-    /// The contacts bear the load, and any one that differs by less than the slack, without a jam.
-    fn stay(&mut self, slack: R) {
-        let Some(change) = self.statics.free_of_jam(self.body, slack) else {
-            self.log.jammed = true;
-            return;
-        };
+    /// The contacts bear the load, and any one that differs by less than the slack: unless they are jammed.
+    fn stay(&mut self) {
+        self.errand.stage = Stage::Still;
+        let free = self.statics.free_of_jam(self.body, self.body.slack);
+        self.log.jammed = free.is_none();
         let may_press = !self.body.stiction && self.statics.is_edge(&self.body.contacts);
-        if !may_press {
-            self.body.slack = change;
-        }
+        self.body.slack = free.filter(|_| !may_press).unwrap_or(R::ZERO);
     }
     /// Where along a displacement an edge without stiction is pressed hard enough for it.
     fn presses(&self, way: &Displacement<R>) -> Option<R> {
