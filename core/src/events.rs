@@ -2,7 +2,6 @@
 
 use crate::contact::Sense;
 pub(crate) use crate::ending::{Ending, Which};
-use crate::frame::Frame;
 use crate::geometry::Vec2;
 pub(crate) use crate::judging::Judging;
 use crate::motion::{Instant, Motion, Rates};
@@ -224,8 +223,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
         }
     }
 
-    /// N and the friction T against the first contact's tangent.
-    fn reaction(&self, i: &Instant<R>, rates: &Rates<R>, frame: &Frame<R>) -> [Value<R>; 2] {
+    fn single_values(&self, i: &Instant<R>, rates: &Rates<R>, out: &mut Values<R>) {
+        let m = self.motion;
+        let frame = self.statics.frame(m.first(), i.rotation, i.g);
+        let friction = self.statics.friction(m.first());
         let direction = |at: Vec2<R>| Moving {
             at,
             rate: if frame.turns {
@@ -238,30 +239,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Watched<'_, R, V, 
             at: i.force,
             rate: rates.force,
         };
-        [
-            -direction(frame.n).dot(force),
-            direction(frame.t).dot(force),
-        ]
-    }
-    /// Of the first contact, if it sticks: how far its friction is from giving way along t and against it, and N.
-    pub(crate) fn stick(&self, i: &Instant<R>, rates: &Rates<R>) -> [Value<R>; 3] {
-        let first = self.motion.first();
-        let frame = self.statics.frame(first, i.rotation, i.g);
-        let cone = self.statics.friction(first).cone(self.body.stiction);
-        let [normal, pull] = self.reaction(i, rates, &frame);
-        let (n, t) = (normal.times(cone.sin), pull.times(cone.cos));
-        [n + -t, n + t, normal]
-    }
-
-    fn single_values(&self, i: &Instant<R>, rates: &Rates<R>, out: &mut Values<R>) {
-        let first = self.motion.first();
-        let frame = self.statics.frame(first, i.rotation, i.g);
-        let friction = self.statics.friction(first);
-        let [normal, pull] = self.reaction(i, rates, &frame);
+        let normal = -direction(frame.n).dot(force);
+        let pull = direction(frame.t).dot(force);
         match self.watch {
             Watch::Stick => {
-                let [along, against, _] = self.stick(i, rates);
-                out.fill(&[along, against, normal, self.stiction(friction, normal)]);
+                let cone = friction.cone(self.body.stiction);
+                let (n, t) = (normal.times(cone.sin), pull.times(cone.cos));
+                out.fill(&[n + -t, n + t, normal, self.stiction(friction, normal)]);
             }
             Watch::Slip(sense) => {
                 let t = pull.times(sense.along(friction.sliding.cos));

@@ -10,7 +10,7 @@ use crate::search::Ended;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
-use crate::values::Value;
+use crate::values::{Value, Values};
 use crate::world::Statics;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
@@ -72,8 +72,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             watch: Watch::Stick,
             direction: R::ONE,
         };
-        let [margins @ .., normal] = watched.stick(&i, &self.rates(&motion, &i));
-        let little = R::in_plane();
+        let mut values = Values::ZERO;
+        watched.values(&i, &self.rates(&motion, &i), None, &mut values);
+        let [along, against, normal] = [0, 1, 2].map(|place| values.get(place));
+        let (margins, little) = ([along, against], R::in_plane());
         let is_inside = margins.iter().all(|margin| margin.v >= -little);
         let lasts = if normal.v > little {
             let stays = |margin: &Value<R>| margin.v > little || margin.d >= R::ZERO;
