@@ -232,8 +232,27 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         });
         bears
     }
+    /// The hand a little further towards a target, to where a load that was only just borne is certainly not borne any more, no matter where
+    /// the path ends.
+    pub(crate) fn released(&self, body: &Body<R>, target: &HandPose<R>) -> HandPose<R> {
+        let way = body.hand.to(target);
+        let size = way.per_p.size();
+        if size <= R::ZERO {
+            return body.hand;
+        }
+        let mut p = R::TOUCH * R::from_int(4) / size;
+        if self.has_pairs() && !body.contacts.turn_about_first() {
+            let most = R::from_int(16) * R::ahead() / size;
+            p = p.max(self.beyond_facets(body, &way.per_p, most));
+        }
+        if p == way.whole {
+            *target
+        } else {
+            body.hand.moved(&way.per_p, p)
+        }
+    }
     /// How far the hand has to go on along a displacement until facets that only just bear the load certainly do not, at most `most`.
-    pub(crate) fn beyond_facets(&self, body: &Body<R>, per_p: &HandPose<R>, most: R) -> R {
+    fn beyond_facets(&self, body: &Body<R>, per_p: &HandPose<R>, most: R) -> R {
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
         let load = self.present_load(body);

@@ -7,7 +7,7 @@ use crate::events::{Ending, Watch, Which};
 use crate::modes::Mode;
 use crate::motion::{Kind, Motion};
 use crate::real::Real;
-use crate::state::{Body, Freedom, HandPose};
+use crate::state::{Freedom, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::Friction;
@@ -60,7 +60,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 self.snap(Kind::Slide);
             }
             Some(rates) if sense.along(rates.xi) < -R::of_displacement(path.size()) => {
-                self.body.hand = self.released(self.body);
+                self.body.hand = self.statics.released(self.body, &self.errand.target);
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
             Some(_) => self.body.contacts.slide(sense),
@@ -152,31 +152,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Contacts that fix the pose, or those of one vertex, do not bear the load any more.
     fn gives_way(&mut self) {
-        self.errand.released = self.released(self.body);
+        let (hand, before) = (self.body.hand, self.errand.released);
+        let released = self.statics.released(self.body, &self.errand.target);
+        let is_past = hand.distance(&before) > hand.distance(&released);
+        self.errand.released = released;
         if self.body.contacts.turn_about_first() {
-            self.body.hand = self.errand.released;
+            self.body.hand = released;
             return self.errand.settle(Next::Relax(Sense::Rests));
         }
         self.errand.settle(Next::Give);
-        self.errand.stage = Stage::Yields;
-    }
-    /// The hand a little further, to where a load that was only just borne is certainly not borne any more, no matter where the path ends.
-    fn released(&self, body: &Body<R>) -> HandPose<R> {
-        let target = self.errand.target;
-        let way = body.hand.to(&target);
-        let size = way.per_p.size();
-        if size <= R::ZERO {
-            return body.hand;
-        }
-        let mut p = R::TOUCH * R::from_int(4) / size;
-        if self.statics.has_pairs() && !body.contacts.turn_about_first() {
-            let most = R::from_int(16) * R::ahead() / size;
-            p = p.max(self.statics.beyond_facets(body, &way.per_p, most));
-        }
-        if p == way.whole {
-            target
+        if is_past || self.errand.paths < 2 {
+            self.errand.stage = Stage::Yields;
         } else {
-            body.hand.moved(&way.per_p, p)
+            // What began at the last release came back; it would again, without end.
+            self.body.hand = released;
         }
     }
     /// The motion that the hand begins at contacts that give way is known.
@@ -231,11 +220,22 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         }
         false
     }
-    /// A turn that is in balance drops the other contacts.
+    /// A turn in balance about a contact inside its cone drops the others.
     fn turn_begins(&mut self, mode: &Mode) -> bool {
         let before = *self.body;
         self.keep(mode);
-        let begins = self.statics.turns_in_balance(self.body, self.path());
+        let residual = self
+            .statics
+            .placed_at_start(&Motion::frozen(Kind::Pin, self.body))
+            .e;
+        let [n, t] = self.statics.reaction(self.body);
+        let contact = self.body.contacts.first();
+        let cone = self.statics.friction(contact).cone(self.body.stiction);
+        let is_inside = t.abs() * cone.cos - n * cone.sin <= R::in_plane();
+        let is_balanced = residual.abs() <= R::in_plane() && is_inside;
+        // At zero reaction rates decide (R21).
+        let presses = || self.statics.presses_by_rates(self.body, self.path());
+        let begins = is_balanced && (n > R::in_plane() || presses());
         if !begins {
             *self.body = before;
         }

@@ -10,7 +10,7 @@ use crate::search::Ended;
 use crate::state::{Body, HandPose};
 use crate::step::Step;
 use crate::thresholds::Thresholds;
-use crate::values::{Value, Values};
+use crate::values::Value;
 use crate::world::Statics;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
@@ -58,32 +58,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let frame = self.frame(body.contacts.first(), body.rotation, body.holding);
         let rates = self.rates_as(body, self.sense_by_rates(body, hand_p), hand_p);
         rates.is_some_and(|rates| frame.n.dot(rates.force) < R::ZERO)
-    }
-    /// The body turns along the hand's displacement about its first contact: it is in balance, and the contact inside its cone. At the edge of
-    /// the cone and at zero reaction rates decide (R21); what they lead out of the cone slides on in balance, but for a contact with
-    /// stiction, which slips from where the others certainly give way.
-    pub(crate) fn turns_in_balance(&self, body: &Body<R>, hand_p: HandPose<R>) -> bool {
-        let motion = Motion::new(Kind::Pin, body, hand_p);
-        let i = self.placed_at_start(&motion);
-        let watched = Watched {
-            statics: self,
-            body,
-            motion: &motion,
-            watch: Watch::Stick,
-            direction: R::ONE,
-        };
-        let mut values = Values::ZERO;
-        watched.values(&i, &self.rates(&motion, &i), None, &mut values);
-        let [along, against, normal] = [0, 1, 2].map(|place| values.get(place));
-        let (margins, little) = ([along, against], R::in_plane());
-        let is_inside = margins.iter().all(|margin| margin.v >= -little);
-        let lasts = if normal.v > little {
-            let stays = |margin: &Value<R>| margin.v > little || margin.d >= R::ZERO;
-            !body.stiction || margins.iter().all(stays)
-        } else {
-            self.presses_by_rates(body, hand_p)
-        };
-        i.e.abs() <= little && is_inside && lasts
     }
     /// Reactions of a pair that are zero at its beginning do not fall.
     pub(crate) fn press_on(&self, body: &Body<R>, m: &Motion<R>, i: &Instant<R>) -> bool {
