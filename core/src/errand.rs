@@ -15,7 +15,7 @@ pub(crate) enum Next {
     /// It rests.
     #[default]
     Rest,
-    /// Comes to balance; with a sense, while it slips.
+    /// Comes to balance; with a sense, while it slips or, without contact, turns away from a balance that is not stable.
     Relax(Sense),
     /// Slips in this sense of the first contact.
     Slip(Sense),

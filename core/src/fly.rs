@@ -10,8 +10,8 @@ use crate::state::HandPose;
 use crate::step::Step;
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// Without contact: straight to balance, or to the first touch.
-    pub(crate) fn fly(&mut self) {
+    /// Without contact: straight to balance, or to the first touch. With a sense, away from a balance that is not stable.
+    pub(crate) fn fly(&mut self, sense: Sense) {
         let free = Motion::frozen(Kind::Free, self.body);
         let statics = self.statics;
         let mut theta = self.body.angle;
@@ -22,6 +22,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             let angle = self.body.hand.angle;
             theta = theta.max(angle - most).min(angle + most);
         }
+        theta = theta + sense.along(R::HALF.halved());
         let at = |u: R| Spot { u, p: R::ZERO };
         let mut i = statics.placed(&free, at(theta));
         if statics.world.weight > R::ZERO {

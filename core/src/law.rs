@@ -98,12 +98,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let frame = self
             .statics
             .frame(contact, self.body.rotation, self.body.holding);
-        if i.e_u >= R::ZERO || frame.opening(rates.g, rates.theta) >= R::ZERO {
+        let opening = frame.opening(rates.g, rates.theta);
+        if i.e_u >= R::ZERO || opening >= R::ZERO {
             self.log.event(Event::Lift);
             self.lift();
-            // Both are in balance here.
+            if i.e_u >= R::ZERO && opening < R::ZERO {
+                // The balance is not stable, and goes beyond the contact: from where it stays in front of that the body turns away from both.
+                self.log.event(Event::Snap);
+                let away = Sense::of(frame.opening(i.g_u, R::ONE));
+                return self.errand.settle(Next::Relax(away));
+            }
+            // Both are in balance here. By a weak spring the angle is known less well than the moment: what is left it turns on the way.
             let is_there = (i.g - self.body.holding).length_bound() <= R::TOUCH;
-            if i.e.abs() > R::TOUCH || !is_there {
+            let is_balanced = i.moment.abs() <= R::TOUCH && i.e.abs() <= R::ahead();
+            if !(is_there && is_balanced) {
                 self.errand.settle(Next::Relax(Sense::Rests));
             }
         } else if contact.sense.slides() {

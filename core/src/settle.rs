@@ -64,7 +64,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         self.body.slack = R::ZERO;
         let little = self.statics.rounding(self.body);
         match self.statics.freedom(self.body) {
-            Freedom::Free => self.fly(),
+            Freedom::Free => self.fly(sense),
             Freedom::Turns => {
                 let m = Motion::frozen(Kind::Pin, self.body);
                 if !self.seat(&m, little) {

@@ -30,7 +30,7 @@ pub mod table;
 pub use cost::Emulated;
 pub use report::Report;
 pub use setting::{FINEST, Memory, RATES, Setting};
-pub use suite::{Case, Group, Suite};
+pub use suite::{Case, Group, Suite, drags};
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use std::error::Error;
 use stiction_core::{Evolution, Hand, Status};
 use stiction_host_sim::columns::thousands;
 use stiction_host_sim::trade::chip::Chip;
-use stiction_host_sim::trade::{Case, Group, Suite};
+use stiction_host_sim::trade::{self, Case};
 
 use crate::emulator::{Board, Counted, Counter, Frame, Profile, job};
 use crate::markdown::{Destination, Table};
@@ -33,10 +33,10 @@ fn tick(chip: Chip) -> f64 {
 fn counted(
     chip: Chip,
     (evolution, budget): (Evolution, u32),
-    drags: &[&Case],
+    drags: &[Case],
 ) -> Result<Vec<Counted>, Box<dyn Error>> {
     let counter = Counter::new(Board::of(chip), chip.number(), Profile::Device)?;
-    let ride = |case: &&Case| {
+    let ride = |case: &Case| {
         let samples = case.path.frames(Some(f64::from(rate(chip))));
         let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
         Ok(counter.count(&job(&case.scene, evolution, &hands), budget)?)
@@ -110,7 +110,7 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
     }
 }
 
-fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15], Box<dyn Error>> {
+fn row(chip: Chip, evolution: Evolution, drags: &[Case]) -> Result<[String; 15], Box<dyn Error>> {
     let tick = tick(chip);
     let free = taken(&counted(chip, (evolution, u32::MAX), drags)?, tick);
     let [mean, most] = free.unit;
@@ -148,12 +148,7 @@ fn row(chip: Chip, evolution: Evolution, drags: &[&Case]) -> Result<[String; 15]
 /// # Errors
 /// QEMU or a target is missing, or the document cannot be written.
 pub fn budget(drags: usize, output: Destination) -> Result<(), Box<dyn Error>> {
-    let suite = Suite::new(None, false)?;
-    let random = suite
-        .cases
-        .iter()
-        .filter(|case| case.group == Group::Random);
-    let drags: Vec<&Case> = random.take(drags).collect();
+    let drags: Vec<Case> = trade::drags().take(drags).collect::<Result<_, _>>()?;
     let mut table = Table::new(
         "chip | MHz: | tick (Hz): | cycles per instruction: | evolution | instructions per piece: | \
          without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest: | of a tick: | budget (pieces): | steps: | behind: | \

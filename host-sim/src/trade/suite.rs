@@ -74,6 +74,15 @@ impl Case {
     }
 }
 
+/// Random drags of ordinary use, without end: bodies of 2 to 6 vertices within 0.1 m, 1 to 3 surfaces, a few seconds each.
+pub fn drags() -> impl Iterator<Item = Result<Case, InputError>> {
+    let mut random = random::Random::new(1);
+    (0..).map(move |i| {
+        let (name, text) = (format!("random-{i}.toml"), random::scene(&mut random));
+        Case::new(Group::Random, name, &text)
+    })
+}
+
 /// The scenes, and remarks about them.
 #[derive(Clone, Debug)]
 pub struct Suite {
@@ -114,10 +123,8 @@ impl Suite {
         for (name, text) in scenes::without_obstacles().filter(|(name, _)| (extent.bundled)(name)) {
             cases.push(Case::new(Group::Bundled, format!("{name}.toml"), text)?);
         }
-        let mut random = random::Random::new(1);
-        for i in 0..extent.random {
-            let (name, text) = (format!("random-{i}.toml"), random::scene(&mut random));
-            cases.push(Case::new(Group::Random, name, &text)?);
+        for drag in drags().take(extent.random) {
+            cases.push(drag?);
         }
         let (path, hand) = match recorded {
             None => (
@@ -175,7 +182,10 @@ impl fmt::Display for Suite {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stiction_core::Fixed;
+    use std::thread;
+    use stiction_core::{Evolution, Fixed, Real, SiFloat, Status};
+    use stiction_live::simulate::Running;
+    use stiction_tests::expect::times;
 
     #[test]
     fn every_number_type_carries_every_scene() {
@@ -188,5 +198,48 @@ mod tests {
                 assert_eq!(refused, None);
             }
         }
+    }
+
+    /// Drags in which no motion is consistent with the laws where the body is, by number type and evolution: in all, two contacts that neither
+    /// bear the load nor slide; in the others, rounding leads there.
+    const WITHOUT_MOTION: [(&str, Evolution, &[usize]); 6] = [
+        ("f64", Evolution::Path, &[2055, 6928, 8969]),
+        ("f64", Evolution::Frame, &[2055, 6928, 8969]),
+        ("f32", Evolution::Path, &[2055, 4532, 5717, 6928, 8969]),
+        ("f32", Evolution::Frame, &[2055, 5717, 6928, 8969]),
+        ("fixed", Evolution::Path, &[2055, 5717, 5815, 6928, 8969]),
+        ("fixed", Evolution::Frame, &[2055, 5717, 5815, 6928, 8969]),
+    ];
+
+    /// The drags of which a frame ends out of balance, or in a limit.
+    fn odd<R: Real<Si: SiFloat>>(drags: &[Case], evolution: Evolution) -> Vec<usize> {
+        let is_odd = |case: &Case| {
+            let mut running = Running::<R>::of(&case.scene, evolution, u32::MAX).expect("a scene");
+            let mut frames = case.path.frames(Some(FINEST));
+            frames.any(|hand| !matches!(running.frame(&hand).status, Status::Ok | Status::Jammed))
+        };
+        (0..drags.len()).filter(|&i| is_odd(&drags[i])).collect()
+    }
+
+    #[test]
+    fn every_frame_of_a_random_drag_ends_in_balance() {
+        let drags: Vec<_> = drags()
+            .take(times(500, 10_000))
+            .map(|case| case.expect("a drag"))
+            .collect();
+        let run = |(name, evolution, known): (&str, Evolution, &[usize])| {
+            let odd = match name {
+                "f64" => odd::<f64>(&drags, evolution),
+                "f32" => odd::<f32>(&drags, evolution),
+                _ => odd::<Fixed>(&drags, evolution),
+            };
+            let known: Vec<_> = known.iter().copied().filter(|&i| i < drags.len()).collect();
+            assert_eq!(odd, known, "{name} {evolution:?}");
+        };
+        thread::scope(|scope| {
+            for kind in WITHOUT_MOTION {
+                scope.spawn(move || run(kind));
+            }
+        });
     }
 }

@@ -4,9 +4,8 @@ use std::collections::HashMap;
 
 use crate::common::{Folder, assert_error, rows, text};
 use serde_json::Value;
-use stiction_core::{Evolution, Fixed, Real, SiFloat, State, Status};
-use stiction_host_sim::trade::{FINEST, Memory, RATES, Setting, Suite};
-use stiction_live::simulate::Running;
+use stiction_core::{Fixed, State};
+use stiction_host_sim::trade::{Memory, RATES, Setting};
 
 /// Three number types, two evolutions, and all scenes with their three groups.
 const ROWS: usize = 3 * 2 * Memory::ALL.len() * RATES.len() * 4;
@@ -205,31 +204,5 @@ fn what_cannot_be_used_is_refused_before_anything_is_measured() {
         assert_error(options, &output, expected);
         assert!(output.stdout.is_empty());
         assert_eq!(folder.names(), before, "{options}");
-    }
-}
-
-/// A vertex that slips onto a second surface and sticks there may end where the other contact slips, too.
-#[test]
-fn every_frame_of_the_measured_scenes_ends_in_balance() {
-    let suite = Suite::new(None, false).expect("the scenes");
-    for evolution in Evolution::ALL {
-        end_in_balance::<f64>(&suite, evolution);
-        end_in_balance::<f32>(&suite, evolution);
-        end_in_balance::<Fixed>(&suite, evolution);
-    }
-}
-
-fn end_in_balance<R: Real<Si: SiFloat>>(suite: &Suite, evolution: Evolution) {
-    for case in &suite.cases {
-        let mut running = Running::<R>::of(&case.scene, evolution, u32::MAX).expect("a scene");
-        for sample in case.path.frames(Some(FINEST)) {
-            let frame = running.frame(&sample);
-            let place = || format!("{} at {} s: {:?}", case.scene.title, frame.t, frame.status);
-            assert!(
-                matches!(frame.status, Status::Ok | Status::Jammed),
-                "{}",
-                place()
-            );
-        }
     }
 }

@@ -1,10 +1,8 @@
-//! Random drags of ordinary use, again and again.
+//! Random drags of ordinary use.
 
-use stiction_host_sim::trade::{Case, Group, Suite};
+use stiction_host_sim::trade::{self, Case};
 
-/// The random cases of the trade, for ever.
+/// Drags without end.
 pub(crate) fn random() -> impl Iterator<Item = Case> {
-    let cases = Suite::new(None, false).unwrap().cases.into_iter();
-    let random: Vec<_> = cases.filter(|case| case.group == Group::Random).collect();
-    random.into_iter().cycle()
+    trade::drags().map(Result::unwrap)
 }
