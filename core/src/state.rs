@@ -53,7 +53,8 @@ impl<R: Real> HandPose<R> {
             whole: unit,
         }
     }
-    /// The size of the displacement to another pose: way and turn at a lever of one body size.
+    /// The size of the displacement to another pose: way and turn at a lever of one body size. A call, as few steps ask for it.
+    #[inline(never)]
     pub(crate) fn distance(&self, target: &Self) -> R {
         (target.at - self.at).length_bound() + (target.angle - self.angle).abs()
     }
