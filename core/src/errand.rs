@@ -90,7 +90,9 @@ pub(crate) struct Errand<R> {
     /// Of a chain of searches: their number, and the first contact's foot where the first began.
     pub(crate) runs: u8,
     pub(crate) foot: R,
-    /// The hand where contacts give way beyond doubt.
+    /// How far the hand was from its target where contacts gave way last.
+    pub(crate) gave_way: R,
+    /// The hand where they give way beyond doubt.
     pub(crate) released: HandPose<R>,
     pub(crate) search: Search<R>,
     /// How the search ended where the body is now, which is not acted on yet.
@@ -120,6 +122,7 @@ impl<R: Real> Errand<R> {
             },
             runs: 0,
             foot: R::ZERO,
+            gave_way: R::ZERO,
             released: HandPose::REST,
             search: Search::none(Motion::frozen(Kind::Line, &start)),
             ended: None,

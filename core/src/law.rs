@@ -160,20 +160,21 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     }
     /// Contacts that fix the pose, or those of one vertex, do not bear the load any more.
     fn gives_way(&mut self) {
-        let (hand, before) = (self.body.hand, self.errand.released);
-        let released = self.statics.released(self.body, &self.errand.target);
-        let is_past = hand.distance(&before) > hand.distance(&released);
-        self.errand.released = released;
+        let target = self.errand.target;
+        let (ahead, before) = (self.body.hand.distance(&target), self.errand.gave_way);
+        let is_again = self.errand.paths > 1 && (before - ahead).abs() <= R::of_release_way();
+        let released = self.statics.released(self.body, &target);
+        (self.errand.gave_way, self.errand.released) = (ahead, released);
         if self.body.contacts.turn_about_first() {
             self.body.hand = released;
             return self.errand.settle(Next::Relax(Sense::Rests));
         }
         self.errand.settle(Next::Give);
-        if is_past || self.errand.paths < 2 {
-            self.errand.stage = Stage::Yields;
-        } else {
-            // What began at the last release came back; it would again, without end.
+        if is_again {
+            // What began there came back; it would again, without end.
             self.body.hand = released;
+        } else {
+            self.errand.stage = Stage::Yields;
         }
     }
     /// The motion that the hand begins at contacts that give way is known.
