@@ -240,7 +240,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if size <= R::ZERO {
             return body.hand;
         }
-        let mut p = R::of_release_way() / size;
+        let mut p = R::TOUCH * R::from_int(4) / size;
         if self.has_pairs() && !body.contacts.turn_about_first() {
             let most = R::from_int(16) * R::ahead() / size;
             p = p.max(self.beyond_facets(body, &way.per_p, most));

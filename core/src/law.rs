@@ -162,7 +162,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
     fn gives_way(&mut self) {
         let target = self.errand.target;
         let (ahead, before) = (self.body.hand.distance(&target), self.errand.gave_way);
-        let is_again = self.errand.paths > 1 && (before - ahead).abs() <= R::of_release_way();
+        let is_again = self.errand.paths > 1 && (before - ahead).abs() <= R::TOUCH;
         let released = self.statics.released(self.body, &target);
         (self.errand.gave_way, self.errand.released) = (ahead, released);
         if self.body.contacts.turn_about_first() {

@@ -60,11 +60,6 @@ pub(crate) trait Thresholds: Real {
     fn of_release(load: Self) -> Self {
         Self::of_balance(load) * Self::from_int(4)
     }
-    /// 4 touch (L or rad): the least way of the hand from where contacts give way to where they certainly do. Its place and that of the body are
-    /// each known to one, at both ends.
-    fn of_release_way() -> Self {
-        Self::TOUCH * Self::from_int(4)
-    }
     /// 64 ε (1): an edge that is not farther from the plane of two others lies in it, a gap that opens no faster does not open. A normal of
     /// unit size is known to 16 ε if these two are at an angle of 1/4 or more, its products with an edge to four times that.
     fn in_plane() -> Self {
