@@ -63,7 +63,7 @@ impl Archive {
         let (count, bytes) = lengths.fold((0, 0), |(n, sum), length| (n + 1, sum + length));
         let (megabytes, folder) = (bytes as f64 / 1e6, self.0.display());
         (count > 0).then(|| {
-            format!("recordings so far: {count}, {megabytes:.1} MB in {folder}; nobody but you deletes them")
+            format!("recordings so far: {count}, {megabytes:.1} MB in {folder}; the program deletes none")
         })
     }
 

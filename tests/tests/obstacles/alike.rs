@@ -64,7 +64,7 @@ fn mirror_images_are_alike<R: Number>(most: f64) {
 fn mirror_images_of_scenes_are_alike() {
     mirror_images_are_alike::<f64>(0.0);
     mirror_images_are_alike::<f32>(0.02);
-    mirror_images_are_alike::<Fixed>(0.03);
+    mirror_images_are_alike::<Fixed>(0.02);
 }
 
 /// A step of up to several body sizes ends where a hundred short ones do, unless a status says that it could not be followed: a step has

@@ -254,7 +254,7 @@ fn the_start_tells_how_many_recordings_there_are_and_how_long() {
     let printed = view.line();
     let place = view.folder().file("recordings");
     let expected = format!(
-        "recordings so far: 2, 2.3 MB in {}; nobody but you deletes them\n",
+        "recordings so far: 2, 2.3 MB in {}; the program deletes none\n",
         place.display()
     );
     assert_eq!(printed, expected);
