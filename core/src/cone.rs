@@ -49,17 +49,18 @@ impl<R: Real> WrenchCone<R> {
     pub(crate) const fn new() -> Self {
         Self { edges: Vec::new() }
     }
-    /// All facets, one after the other.
-    pub(crate) fn facets<'a>(&'a self, mut each: impl FnMut(Facet<'a, R>)) {
+    /// All facets, one after the other. Compiled once.
+    #[inline(never)]
+    pub(crate) fn facets<'a>(&'a self, each: &mut dyn FnMut(Facet<'a, R>)) {
         for (i, a) in self.edges.iter().enumerate() {
             for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
-                self.through([(i, a), (k, b)], &mut each);
+                self.through([(i, a), (k, b)], each);
             }
         }
-        self.in_line(&mut each);
+        self.in_line(each);
     }
     /// Of edges that all lie in one line: the planes through it, each twice, and its end if it has one.
-    fn in_line<'a>(&'a self, each: &mut impl FnMut(Facet<'a, R>)) {
+    fn in_line<'a>(&'a self, each: &mut dyn FnMut(Facet<'a, R>)) {
         let Some(edge) = self.edges.first() else {
             return;
         };
@@ -87,7 +88,7 @@ impl<R: Real> WrenchCone<R> {
     fn through<'a>(
         &'a self,
         [(i, a), (k, b)]: [(usize, &'a ConeEdge<R>); 2],
-        each: &mut impl FnMut(Facet<'a, R>),
+        each: &mut dyn FnMut(Facet<'a, R>),
     ) {
         let edges = [a, b];
         let x = a.wrench.cross(b.wrench);
@@ -205,7 +206,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (begin, end) = (self.present_load(body), self.load(body, to));
         let little = -R::of_balance(end.size());
         let (mut first, mut slack) = (None, R::HUGE);
-        cone.facets(|facet| {
+        cone.facets(&mut |facet| {
             let (v1, size) = (facet.margin(end), facet.inward.size());
             if v1 >= little * size {
                 slack = slack.min(v1 / size);
@@ -227,7 +228,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let load = self.present_load(body);
         let of_normal = R::of_normal(load.size());
         let mut bears = true;
-        cone.facets(|facet| {
+        cone.facets(&mut |facet| {
             bears &= facet.margin(load) >= -(known * facet.inward.size() + of_normal);
         });
         bears
@@ -262,7 +263,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         };
         let released = R::of_release(load.size());
         let mut way = R::ZERO;
-        cone.facets(|facet| {
+        cone.facets(&mut |facet| {
             let little = released * facet.inward.size();
             let rate = -facet.margin(change);
             if facet.margin(load).abs() <= little && rate > R::ZERO {

@@ -169,7 +169,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let mut cone = WrenchCone::new();
         self.cone(body, &mut cone);
         let mut worst: Option<(R, Facet<'_, R>)> = None;
-        cone.facets(|facet| {
+        cone.facets(&mut |facet| {
             let margin = facet.margin(load);
             if margin >= R::ZERO {
                 return;
