@@ -200,9 +200,9 @@ mod tests {
         }
     }
 
-    /// Drags in which no motion is consistent with the laws where the body is, by number type and evolution: in all, two contacts that neither
-    /// bear the load nor slide; in the others, rounding leads there.
-    const WITHOUT_MOTION: [(&str, Evolution, &[usize]); 6] = [
+    /// Drags in which the body does not come to rest, by number type and evolution: in all, two contacts neither bear the load nor slide, and
+    /// what follows goes round or on for more than 64 rounds; in the others, rounding leads there.
+    const AMBIGUOUS: [(&str, Evolution, &[usize]); 6] = [
         ("f64", Evolution::Path, &[2055, 6928, 8969]),
         ("f64", Evolution::Frame, &[2055, 6928, 8969]),
         ("f32", Evolution::Path, &[2055, 4532, 5717, 6928, 8969]),
@@ -237,7 +237,7 @@ mod tests {
             assert_eq!(odd, known, "{name} {evolution:?}");
         };
         thread::scope(|scope| {
-            for kind in WITHOUT_MOTION {
+            for kind in AMBIGUOUS {
                 scope.spawn(move || run(kind));
             }
         });
