@@ -6,6 +6,7 @@ pub(crate) mod axes;
 mod cover;
 pub(crate) mod ends;
 pub(crate) mod flat;
+mod front;
 pub(crate) mod join;
 mod leave;
 mod straight;

@@ -89,7 +89,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             }
         }
     }
-    /// To balance, if the way there cannot be distinguished. Whether the body is in balance, but for `little`.
+    /// To balance, if the way there cannot be distinguished and leads into nothing. Whether the body is in balance, but for `little`.
     pub(crate) fn seat(&mut self, m: &Motion<R>, little: R) -> bool {
         let mut i = self.statics.placed_at_start(m);
         if i.e.abs() <= little {
@@ -105,11 +105,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         self.statics.balance(m, spot, step, &mut i);
         let is_near = (i.u - from).abs() <= R::MICRO.doubled();
-        if is_near {
-            let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
-            self.body.go_to(&i, room);
+        let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
+        let mut there = *self.body;
+        there.go_to(&i, room);
+        let is_clear = is_near && !self.statics.is_inside(&there);
+        if is_clear {
+            *self.body = there;
         }
-        is_near
+        is_clear
     }
     /// A slide is in balance at its friction; the end of its slip only to the accuracy of a search.
     pub(crate) fn seat_slide(&mut self, m: &Motion<R>) {

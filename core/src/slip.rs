@@ -94,8 +94,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 // The foot a little further: the branch has ended.
                 self.log.event(Event::Snap);
                 let little = R::TOUCH * R::from_int(16);
-                self.body.foot = self.body.foot + sense.along(little);
-                self.statics.stand(self.body);
+                let mut beyond = *self.body;
+                beyond.foot = beyond.foot + sense.along(little);
+                self.statics.stand(&mut beyond);
+                if !self.statics.is_inside(&beyond) {
+                    *self.body = beyond;
+                }
                 Next::Relax(Sense::Rests)
             }
             Ending::End

@@ -85,9 +85,8 @@ pub(crate) struct Body<R> {
     /// G: the holding point.
     pub(crate) holding: Vec2<R>,
     pub(crate) hand: HandPose<R>,
-    /// Of a point or rod: G and theta where its last motion began that was longer than a few touches, on that side of a thin wall on which it
-    /// still is.
-    pub(crate) was: HandPose<R>,
+    /// Of a point or rod: G and theta, a few touches in front of those sides of thin obstacles at which it is.
+    pub(crate) front: HandPose<R>,
     /// No other contact is closer than this; 0: not known.
     pub(crate) room: R,
     /// Contacts that fix the pose bear any load that differs from the present one by less; 0: not known.
@@ -138,7 +137,7 @@ impl<R: Real> Body<R> {
             rotation: Rotation::by(angle),
             holding,
             hand,
-            was: HandPose { at: holding, angle },
+            front: HandPose { at: holding, angle },
             room: R::ZERO,
             slack: R::ZERO,
         }

@@ -82,6 +82,11 @@ pub(crate) trait Thresholds: Real {
     fn met_before() -> Self {
         Self::TOUCH.doubled()
     }
+    /// 8 touch (L): how far in front of a side the place is that tells on which side of it a body is. A gap of less than half of it, four times
+    /// what it is known to, does not tell.
+    fn in_front() -> Self {
+        Self::TOUCH * Self::from_int(8)
+    }
     /// 2 zero (L): a foot whose velocity, times the slope of the other gap, is less turns back here. Its zero is known to one *zero*, and found
     /// to another.
     fn of_turn() -> Self {

@@ -196,15 +196,27 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     ) -> Option<Slowest<R>> {
         let little = R::zero() * speed(rates);
         let behind = self.step_behind(o);
-        let step_before = if behind < R::MICRO { behind } else { step };
+        let is_thin = behind < R::MICRO;
+        let step_before = if is_thin { behind } else { step };
+        // Whether a gap tells that, and what it tells.
+        let is_apart_at = |normal: Normal, place: At<R>| {
+            let axis = self.axis(o, normal, place);
+            let gap = self.along(o, axis, place).gap;
+            let is_clear = !is_thin || gap.abs() > R::in_front().halved();
+            let is_closed = || gap >= -step_before && !self.is_pinched(o, &axis, place);
+            (is_clear, gap > R::zero() || is_closed())
+        };
         let mut best: Option<Slowest<R>> = None;
         for axis in self.axes(o, at) {
-            let then = self.axis(o, axis.normal, before);
-            let gap = self.along(o, then, before).gap;
-            let is_apart =
-                || gap > R::zero() || gap >= -step_before && !self.is_pinched(o, &then, before);
             let holds = self.holds_in_front(o, body, &axis, at);
-            let was_in_front = holds.unwrap_or_else(is_apart);
+            let was_in_front = holds.unwrap_or_else(|| {
+                let (is_clear, is_apart) = is_apart_at(axis.normal, before);
+                if is_clear {
+                    return is_apart;
+                }
+                let (_, is_apart) = is_apart_at(axis.normal, body.in_front());
+                is_apart
+            });
             let is_behind = self.along(o, axis, at).gap < -step;
             if !was_in_front || is_behind || self.is_hollow(o, &axis, at) {
                 continue;
@@ -258,7 +270,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     }
     /// Along an axis that is closed what keeps apart is a corner at which another obstacle goes on: nothing passes between them, however thin
     /// it is.
-    fn is_pinched(&self, o: &Obstacle<R>, axis: &Axis<R>, at: At<R>) -> bool {
+    pub(super) fn is_pinched(&self, o: &Obstacle<R>, axis: &Axis<R>, at: At<R>) -> bool {
         match axis.normal {
             Normal::Side(_) => false,
             Normal::Wall(corner) => self.is_joined(corner),
@@ -272,7 +284,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         }
     }
     /// At a corner another obstacle goes on.
-    fn is_joined(&self, corner: u8) -> bool {
+    pub(super) fn is_joined(&self, corner: u8) -> bool {
         self.corner(corner).covered || self.corners_at(corner).count() > 1
     }
     /// What closes along a side of the body is a corner in the hollow between two walls: there the walls are touched.

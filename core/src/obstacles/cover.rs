@@ -1,6 +1,6 @@
 //! Corners and sides that nothing can touch, because other obstacles or half-planes are there (R35).
 
-use super::straight::{NEAR, Point, Straight};
+use super::straight::{HOLLOW, NEAR, Point, Straight};
 use super::union::{Outlines, Raw, is_near};
 
 impl<const S: usize, const C: usize> Outlines<S, C> {
@@ -27,6 +27,36 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
                 raw.hidden = hidden;
             }
         }
+    }
+    /// Sides go on a little beyond an end from which another one rises: nothing passes there, and by a hand that is far it is not known to a
+    /// touch where a foot is that comes to it.
+    pub(super) fn close_hollows(&mut self) {
+        for k in 0..self.all.len() {
+            let Some(Raw {
+                line: Some(line),
+                ends: [low, high],
+                ..
+            }) = self.all.get(k).copied()
+            else {
+                continue;
+            };
+            let [before, after] =
+                [low, high].map(|x| if self.rises_at(&line, x) { HOLLOW } else { 0.0 });
+            if let Some(raw) = self.all.get_mut(k) {
+                raw.ends = [low - before, high + after];
+            }
+        }
+    }
+    /// In front of a line a side rises from its place at x.
+    fn rises_at(&self, line: &Straight, x: f64) -> bool {
+        let place = line.normal * line.offset + line.tangent() * x;
+        self.all.iter().any(|raw| {
+            let Some(own) = raw.line else { return false };
+            let [low, high] = [raw.to, raw.at].map(|end| own.tangent().dot(end));
+            let along = own.tangent().dot(place);
+            let is_there = own.is_near(place) && along >= low - NEAR && along <= high + NEAR;
+            is_there && [raw.at, raw.to].iter().any(|&end| line.height(end) > NEAR)
+        })
     }
     /// In or on an obstacle, but at no corner of it.
     fn is_inside(&self, obstacle: u8, at: Point) -> bool {

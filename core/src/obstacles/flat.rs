@@ -6,7 +6,6 @@ use crate::frame::Frame;
 use crate::geometry::{Rotation, Vec2};
 use crate::real::Real;
 use crate::state::Body;
-use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
@@ -16,13 +15,6 @@ impl<R: Real> Body<R> {
         At {
             rotation: self.rotation,
             g: self.holding,
-        }
-    }
-    /// Where its last motion began that was longer than a few touches.
-    pub(crate) fn was(&self) -> At<R> {
-        At {
-            rotation: Rotation::by(self.was.angle),
-            g: self.was.at,
         }
     }
 }
@@ -63,22 +55,6 @@ impl<R: Real> Span<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// A point or rod goes to a pose, and remembers where it came from.
-    pub(crate) fn leave_behind(&self, body: &mut Body<R>, to: At<R>) {
-        let is_thin = self.world.vertices.len() < 3;
-        if self.world.has_obstacles() && is_thin && self.moves(body, to) {
-            (body.was.at, body.was.angle) = (body.holding, body.angle);
-        }
-    }
-    /// One of the first two vertices moves to a pose by more than a few touches.
-    pub(crate) fn moves(&self, body: &Body<R>, to: At<R>) -> bool {
-        let from = body.at();
-        let mut both = self.vertices().take(2);
-        both.any(|(_, a)| {
-            let way = to.g + to.rotation.apply(a) - (from.g + from.rotation.apply(a));
-            way.length_bound() > R::TOUCH * R::from_int(4)
-        })
-    }
     pub(crate) fn frame_here(&self, contact: Contact, at: At<R>) -> Frame<R> {
         self.frame(contact, at.rotation, at.g)
     }
@@ -195,24 +171,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
 }
 
 /// Two normals at an angle of at most 2^-10.
-fn is_alike<R: Real>(a: Vec2<R>, b: Vec2<R>) -> bool {
+pub(super) fn is_alike<R: Real>(a: Vec2<R>, b: Vec2<R>) -> bool {
     a.dot(b) >= R::HALF && a.cross(b).abs() <= R::one_line()
-}
-
-impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
-    /// The body leaves all contacts.
-    pub(crate) fn lift(&mut self) {
-        self.comes_from_front();
-        self.body.lift();
-    }
-    /// A point or rod remembers in front of what it is: on a thin wall its gaps do not say so.
-    pub(crate) fn comes_from_front(&mut self) {
-        let (statics, body) = (self.statics, &mut *self.body);
-        if statics.world.has_obstacles() && statics.world.vertices.len() < 3 {
-            let normals = (body.contacts.iter()).map(|c| statics.frame_here(c, body.at()).n);
-            let front = normals.fold(Vec2::ZERO, |sum, n| sum + n);
-            body.was.at = body.holding + front * (R::TOUCH * R::from_int(8));
-            body.was.angle = body.angle;
-        }
-    }
 }

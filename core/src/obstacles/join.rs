@@ -46,18 +46,18 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// Of an obstacle that touches: what is closed and on its side along an axis, the one with the largest gap first.
     fn nearest_on_side(&self, body: &Body<R>, index: u8, within: R) -> Option<Feature> {
         let (o, at) = (self.obstacle(index), body.at());
-        let was = body.was();
+        let front = body.in_front();
         // Both sides of a wall are as near to a thin body: the one in front of which it was.
         let is_thin = self.step_behind(&o) < R::MICRO;
-        let was_behind = |axis: &Axis<R>| {
-            let then = self.axis(&o, axis.normal, was);
-            is_thin && self.along(&o, then, was).gap < -R::zero()
+        let is_behind_it = |axis: &Axis<R>| {
+            let then = self.axis(&o, axis.normal, front);
+            is_thin && self.along(&o, then, front).gap < -R::zero()
         };
         let mut best: Option<(R, Feature)> = None;
         for axis in self.axes(&o, at) {
             let gap = self.along(&o, axis, at).gap;
             let is_less = best.is_some_and(|(widest, _)| gap <= widest);
-            if gap < -within || is_less || was_behind(&axis) {
+            if gap < -within || is_less || is_behind_it(&axis) {
                 continue;
             }
             let mut features = self.compared(&o, &axis).filter_map(|k| {

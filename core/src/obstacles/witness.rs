@@ -19,10 +19,12 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let step = statics.step_behind(o);
         let gap = |at: At<R>| statics.along(o, statics.axis(o, normal, at), at).gap;
         let begin = self.lo.instant.at();
-        // Where a thin wall is closed it is so on both sides.
-        if step < R::MICRO && gap(begin) <= tol && gap(self.came_from()) < -tol {
-            let axis = statics.axis(o, normal, begin);
-            if statics.holds_in_front(o, self.watched.body, &axis, begin) != Some(true) {
+        if gap(begin) <= tol {
+            let (axis, body) = (statics.axis(o, normal, begin), self.watched.body);
+            // Where a thin wall is closed it is so on both sides.
+            let is_behind = step < R::MICRO && gap(body.in_front()) < -tol;
+            let may_pass = is_behind || statics.is_pinched(o, &axis, begin);
+            if may_pass && statics.holds_in_front(o, body, &axis, begin) != Some(true) {
                 return false;
             }
         }
@@ -97,15 +99,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let axis = statics.axis(o, normal, at);
         Some(statics.along(o, axis, at).gap.max(R::ZERO))
     }
-    /// From where the body has come to the beginning of the window by more than a few touches: both sides of a thin wall are near there.
-    fn came_from(&self) -> At<R> {
-        let body = self.watched.body;
-        if self.watched.statics.moves(body, self.lo.instant.at()) {
-            body.at()
-        } else {
-            body.was()
-        }
-    }
     /// An obstacle that is closed where the window begins: the axis that closes most slowly decides.
     fn judge_closed(
         &mut self,
@@ -118,9 +111,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let at = self.lo.instant.at();
         let step = R::MICRO.max(tol - gap);
         let is_thick = statics.step_behind(o) >= R::MICRO;
-        let before = if is_thick { at } else { self.came_from() };
-        let Some(slowest) =
-            statics.slowest(o, self.watched.body, [before, at], &self.lo.rates, step)
+        let Some(slowest) = statics.slowest(o, self.watched.body, [at, at], &self.lo.rates, step)
         else {
             return Ok(R::ZERO);
         };
