@@ -127,7 +127,7 @@ liveTest("a chart without data has the scale of the scene", async (bench) => {
   await live.fresh();
   // The box is 0.1 m wide.
   const most = () => live.page.evaluate(() => /** @type {any} */ (uPlot).sync("stiction-time").plots[1].scales.y.max);
-  await live.until(() => /** @type {any} */ (globalThis.uPlot)?.sync("stiction-time").plots[1].scales.y.max < 0.1);
+  await live.until(() => /** @type {any} */ (globalThis).uPlot?.sync("stiction-time").plots[1].scales.y.max < 0.1);
   assert.ok(await most() > 0);
 });
 
