@@ -121,6 +121,21 @@ liveTest("a scene that is chosen moves as its story promises", async (bench) => 
   assert.equal((await live.state()).replay?.demonstration, true);
 }, []);
 
+liveTest("no choice of a scene moves the page", async (bench) => {
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+    const live = await bench.openFirst({ viewport });
+    await live.page.click("#scenes-open");
+    const names = await live.page.locator(".card input").evaluateAll((inputs) => inputs.map((input) => /** @type {HTMLInputElement} */ (input).value));
+    const top = () => live.page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().top);
+    const before = await top();
+    for (const name of names) {
+      await live.scene(name);
+      assert.equal(await top(), before, `${name} at ${viewport.width} px`);
+    }
+    await live.page.close();
+  }
+}, []);
+
 liveTest("a chart without data has the scale of the scene", async (bench) => {
   const live = await bench.open();
   await live.scene("table-edge");
