@@ -150,6 +150,9 @@ pub(crate) enum ViewError {
     Input(#[from] InputError),
     #[error("{0}")]
     Scene(String),
+    /// The folder for recordings cannot be written.
+    #[error("{0}")]
+    Recordings(String),
     #[error("{address}: {error}")]
     Address { address: String, error: io::Error },
     #[error("{option} {address}: {error}, allowed: HOST:PORT, the port from 1 to 65535")]
@@ -174,7 +177,7 @@ type Solver = JoinHandle<Result<(), String>>;
 pub(crate) fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (notes, lines) = std::sync::mpsc::sync_channel(NOTES);
-    let archive = Archive::new(args.recordings.clone());
+    let archive = Archive::new(args.recordings.clone()).map_err(ViewError::Recordings)?;
     let feed = Arc::new(SharedFeed::default());
     let surroundings = Surroundings {
         feed: Arc::clone(&feed),

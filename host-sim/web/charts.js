@@ -44,6 +44,8 @@ export async function startCharts() {
 export class Charts {
   constructor() {
     this.surface = 0;
+    /** Until the reader chooses a surface, one that is pressed is shown. */
+    this.follows = true;
     this.mu = { static: 0, dynamic: 0 };
     /** t, N, T, ± mu_s N, ± mu_d N */
     this.forces = new Strip(7, TICKS);
@@ -55,7 +57,10 @@ export class Charts {
     this.time = 0;
     this.window = WINDOW;
     this.picker = byId("chart-surface", HTMLSelectElement);
-    this.picker.addEventListener("change", () => this.pick(Number(this.picker.value)));
+    this.picker.addEventListener("change", () => {
+      this.follows = false;
+      this.pick(Number(this.picker.value));
+    });
     /** Units of the scene. @type {ReturnType<typeof unitsOf>} */
     this.units = { length: { name: "mm", per: 1e3 }, force: { name: "N", per: 1 }, moment: { name: "N·m", per: 1 } };
     this.plots = [forcePlot(() => this.units.force), slipPlot(() => this.units.length), stepPlot()];
@@ -89,6 +94,7 @@ export class Charts {
     if (names.join("\n") !== this.solids.map(({ name }) => name).join("\n")) {
       this.picker.replaceChildren(...names.map((name, i) => new Option(name, String(i))));
       this.surface = 0;
+      this.follows = true;
       this.clear();
     }
     this.solids = solids;
@@ -101,6 +107,15 @@ export class Charts {
     this.surface = index;
     this.forces.clear();
     this.friction();
+  }
+
+  /** Shows the surface that is pressed most where the chart has no force of the shown one. @param {number[]} tick */
+  follow(tick) {
+    const pressed = this.solids.map((_solid, i) => tick[1 + 2 * i] ?? 0);
+    const most = pressed.indexOf(Math.max(...pressed));
+    if (!this.follows || !(pressed[most] > 0) || this.forces.extent(this.time - this.window, 2)[1] > 0) return;
+    this.picker.value = String(most);
+    if (most !== this.surface) this.pick(most);
   }
 
   /** Takes the friction of the surface that is shown. */
@@ -124,6 +139,7 @@ export class Charts {
     this.time = message.frame.t;
     this.message = message;
     this.stale = true;
+    if (message.strip.length > 0) this.follow(message.strip[message.strip.length - 1]);
     const { static: mus, dynamic: mud } = this.mu;
     for (const tick of message.strip) {
       const n = tick[1 + 2 * this.surface] ?? 0, t = tick[2 + 2 * this.surface] ?? 0;
@@ -255,6 +271,12 @@ const axis = (options) => ({
 });
 
 /**
+ * Returns the range of a vertical axis, which uPlot asks for as long as it has no data, also where the range is set.
+ * @param {UPlot} _plot @param {number | null} min @param {number | null} max
+ */
+const yRange = (_plot, min, max) => [min ?? 0, max ?? 1];
+
+/**
  * Makes a chart in the element with this id, of the same size.
  * @param {string} id @param {number} columns @param {UPlotSeries[]} series @param {object} y options of the scale
  * @param {object} yAxis
@@ -268,7 +290,7 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
       y: false, points: { show: false }, drag: { x: false, y: false, setScale: false },
       sync: { key: SHARED, scales: ["x", null] },
     },
-    scales: { x: { time: false }, y: { auto: false, range: [0, 1], ...y } },
+    scales: { x: { time: false }, y: { auto: false, range: yRange, ...y } },
     axes: [axis({ size: 24, gap: 5, values: seconds }), axis({ size: 42, gap: 3, ...yAxis })],
     series: [{}, ...series],
   }, Array.from({ length: columns }, () => []), target);

@@ -1,6 +1,6 @@
 // A demonstration until somebody touches the page: the hand follows the scene's path repeatedly, and a caption describes what
-// the object does. It begins when the page is opened and when a scene is chosen. The first press, touch or key ends it; hand and
-// object stay where they are. Also the note about a released object.
+// the object does. It begins when the page is opened and when a scene is chosen. The first press, touch or key ends it, except on a
+// button that opens a part of the page; hand and object stay where they are. Also the note about a released object.
 
 import { byId, reducedMotion, setText } from "./dom.js";
 
@@ -80,6 +80,8 @@ export class Demonstration {
    */
   touch(target, name) {
     this.over = true;
+    // Who opens or closes the scenes or the details goes on watching.
+    if (target instanceof Element && target.closest("[data-panel]")) return;
     // The click that ends the motion of a slider.
     if (name === "click" && isDial(target)) return;
     this.resumes = isDial(target) && (this.running || this.asking || this.resumes);

@@ -7,6 +7,8 @@ import { colors } from "./theme.js";
 /** Spacing of the hatching and its depth (px). */
 const HATCH_SPACING = 11;
 const HATCH_DEPTH = 12;
+/** Distance of other texts from the ends of a name (px). */
+const ENDS = 4;
 
 /** Returns the largest of 1, 2, 5 times a power of ten not above a value. @param {number} value */
 export function step125(value) {
@@ -124,7 +126,8 @@ function drawBorder(ctx, view, surface, surfaces) {
 function nameSurface(ctx, view, surface, surfaces, labels) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   const length = ctx.measureText(surface.name).width;
-  const [width, height] = [length * Math.abs(tx) + LINE * Math.abs(ty), length * Math.abs(ty) + LINE * Math.abs(tx)];
+  // Other texts keep their distance from its sides, not from the ends of a name that runs upwards.
+  const [width, height] = [length * Math.abs(tx) + LINE * Math.abs(ty), (length + 2 * ENDS) * Math.abs(ty) + LINE * Math.abs(tx)];
   for (let s = reach; s > -reach; s -= 12) {
     const x = px + s * tx - 27 * nx, y = py + s * ty - 27 * ny;
     const inside = x > 60 && x < view.width - 60 && y > view.top + 24 && y < view.height - 24;
@@ -148,8 +151,13 @@ function nameSurface(ctx, view, surface, surfaces, labels) {
 /** Returns the lines of the surfaces: their borders with the hatching behind them. @param {View} view @param {Surface[]} surfaces */
 export const linesOfSurfaces = (view, surfaces) => surfaces.flatMap((surface) => {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
-  const [x, y] = [px - 0.5 * HATCH_DEPTH * nx, py - 0.5 * HATCH_DEPTH * ny];
-  return linesThrough([[x - reach * tx, y - reach * ty], [x + reach * tx, y + reach * ty]], 0.5 * HATCH_DEPTH + 2);
+  /** Returns a line in the direction of the border. @param {number} below px @param {number} half */
+  const line = (below, half) => {
+    const [x, y] = [px - below * nx, py - below * ny];
+    return linesThrough([[x - reach * tx, y - reach * ty], [x + reach * tx, y + reach * ty]], half);
+  };
+  const hatching = line(0.5 * HATCH_DEPTH, 0.5 * HATCH_DEPTH + 2);
+  return [...line(0, 1), ...hatching.map((wide) => ({ ...wide, isHatching: true }))];
 });
 
 /** Formats a round size in a suitable unit. @param {number} size @param {string} unit */

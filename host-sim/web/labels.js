@@ -7,8 +7,9 @@ export const LINE = 14;
 /** Rows of pixels at the bottom reserved for the scales, and distance of a text from the window's border (px). */
 const SCALES = 40;
 const MARGIN = 4;
-/** Largest distance of a text from what it names (px); a large screen magnifies it. */
+/** Largest distance of a text from what it names (px), which a large screen magnifies; and where there is no room so near, as it is seen. */
 const FARTHEST = 26;
+const AT_MOST = 38;
 /** Spacing of the places that are tried, and their largest distance from the wanted one (px). */
 const STEP = 5;
 const REACH = 110;
@@ -22,8 +23,8 @@ const CLEAR = 2;
  * @typedef {{left: number, top: number, width: number, height: number}} Label
  */
 /**
- * A straight line of the drawing, with half its width (px).
- * @typedef {{x1: number, y1: number, x2: number, y2: number, half: number}} Line
+ * A straight line of the drawing, with half its width (px). A text without other room is written over a hatching.
+ * @typedef {{x1: number, y1: number, x2: number, y2: number, half: number, isHatching?: boolean}} Line
  */
 /** What texts keep clear of: other texts and buttons, and lines. @typedef {{labels: Label[], lines: Line[]}} Taken */
 
@@ -52,14 +53,19 @@ export function label(ctx, { text, key, x, y, named, isElsewhere }, toward, colo
   const [right, bottom] = [canvas.width / ratio - MARGIN - width, canvas.height / ratio - SCALES - LINE];
   const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
   const at = (/** @type {Vec} */ [dx, dy]) => ({ left: left + dx, top: y - LINE / 2 + dy, width, height: LINE });
-  const isFree = (/** @type {Vec} */ offset) => {
-    const box = at(offset), wide = { ...box, left: box.left - APART, width: width + 2 * APART };
-    return box.left >= MARGIN && box.left <= right && box.top >= MARGIN && box.top <= bottom && between(box, named) <= FARTHEST
-      && !taken.labels.some((other) => covers(other, wide)) && !taken.lines.some((line) => crosses(line, box))
-      && !isElsewhere?.(box.left + width / 2, box.top + LINE / 2);
+  /** Returns the nearest free place. @param {number} farthest @param {Line[]} lines */
+  const free = (farthest, lines) => {
+    const isFree = (/** @type {Vec} */ offset) => {
+      const box = at(offset), wide = { ...box, left: box.left - APART, width: width + 2 * APART };
+      return box.left >= MARGIN && box.left <= right && box.top >= MARGIN && box.top <= bottom && between(box, named) <= farthest
+        && !taken.labels.some((other) => covers(other, wide)) && !lines.some((line) => crosses(line, box))
+        && !isElsewhere?.(box.left + width / 2, box.top + LINE / 2);
+    };
+    const before = previous.get(key);
+    return before && isFree(before) ? before : OFFSETS.find(isFree);
   };
-  const before = previous.get(key);
-  const offset = before && isFree(before) ? before : OFFSETS.find(isFree);
+  const offset = free(FARTHEST, taken.lines)
+    ?? free(AT_MOST * devicePixelRatio / ratio, taken.lines.filter(({ isHatching }) => !isHatching));
   if (!offset) {
     previous.delete(key);
     return;

@@ -94,15 +94,24 @@ export function drawObstacles(ctx, view, { obstacles, surfaces }) {
 }
 
 /**
+ * Returns the hatching of a side as one wide line. @param {Vec} a px @param {Vec} b px @param {Vec} normal
+ * @returns {import("./labels.js").Line[]}
+ */
+const hatchingOf = (a, b, [nx, ny]) => {
+  const inward = (/** @type {Vec} */ [x, y]) => /** @type {Vec} */ ([x - 0.5 * DEPTH * nx, y + 0.5 * DEPTH * ny]);
+  return linesThrough([inward(a), inward(b)], 0.5 * DEPTH + 1).map((line) => ({ ...line, isHatching: true }));
+};
+
+/**
  * Returns the lines of the obstacles: their sides with the hatching behind them.
  * @param {View} view @param {Obstacle[]} obstacles @returns {import("./labels.js").Line[]}
  */
 export const linesOfObstacles = (view, obstacles) => obstacles.flatMap(({ vertices }) => {
   const isSolid = vertices.length > 2;
   return sides(vertices).flatMap(([a, b]) => {
-    const [nx, ny] = isSolid ? outward(a, b) : [0, 0];
-    const at = (/** @type {Vec} */ [x, y]) => /** @type {Vec} */ ([view.px(x) - 0.5 * DEPTH * nx, view.py(y) + 0.5 * DEPTH * ny]);
-    return linesThrough([at(a), at(b)], isSolid ? 0.5 * DEPTH + 1 : PIN);
+    const at = (/** @type {Vec} */ [x, y]) => /** @type {Vec} */ ([view.px(x), view.py(y)]);
+    const side = linesThrough([at(a), at(b)], isSolid ? 1 : PIN);
+    return isSolid ? [...side, ...hatchingOf(at(a), at(b), outward(a, b))] : side;
   });
 });
 

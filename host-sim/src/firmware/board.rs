@@ -241,6 +241,12 @@ impl RunningBoard {
         if is_apart {
             std::os::unix::process::CommandExt::process_group(&mut emulator, 0);
         }
+        #[cfg(windows)]
+        if is_apart {
+            /// CREATE_NEW_PROCESS_GROUP: its processes do not receive Ctrl-C.
+            const NEW_GROUP: u32 = 0x200;
+            std::os::windows::process::CommandExt::creation_flags(&mut emulator, NEW_GROUP);
+        }
         let program = emulator.get_program().to_string_lossy().into_owned();
         let process = emulator.spawn()?;
         Ok(Self {

@@ -192,7 +192,7 @@ fn snapshot(
     let window = Window::centred(centre, width * scale.pixel, height * scale.pixel);
     let view = View::new(area, window)?;
     view.solids(run)?;
-    view.names(&run.scene.obstacles, false)?;
+    view.names_inside(&run.scene.obstacles)?;
     if let (Some(before), Some(_)) = (before, scale.centre) {
         view.outline(&placed(&run.scene.vertices, before.pose), BODY_THEN, 1.2)?;
     }

@@ -9,7 +9,7 @@ use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use plotters::prelude::*;
-use stiction_live::drawing::{Window, corners_of, placed};
+use stiction_live::drawing::{Point, Window, corners_of, placed};
 use stiction_live::record::{ContactRecord, Frame, Run};
 
 /// The least and the greatest height of the plane [px].
@@ -17,6 +17,8 @@ const HEIGHTS: (f64, f64) = (240.0, 760.0);
 /// Most points of a path, and dots of all vertices.
 const MOST_POINTS: usize = 12_000;
 const MOST_DOTS: usize = 4000;
+/// The steps of a path of which names keep clear [px].
+const COARSE: f64 = 2.0;
 
 pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
     let shown = shown(run, page);
@@ -41,9 +43,9 @@ pub(super) fn svg(run: &Run, page: &Page) -> Drawn<String> {
         view.solids(run)?;
         let plot = part(area, (0.0, top), (page.width, height + AXIS));
         axes(&plot, page, &bounds)?;
-        view.names(&run.scene.obstacles, true)?;
         bodies(&view, run, &shown)?;
-        paths(&view, run)
+        paths(&view, run)?;
+        view.names(&run.scene, covered(&view, run, &shown))
     })
 }
 
@@ -101,10 +103,7 @@ fn bounds(run: &Run, shown: &[&Frame]) -> Window {
     let bodies = shown
         .iter()
         .flat_map(|frame| placed(&run.scene.vertices, frame.pose));
-    let hands = run
-        .frames
-        .iter()
-        .map(|frame| (frame.hand[0], frame.hand[1]));
+    let hands = run.frames.iter().map(hand_of);
     let held = run.frames.iter().filter(|frame| frame.held);
     let holding_points =
         held.map(|frame| frame.holding_point(run.scene.stiffness_translation).into());
@@ -173,32 +172,19 @@ fn bodies(view: &View, run: &Run, shown: &[&Frame]) -> Drawn {
 }
 
 fn paths(view: &View, run: &Run) -> Drawn {
-    for vertex in 0..run.scene.vertices.len() {
-        let contacts = contacts(run).filter(|contact| contact.touch.vertex() == Some(vertex));
-        let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
-        for point in sparse(
-            &points,
-            0.8 * view.pixel,
-            MOST_DOTS / run.scene.vertices.len(),
-        ) {
-            view.dot(point, 2.2, FRICTION)?;
-        }
+    for point in dots(view, run) {
+        view.dot(point, 2.2, FRICTION)?;
     }
     for [obstacle, corner] in run.touched_corners() {
         if let Some(&[x, y]) = run.scene.obstacles[obstacle].vertices.get(corner) {
             view.touched_corner((x, y), FRICTION)?;
         }
     }
-    let hand = |frame: &Frame| (frame.hand[0], frame.hand[1]);
-    for span in run.frames.chunk_by(|a, b| a.held == b.held) {
-        if span[0].held {
-            let point = |frame: &Frame| frame.holding_point(run.scene.stiffness_translation).into();
-            path(view, span.iter().map(point).collect(), BODY, 3.2)?;
-        }
-        let color = if span[0].held { HAND } else { OPEN_HAND };
-        path(view, span.iter().map(hand).collect(), color, 1.4)?;
+    for (points, color, width) in lines(view, run) {
+        view.line(&points, color, width)?;
+        view.direction(&points, color)?;
     }
-    let ends = [run.frames.first(), run.frames.last()].map(|frame| frame.map(hand));
+    let ends = [run.frames.first(), run.frames.last()].map(|frame| frame.map(hand_of));
     if let [Some(start), Some(end)] = ends {
         view.ring(start, 4.0, HAND)?;
         view.dot(end, 4.0, HAND)?;
@@ -206,8 +192,46 @@ fn paths(view: &View, run: &Run) -> Drawn {
     Ok(())
 }
 
-fn path(view: &View, points: Vec<(f64, f64)>, color: RGBColor, width: f64) -> Drawn {
-    let points = sparse(&points, 0.3 * view.pixel, MOST_POINTS);
-    view.line(&points, color, width)?;
-    view.direction(&points, color)
+fn hand_of(frame: &Frame) -> Point {
+    (frame.hand[0], frame.hand[1])
+}
+
+/// Where vertices were in contact.
+fn dots(view: &View, run: &Run) -> Vec<Point> {
+    let count = run.scene.vertices.len();
+    let of_vertex = |vertex: usize| {
+        let contacts = contacts(run).filter(|contact| contact.touch.vertex() == Some(vertex));
+        let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
+        sparse(&points, 0.8 * view.pixel, MOST_DOTS / count)
+    };
+    (0..count).flat_map(of_vertex).collect()
+}
+
+/// The paths of holding point and hand, with their colors and widths [px].
+fn lines(view: &View, run: &Run) -> Vec<(Vec<Point>, RGBColor, f64)> {
+    let path = |points: Vec<Point>| sparse(&points, 0.3 * view.pixel, MOST_POINTS);
+    let mut lines = Vec::new();
+    for span in run.frames.chunk_by(|a, b| a.held == b.held) {
+        if span[0].held {
+            let point = |frame: &Frame| frame.holding_point(run.scene.stiffness_translation).into();
+            lines.push((path(span.iter().map(point).collect()), BODY, 3.2));
+        }
+        let color = if span[0].held { HAND } else { OPEN_HAND };
+        lines.push((path(span.iter().map(hand_of).collect()), color, 1.4));
+    }
+    lines
+}
+
+/// What bodies and paths cover, in convex shapes.
+fn covered(view: &View, run: &Run, shown: &[&Frame]) -> Vec<Vec<Point>> {
+    let bodies = shown
+        .iter()
+        .map(|frame| placed(&run.scene.vertices, frame.pose));
+    let dots = dots(view, run).into_iter().map(|dot| vec![dot]);
+    let steps = lines(view, run).into_iter().flat_map(|(points, ..)| {
+        let points = sparse(&points, COARSE * view.pixel, MOST_DOTS);
+        let steps = points.windows(2).map(<[Point]>::to_vec);
+        steps.collect::<Vec<_>>()
+    });
+    bodies.chain(dots).chain(steps).collect()
 }

@@ -20,23 +20,36 @@ pub(super) struct Archive(PathBuf);
 
 impl Archive {
     /// Returns the given folder, or that of this program in the system's folder for application data; if there is none, the
-    /// folder in which the program was started.
-    pub(super) fn new(given: Option<PathBuf>) -> Self {
+    /// folder in which the program was started. A given folder that cannot be written is refused.
+    pub(super) fn new(given: Option<PathBuf>) -> Result<Self, String> {
+        let is_given = given.is_some();
         let folder = given.unwrap_or_else(|| match choose_native_strategy() {
             Ok(place) => place.data_dir().join("stiction").join("recordings"),
             Err(_) => PathBuf::from("."),
         });
-        Self(std::path::absolute(&folder).unwrap_or(folder))
+        let archive = Self(std::path::absolute(&folder).unwrap_or(folder));
+        if is_given {
+            archive.check()?;
+        }
+        Ok(archive)
+    }
+
+    fn refused(&self, error: &io::Error) -> String {
+        format!(
+            "{}: cannot be written: {error}, allowed: a folder for recordings, --recordings FOLDER",
+            self.0.display()
+        )
+    }
+
+    /// Makes the folder, and a file without a name in it, which shows that recordings can be written there.
+    fn check(&self) -> Result<(), String> {
+        let tried = fs::create_dir_all(&self.0).and_then(|()| tempfile::tempfile_in(&self.0));
+        tried.map(drop).map_err(|error| self.refused(&error))
     }
 
     /// Begins a recording of a scene under a name that is free.
     pub(super) fn begin(&self, head: &Head, run: &Run) -> Result<LiveWriter, String> {
-        let refused = |error: &io::Error| {
-            format!(
-                "{}: cannot be written: {error}, allowed: a folder for recordings, --recordings FOLDER",
-                self.0.display()
-            )
-        };
+        let refused = |error: &io::Error| self.refused(error);
         fs::create_dir_all(&self.0).map_err(|error| refused(&error))?;
         let title = named(&run.scene.title);
         let mut names = (1_u32..).map(|n| self.0.join(format!("{title}-{n}.jsonl")));
@@ -108,7 +121,8 @@ mod tests {
     #[test]
     fn nothing_is_written_over_and_the_newest_is_found() {
         let folder = tempfile::tempdir().expect("a folder");
-        let archive = Archive::new(Some(folder.path().join("new").join("folder")));
+        let place = folder.path().join("new").join("folder");
+        let archive = Archive::new(Some(place)).expect("a folder");
         assert!(archive.newest_first().is_empty() && archive.stock().is_none());
         let source = scenes::find(Path::new("box-flat")).expect("a scene");
         let scene = SceneFile::parse(source, Number::F32.limit()).expect("a scene");

@@ -112,7 +112,39 @@ liveTest("a scene that is chosen moves as its story promises", async (bench) => 
       return Math.hypot(now[0] - x, now[1] - y) > 1e-3 || Math.abs(now[2] - theta) > 0.02;
     }, pose);
   }
+  // It goes on while its reader closes the gallery, and the chart shows what it presses on.
+  await live.page.click("#scenes-open");
+  await live.page.locator("#cards").waitFor({ state: "hidden" });
+  await shown(live, 1);
+  await live.until(() => (window.stiction.frame?.frame.contacts.length ?? 0) > 0);
+  await live.until(() => parseFloat((document.querySelector("#now-n")?.textContent ?? "").slice(2)) > 0);
+  assert.equal((await live.state()).replay?.demonstration, true);
 }, []);
+
+liveTest("no choice of a scene moves the page", async (bench) => {
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+    const live = await bench.openFirst({ viewport });
+    await live.page.click("#scenes-open");
+    const names = await live.page.locator(".card input").evaluateAll((inputs) => inputs.map((input) => /** @type {HTMLInputElement} */ (input).value));
+    const top = () => live.page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().top);
+    const before = await top();
+    for (const name of names) {
+      await live.scene(name);
+      assert.equal(await top(), before, `${name} at ${viewport.width} px`);
+    }
+    await live.page.close();
+  }
+}, []);
+
+liveTest("a chart without data has the scale of the scene", async (bench) => {
+  const live = await bench.open();
+  await live.scene("table-edge");
+  await live.fresh();
+  // The box is 0.1 m wide.
+  const most = () => live.page.evaluate(() => /** @type {any} */ (uPlot).sync("stiction-time").plots[1].scales.y.max);
+  await live.until(() => /** @type {any} */ (globalThis).uPlot?.sync("stiction-time").plots[1].scales.y.max < 0.1);
+  assert.ok(await most() > 0);
+});
 
 liveTest("the opening slips by some 6 mm twice in a second, and the chart shows two seconds", async (bench) => {
   const live = await bench.openFirst({ reducedMotion: "no-preference" });

@@ -145,6 +145,19 @@ test("an argument of another type is refused by its name", options, async () => 
   assert.deepEqual(new Solver("ladder").run([t, x, y, phi, held]), new Solver("ladder").run(scenePath("ladder").subarray(0, 5)));
 });
 
+test("a solver that was freed says so, and its copy goes on", options, async () => {
+  const { Solver } = await load();
+  const solver = new Solver("box-flat");
+  solver.step(0, 0.03, 0);
+  const copy = solver.copy();
+  solver.free();
+  const uses = [
+    () => solver.step(0, 0.03, 0), () => solver.run(new Float64Array(5)), () => solver.copy(), () => solver.number, () => solver.free(),
+  ];
+  for (const use of uses) assert.throws(use, /^Error: this solver was freed.*allowed: a new one/, String(use));
+  assert.equal(copy.step(0, 0.03, 0).status, "ok");
+});
+
 test("unknown options are refused by name", options, async () => {
   const { Solver } = await load();
   assert.throws(() => new Solver("ladder", { nubmer: "f64" }), /unknown option `nubmer`, did you mean `number`\? \(allowed: number, evolution, budget\)/);

@@ -1,10 +1,12 @@
 //! Figures for a paper: the size of their type in print, their labels, and what they show.
 
 use super::super::figure::{Figure, FigureFormat, FigurePicture, WIDTHS};
+use super::super::style::{BODY, BODY_THEN, FRICTION, HAND};
 use super::*;
 use crate::figures::recorded;
 use clap::ValueEnum;
-use resvg::usvg::{Node, Rect, Text, Tree};
+use plotters::style::RGBColor;
+use resvg::usvg::{Node, Paint, Path, Rect, Text, Tree};
 
 /// The type that is read without effort in print [pt].
 const TYPE: std::ops::RangeInclusive<f32> = 7.0..=9.0;
@@ -108,6 +110,81 @@ fn labels_have_7_to_9_points_and_do_not_overlap() {
         }
     }
     assert!(count > 10_000, "{count} letters");
+}
+
+/// The straight lines and the bounds of the filled marks in one of these colors (px).
+fn drawn(tree: &Tree, colors: &[RGBColor]) -> (Vec<[(f32, f32); 2]>, Vec<Rect>) {
+    fn collect<'a>(nodes: &'a [Node], paths: &mut Vec<&'a Path>) {
+        for node in nodes {
+            match node {
+                Node::Group(group) => collect(group.children(), paths),
+                Node::Path(path) => paths.push(path),
+                Node::Text(_) | Node::Image(_) => {}
+            }
+        }
+    }
+    let is_one = |paint: &Paint| matches!(paint, Paint::Color(color) if colors.contains(&RGBColor(color.red, color.green, color.blue)));
+    let mut paths = Vec::new();
+    collect(tree.root().children(), &mut paths);
+    let (mut lines, mut bounds) = (Vec::new(), Vec::new());
+    for path in paths {
+        if path.stroke().is_some_and(|stroke| is_one(stroke.paint())) {
+            let points: Vec<_> = path.data().points().iter().map(|p| (p.x, p.y)).collect();
+            lines.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
+        } else if path.stroke().is_none() && path.fill().is_some_and(|fill| is_one(fill.paint())) {
+            bounds.push(path.abs_bounding_box());
+        }
+    }
+    (lines, bounds)
+}
+
+/// In every scene with obstacles, also where posts stand close to each other and the hand passes a shank.
+#[test]
+fn names_of_obstacles_stand_under_no_path_no_body_and_no_other_name() {
+    for scene in [
+        "table-edge",
+        "step",
+        "peg-in-hole",
+        "plank-on-posts",
+        "hook",
+    ] {
+        let run = recorded(scene).expect("a run");
+        for width in [85.0, 120.0, 180.0] {
+            let what = format!("{scene}, {width} mm");
+            let tree = tree(&run, &figure(FigurePicture::Trajectory, width));
+            let (lines, bounds) = drawn(&tree, &[HAND, BODY, BODY_THEN, FRICTION]);
+            let labels = labels(&tree);
+            for obstacle in &run.scene.obstacles {
+                let is_name = |label: &&&Text| written(label) == obstacle.name;
+                let name = labels.iter().find(is_name);
+                let room = ink(name.unwrap_or_else(|| panic!("{what}: no {:?}", obstacle.name)));
+                let is_in = |x: f32, y: f32| {
+                    (room.left()..=room.right()).contains(&x)
+                        && (room.top()..=room.bottom()).contains(&y)
+                };
+                for [from, to] in &lines {
+                    let steps = (to.0 - from.0).hypot(to.1 - from.1).ceil() as i32 + 1;
+                    let crossed = (0..=steps).map(|k| k as f32 / steps as f32);
+                    let mut crossed = crossed
+                        .map(|s| (from.0 + s * (to.0 - from.0), from.1 + s * (to.1 - from.1)));
+                    let crossed = crossed.any(|(x, y)| is_in(x, y));
+                    assert!(!crossed, "{what}: a line covers {:?}", obstacle.name);
+                }
+                let free = bounds.iter().all(|mark| mark.intersect(&room).is_none());
+                assert!(free, "{what}: a mark covers {:?}", obstacle.name);
+                let others = labels.iter().filter(|label| !is_name(label));
+                for other in others {
+                    let apart = ink(other).intersect(&room).is_none();
+                    assert!(
+                        apart,
+                        "{what}: {:?} covers {:?}",
+                        written(other),
+                        obstacle.name
+                    );
+                }
+            }
+        }
+    }
 }
 
 #[test]

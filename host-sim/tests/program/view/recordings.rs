@@ -220,16 +220,29 @@ fn a_changed_setting_is_in_the_recording() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_reported_and_nothing_changes() {
+fn a_folder_that_cannot_be_written_is_refused_before_the_page_is_there() {
     let folder = Folder::new();
     folder.write("taken", "");
-    let view = View::in_folder(folder, "box-flat --recordings taken");
+    for place in ["taken", "taken/below"] {
+        let typed = format!("view --listen 127.0.0.1:0 --recordings {place}");
+        let expected = format!("{place}: cannot be written: ");
+        folder.refused(&typed, &[&expected, "allowed: a folder for recordings"]);
+    }
+    assert_eq!(folder.read("taken"), "");
+}
+
+#[test]
+fn a_folder_that_is_lost_later_is_reported_and_nothing_changes() {
+    let view = View::start("box-flat");
+    let place = view.folder().file("recordings");
+    fs::remove_dir(&place).expect("an empty folder");
+    fs::write(&place, "").expect("a file");
     let mut client = view.client();
     let refusal = client
         .ask(json!({"type": "record", "value": true}))
         .expect_err("a refusal");
     assert!(
-        refusal.contains("taken: cannot be written") && refusal.contains("allowed"),
+        refusal.contains("recordings: cannot be written") && refusal.contains("allowed"),
         "{refusal}"
     );
     let state = view.state();
