@@ -10,8 +10,6 @@ use crate::obstacles::StoredObstacles;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Store<const V: usize, const S: usize, const C: usize> {
     vertices: Vec<[f32; 2], V>,
-    /// Of the body (m), in its frame.
-    centroid: [f32; 2],
     pub(super) surfaces: Vec<SurfaceDescription<f32>, S>,
     pub(super) start: [f32; 3],
     pub(super) weight: f32,
@@ -27,7 +25,6 @@ impl<const V: usize, const S: usize, const C: usize> Store<V, S, C> {
     pub(super) fn new(d: &Description<'_, f32>) -> Option<Self> {
         Some(Self {
             vertices: Vec::from_slice(d.vertices).ok()?,
-            centroid: centroid(d.vertices),
             surfaces: Vec::from_slice(d.surfaces).ok()?,
             start: d.start,
             weight: d.weight,
@@ -61,9 +58,9 @@ impl<const V: usize, const S: usize, const C: usize> Store<V, S, C> {
         [self.stiffness_translation, self.stiffness_rotation]
     }
 
-    /// The height of the body's centroid (m).
+    /// The height of the body's centroid (m). That is computed here, as no other turn needs it.
     pub(super) fn height(&self, body: &Pose) -> f32 {
-        let ([x, y], (sin, cos)) = (self.centroid, Real::sin_cos(body.angle.rest));
+        let ([x, y], (sin, cos)) = (centroid(&self.vertices), Real::sin_cos(body.angle.rest));
         let [_, above] = body.position;
         above + sin * x + cos * y
     }
