@@ -4,6 +4,7 @@
 //! ```text
 //! servo.rs       Servo::tick(now): the hand is measured, the force is output
 //! controller.rs  Controller::turn(sample, servo) -> pose, force, flags
+//! want.rs        the force that it demands: that of the springs, or less where the hand has not paid for a weight
 //! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles again where it is
 //! refusal.rs     why something cannot be used
 //! store.rs       the scene as it was given, stored for that
@@ -56,6 +57,7 @@ mod refusal;
 mod servo;
 mod settings;
 mod store;
+mod want;
 
 pub use change::Placement;
 pub(crate) use controller::NO_HAND;

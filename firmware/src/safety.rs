@@ -3,6 +3,7 @@
 //! ```text
 //! limits.rs    the limits and the damping of the device; checked once, the error names the parameter and the bound
 //! governor.rs  size of force and moment, and their growth after a safe state
+//! debt.rs      what a weight gives back that was lifted with a force of limited size
 //! arrivals.rs  which sample is new, which are late and lost
 //! silence.rs   when samples have stayed away for too long
 //! ticks.rs     ticks that did not come
@@ -14,12 +15,14 @@
 //! no jump; once it is there, the force follows its demand without such a limit.
 
 mod arrivals;
+mod debt;
 mod governor;
 mod limits;
 mod silence;
 mod ticks;
 
 pub use arrivals::{Arrival, Arrivals};
+pub(crate) use debt::{Debt, Held};
 pub use governor::{Given, Governor, Wanted};
 pub use limits::{Allowed, LimitError, LimitParameter, Limits, Passivity};
 pub use silence::Silence;
@@ -39,7 +42,7 @@ pub struct Flags {
     pub not_finite: bool,
     /// The device could not output the force of the previous tick: zero force.
     pub actuator_fault: bool,
-    /// The wanted force or moment is larger than the device's limit.
+    /// The wanted force or moment is larger than the device's limit, or was, so that the hand has not paid for a weight yet.
     pub size_limited: bool,
     /// The force or the moment has not reached the wanted value yet: it grows after a safe state.
     pub rate_limited: bool,

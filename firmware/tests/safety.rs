@@ -205,14 +205,14 @@ fn stiffness_is_passive_below_twice_the_damping_over_the_tick() {
     // A delay costs twice as much as a tick.
     let late = with(passivity, |passivity| passivity.delay_us = 500);
     assert_eq!(late.bounds(), [500.0, 31.25]);
-    // So does a turn, and one that is longer than a tick lets a force be held for two: of the knob of the example, and of the Pico.
+    // So does a turn, and one that is as long as a tick or longer lets a force be held for two: of the knob of the example, and of the Pico.
     let bound = |turn_us, period_us| {
         let late = with(passivity, |passivity| passivity.turn_us = turn_us);
         let [along, _] = late.at_period(period_us).bounds();
         along
     };
     assert!((bound(675, 1_000) - 0.5 / 1.175e-3).abs() < 1e-3);
-    assert!((bound(1_000, 1_000) - 0.5 / 1.5e-3).abs() < 1e-3);
+    assert!((bound(1_000, 1_000) - 0.5 / 2e-3).abs() < 1e-3);
     assert!((bound(2_068, 1_000) - 0.5 / 3.568e-3).abs() < 1e-3);
     assert!((bound(0, 2_000) - 0.5 / 1e-3).abs() < 1e-3);
     let endless = with(passivity, |passivity| passivity.turn_us = 1_000_001);

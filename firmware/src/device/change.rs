@@ -6,6 +6,7 @@ use super::controller::{Controller, Run, solver};
 use super::refusal::Refusal;
 use super::settings::Settings;
 use super::store::Store;
+use crate::safety::Debt;
 use stiction_core::{Description, Output, Present, Real, Solver, Status};
 use stiction_wire::Parameters;
 
@@ -89,7 +90,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
                 let limits = &self.settings.limits;
                 let present = limits.sized(&self.given, run.store.stiffness());
                 self.demand.grows_from = Some(present.size);
-                self.want();
+                self.debt = Debt::default();
+                self.want(None);
                 Ok(output)
             }
             Err(error) => Err(error.into()),
@@ -106,6 +108,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         self.run.store.with_given(|given| settings.admit(given))?;
         self.run.solver = settings.apply(self.run.solver.clone());
         self.settings = *settings;
+        self.debt = Debt::default();
         self.demand.limits = Some(settings.limits);
         Ok(())
     }

@@ -5,7 +5,7 @@ use super::refusal::Refusal;
 use super::servo::{Demand, LockServo};
 use super::settings::Settings;
 use super::store::Store;
-use crate::safety::{Arrival, Arrivals, Flags, Health, Wanted};
+use crate::safety::{Arrival, Arrivals, Debt, Flags, Health, Wanted};
 use stiction_core::{
     Angle, Description, Hand, Output, Real, Scene, Solver, State, StateKind, Status, Wrench,
 };
@@ -71,9 +71,12 @@ pub struct Controller<R: Real, const V: usize, const S: usize, const C: usize = 
     pub(super) settings: Settings,
     pub(super) run: Run<R, V, S, C>,
     pub(super) demand: Demand,
+    pub(super) debt: Debt,
     arrivals: Arrivals,
     /// The force at the end of the last turn.
     pub(super) given: Wrench<f32>,
+    /// At the end of the turn before.
+    pub(super) former: Wrench<f32>,
     /// At the end of the last turn.
     silent: bool,
     health: Health,
@@ -172,8 +175,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             settings: *settings,
             run: Run::new(description, settings)?,
             demand: Demand::new(&settings.limits),
+            debt: Debt::default(),
             arrivals: Arrivals::default(),
             given: Wrench::default(),
+            former: Wrench::default(),
             silent: true,
             health: Health::default(),
         })
@@ -191,7 +196,10 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         let settled = servo.lock(|servo| servo.settle(&self.demand));
         self.demand.taken();
         self.silent = settled.flags.silent;
-        self.given = settled.force;
+        if settled.flags.is_safe_state() || settled.flags.rate_limited {
+            self.debt = Debt::default();
+        }
+        self.former = core::mem::replace(&mut self.given, settled.force);
         let Health {
             ticks,
             missed_ticks,
@@ -223,6 +231,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
         if self.run.state.is_none() {
             self.demand.grows_from = Some(0.0);
         }
+        let before = self.run.state.as_ref().map(|state| *state.hand());
         let output = self.run.step(&sample.hand);
         self.health.samples = self.health.samples.saturating_add(1);
         self.demand.held_last = is_held_last(output.status);
@@ -230,7 +239,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             self.health.unusable_samples = self.health.unusable_samples.saturating_add(1);
         } else {
             self.demand.received_us = Some(sample.received_us);
-            self.want();
+            self.want(before);
         }
         Some(output)
     }
@@ -241,16 +250,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             return None;
         }
         let output = self.run.go_on()?;
-        self.want();
+        self.want(None);
         Some(output)
-    }
-
-    pub(super) fn want(&mut self) {
-        let run = &self.run;
-        let wrench = run.state.as_ref().map(|s| run.solver.wrench(s));
-        let wrench = wrench.unwrap_or_default().feedback();
-        let limits = &self.settings.limits;
-        self.demand.wanted = limits.sized(&wrench, run.store.stiffness());
     }
 
     /// Records the duration of a step, in any unit: the longest one counts.
@@ -300,6 +301,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
     /// The force is zero immediately.
     pub(super) fn let_go(&mut self) {
         self.demand.wanted = Wanted::default();
+        self.debt = Debt::default();
         self.demand.held_last = false;
         self.demand.cut = true;
     }

@@ -8,8 +8,7 @@
 //! A limit of size must not spoil this: force and moment that are cut off separately are not those of springs any more, and give the hand
 //! energy on a closed path. Here a factor reduces both, which depends only on the energy E of the springs: with E_c at the limit, it is
 //! h = 1 up to E_c, and sqrt(E_c / E) beyond. H, its integral over E, grows less and less, so that with h times the force the proof of
-//! passivity is that of the springs, of H instead of E. The weight alone, lifted with a force that is reduced and let down with one that is
-//! not, gives back more than it took.
+//! passivity is that of the springs, of H instead of E. For a weight see `debt.rs`.
 //!
 //! Growth raises E_c. At constant E_c the springs are passive, as above; where E_c grows, H grows, from 0 to at most E. So once after a safe
 //! state the hand may be given what the springs hold meanwhile, and nothing more, however it moves; the cut before took the same from a hand
@@ -28,6 +27,25 @@ pub struct Wanted {
     pub(crate) wrench: Wrench<f32>,
     /// Its size: 1 if the springs hold as much as the one of them does that is at its limit first.
     pub(crate) size: f32,
+}
+
+impl Wanted {
+    /// A limit of size reduces it.
+    pub(crate) fn is_limited(&self) -> bool {
+        self.size > 1.0
+    }
+
+    /// A part of it, 0 to 1, which counts as reduced by a limit of size.
+    pub(crate) fn reduced(self, part: f32) -> Self {
+        let ([x, y], moment) = (self.wrench.force, self.wrench.moment);
+        Self {
+            wrench: Wrench {
+                force: [x * part, y * part],
+                moment: moment * part,
+            },
+            size: Real::max(self.size, MARGIN),
+        }
+    }
 }
 
 impl Limits {
@@ -54,6 +72,21 @@ impl Limits {
         }
         let size = Real::sqrt(held / most) * MARGIN;
         Wanted { wrench, size }
+    }
+
+    /// What springs of this size give until they are at rest (J): H, see the module.
+    pub(crate) fn springs(&self, size: f32, stiffness: [f32; 2]) -> f32 {
+        let limits = [self.force, self.moment].into_iter().zip(stiffness);
+        let twice = { limits }
+            .filter(|&(limit, stiffness)| limit > 0.0 && stiffness > 0.0)
+            .map(|(limit, stiffness)| limit * limit / stiffness)
+            .fold(f32::INFINITY, Real::min);
+        let part = if size > 1.0 {
+            size + size - 1.0
+        } else {
+            size * size
+        };
+        twice / 2.0 * part
     }
 
     /// By how much the size may grow in a tick: neither force nor moment grows faster than its limit.
@@ -130,7 +163,7 @@ impl Governor {
         };
         Given {
             wrench,
-            size_limited: size > 1.0,
+            size_limited: wanted.is_limited(),
             rate_limited: !is_reached,
             not_finite: false,
         }

@@ -147,10 +147,12 @@ impl Passivity {
         self.hold_us.saturating_add(late_us.saturating_mul(2))
     }
 
-    /// At a period of ticks (µs): a turn begins with a tick, so that a force is held for as many of them as the longest turn needs.
+    /// At a period of ticks (µs): a turn begins with a tick, so that a force is held for as many of them as the longest turn needs. A turn that
+    /// ends with a tick is followed by a turn after the next one.
     #[must_use]
     pub fn at_period(self, period_us: u32) -> Self {
-        let ticks = self.turn_us.max(1).div_ceil(period_us.max(1));
+        let whole = self.turn_us.checked_div(period_us).unwrap_or(0);
+        let ticks = whole.saturating_add(1);
         let hold_us = self.hold_us.max(ticks.saturating_mul(period_us));
         Self { hold_us, ..self }
     }

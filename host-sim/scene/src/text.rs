@@ -94,7 +94,7 @@ impl<R: BufRead> Lines<R> {
     /// The next line, without its break and without a byte order mark; `None` at the end.
     ///
     /// # Errors
-    /// The line is too long, in which case [`Self::text`] is its beginning; or it cannot be read.
+    /// The line is too long, or has carriage returns and no line break, in which case [`Self::text`] is its beginning; or it cannot be read.
     pub fn advance(&mut self) -> Result<Option<&[u8]>, String> {
         self.text.clear();
         // Space for both characters of a line break.
@@ -110,6 +110,10 @@ impl<R: BufRead> Lines<R> {
             if self.text.last() == Some(&end) {
                 self.text.pop();
             }
+        }
+        if !self.is_whole && self.text.contains(&b'\r') {
+            let problem = "has carriage returns, allowed: lines that end with LF or CR LF";
+            return Err(problem.to_owned());
         }
         if self.text.len() > self.limit {
             let limit = self.limit;
@@ -134,7 +138,7 @@ impl<R: BufRead> Lines<R> {
         self.is_whole
     }
 
-    /// The last line read, without its break and without a byte order mark; or the beginning of a line that is too long.
+    /// The last line read, without its break and without a byte order mark; or the beginning of a line that cannot be used.
     pub fn text(&self) -> &[u8] {
         &self.text
     }

@@ -210,6 +210,38 @@ fn semicolons_and_tabs_separate_and_commas_in_numbers_are_refused() {
     );
 }
 
+#[test]
+fn spaces_separate_too_as_savetxt_of_numpy_writes_them() {
+    let content = file("# t x y phi\n", |k| planar(k, pose(k)).replace(',', " "));
+    for name in ["savetxt.csv", "savetxt.txt"] {
+        assert_read_silently(name, content.as_bytes());
+    }
+    let content = content.replacen("# t x y phi", "t [s]  x [m]  y [m]  phi [rad]", 1);
+    assert_read_silently("units.csv", content.as_bytes());
+}
+
+#[test]
+fn a_header_that_is_missing_or_has_other_names_says_so() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    let rows = file("", |k| planar(k, pose(k)));
+    folder.write("bare.csv", &rows);
+    folder.write("theta.csv", format!("t,x,y,theta\n{rows}"));
+    folder.write("old.csv", format!("t,x,y,phi\n{rows}").replace('\n', "\r"));
+    let expected = [
+        "line 1",
+        "the line has numbers, not names, and a header is to be before it",
+    ];
+    folder.refused("run scene.toml --hand bare.csv", &expected);
+    let expected = ["line 1", "no `phi`", "not known: theta"];
+    folder.refused("run scene.toml --hand theta.csv", &expected);
+    let expected = [
+        "line 1",
+        "has carriage returns, allowed: lines that end with LF or CR LF",
+    ];
+    folder.refused("run scene.toml --hand old.csv", &expected);
+}
+
 // 4, 5: columns by their names.
 
 #[test]
@@ -342,6 +374,23 @@ fn lost_samples_are_held_and_counted() {
         );
         assert!((hands[9][0] - pose(9)[0]).abs() < 1e-9, "{lost}");
     }
+}
+
+#[test]
+fn lost_samples_that_are_zero_are_reported() {
+    let content = file("t,x,y,phi\n", |k| match k {
+        7 | 8 | 50 => planar(k, [0.0; 3]),
+        _ => planar(k, pose(k)),
+    });
+    let (_, _, said) = run("zeros.csv", content.as_bytes(), "");
+    let expected = [
+        "the hand jumps by 0.244 m to x = y = phi = 0 at t = 0.14 s, and once more: a lost sample is to be empty",
+    ];
+    assert_all("zeros.csv", &said, &expected);
+    // A hand that begins there, and one that passes by, have lost nothing.
+    let content = file("t,x,y,phi\n", |k| planar(k, [0.002 * k as f64, 0.0, 0.0]));
+    let (_, _, said) = run("begins.csv", content.as_bytes(), "");
+    assert!(!said.contains("jumps"), "{said}");
 }
 
 // 15 to 20: units, angles and frames that the file does not name.

@@ -7,9 +7,9 @@ use std::path::Path;
 
 use stiction_core::{Axis, Projection};
 
-use super::HandPath;
 use super::placement::{AngleUnit, Placement};
 use super::seen::{STEPS_IN_A_TURN, Seen, Turning, pose};
+use super::{HandPath, Sample};
 use crate::scene_file::SceneFile;
 use crate::source::InputError;
 
@@ -142,6 +142,7 @@ impl Seen {
         let all = [
             self.times(),
             self.gap(),
+            self.zeros(placement),
             plane,
             scale,
             degrees,
@@ -169,6 +170,33 @@ impl Seen {
             );
             (Mend::Times, text)
         })
+    }
+
+    /// Samples of nothing but zeros, as some trackers write what they have lost: the hand jumps there.
+    fn zeros(&self, placement: &Placement) -> Option<(Mend, String)> {
+        let is_zero = |sample: &Sample| pose(&sample.hand) == placement.origin;
+        let jump = |(from, to): (&Sample, &Sample)| {
+            let [ax, ay] = from.hand.position;
+            let [bx, by] = to.hand.position;
+            (
+                to.t,
+                (bx - ax).hypot(by - ay),
+                is_zero(to) && !is_zero(from),
+            )
+        };
+        let pairs = self.samples.iter().zip(self.samples.iter().skip(1));
+        let is_jump = |(_, way, is_lost): &(f64, f64, bool)| *is_lost && *way > self.size / 2.0;
+        let mut jumps = pairs.map(jump).filter(is_jump);
+        let (t, way, _) = jumps.next().filter(|_| self.is_dense())?;
+        let more = match jumps.count() {
+            0 => String::new(),
+            1 => ", and once more".to_owned(),
+            more => format!(", and {more} times more"),
+        };
+        let text = format!(
+            "the hand jumps by {way:.3} m to x = y = phi = 0 at t = {t} s{more}: a lost sample is to be empty"
+        );
+        Some((Mend::Times, text))
     }
 
     fn plane(&self, placement: &Placement) -> Option<(Mend, String)> {

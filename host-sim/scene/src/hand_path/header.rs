@@ -167,8 +167,19 @@ impl Columns {
             let names: Vec<&str> = numbers.iter().map(|&number| NAMES[number]).collect();
             names.join(",")
         });
-        let problem = match NAMES.iter().enumerate().any(|(number, _)| has(number)) {
-            true => format!("the header has no `{}`", missing.join("`, `")),
+        let is_number = |name: &String| name.parse::<f64>().is_ok();
+        let others = self.skipped.iter().filter(|name| !name.is_empty());
+        let others: Vec<&str> = others.map(String::as_str).collect();
+        let problem = match (0..NAMES.len()).any(has) {
+            true if others.is_empty() => format!("the header has no `{}`", missing.join("`, `")),
+            true => format!(
+                "the header has no `{}`; not known: {}",
+                missing.join("`, `"),
+                excerpt(&others.join(", "))
+            ),
+            false if self.names.iter().all(is_number) => {
+                "the header is not known: the line has numbers, not names, and a header is to be before it".to_owned()
+            }
             false => "the header is not known; lines before it, or without names, are to be deleted or begin with #".to_owned(),
         };
         Err(format!(

@@ -63,14 +63,14 @@ impl Format {
         }
     }
 
-    /// The values in a line. In a CSV file, `separator` is between them.
+    /// The values in a line. In a CSV file, `separator` is between them; a space stands for any number of them.
     fn fields(self, line: &str, separator: char) -> Vec<&str> {
-        match self {
-            Self::Csv => line
+        match (self, separator) {
+            (Self::Csv, ',' | ';' | '\t') => line
                 .split(separator)
                 .map(|field| field.trim().trim_matches('"'))
                 .collect(),
-            Self::Tum => line
+            _ => line
                 .split(|c: char| c.is_whitespace() || c == ',')
                 .filter(|field| !field.is_empty())
                 .collect(),
@@ -80,11 +80,11 @@ impl Format {
     /// The names in a header, and the separator of a CSV file that has it.
     fn header(self, line: &str) -> (Vec<String>, char) {
         let separator = [',', ';', '\t'].into_iter().find(|&c| line.contains(c));
-        let separator = separator.unwrap_or(',');
-        let line = match self {
-            Self::Csv => line.to_owned(),
+        let separator = separator.unwrap_or(' ');
+        let line = match (self, separator) {
+            (Self::Csv, ',' | ';' | '\t') => line.to_owned(),
             // A unit belongs to the name before it.
-            Self::Tum => line.replace(" [", "[").replace(" (", "("),
+            _ => line.replace(" [", "[").replace(" (", "("),
         };
         let names = self.fields(line.trim(), separator).into_iter();
         let mut names: Vec<String> = names.map(str::to_owned).collect();
