@@ -102,6 +102,10 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         };
         check_obstacles::<R>(d.obstacles, &room, &units)?;
         let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
+        // In the floats of the description: in fixed point the area of a thin body has few places.
+        let described: Vec<_, V> = gather(d.vertices.iter().map(|&v| units.vector::<R::Si>(v)));
+        let middle = centroid(&described);
+        let [middle_x, middle_y] = [middle.x, middle.y].map(|x| R::from_si(x, R::Si::ONE));
         let (corners, obstacles) = if C > 0 {
             unite::<R, S, C>(d.surfaces, d.obstacles, &units)
         } else {
@@ -112,7 +116,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         let k = d.stiffness_rotation;
         let scene = Self {
             world: World {
-                centroid: centroid(&vertices),
+                centroid: Vec2::new(middle_x, middle_y),
                 vertices,
                 sides: united(gather(d.surfaces.iter().map(|s| side(s, &units)))),
                 normals: gather(normals::<R>(d.vertices)),

@@ -14,6 +14,7 @@ test_each! {
     cases::million_turns_cost_no_digits,
     cases::denormal_parameters,
     cases::number_type_holds_what_users_need,
+    cases::thin_body_hangs_by_its_centroid,
 }
 
 /// Lever times pull, plus the moment of the turn: up to 64 k_h L² in fixed point. The pull counts from the holding point.
@@ -51,6 +52,26 @@ fn fixed_point_says_which_loads_it_does_not_carry() {
 
 mod cases {
     use super::*;
+
+    /// A thin wedge that is held at its blunt end, in free air: k_theta (phi - theta) = W r_x. However thin it is, its centroid
+    /// is at (5/12, h/3).
+    pub(super) fn thin_body_hangs_by_its_centroid<R: Number>(evolution: Evolution) {
+        const W: f64 = 0.5;
+        const K: f64 = 0.25;
+        for thin in [50.0, 200.0, 500.0, 1000.0, 2000.0, 10_000.0] {
+            let h = 1.0 / thin;
+            let grip = [0.1, 0.0];
+            let setup = Setup::new(&[[0.0, 0.0], [1.0, 0.0], [0.25, h]]);
+            let setup = setup.held_at(grip).springs(1.0, K).weighing(W);
+            let run = Run::<R>::start(&setup, evolution, [0.1, 0.0, 0.3]);
+            let [_, _, theta] = run.frame.pose;
+            let [x, y] = [5.0 / 12.0 - grip[0], h / 3.0 - grip[1]];
+            let lever = x * theta.cos() - y * theta.sin();
+            assert_eq!(run.frame.status, Status::Ok, "{thin}");
+            let off = (K * (0.3 - theta) - W * lever).abs();
+            assert!(off <= 1e-6, "{} 1 : {thin}: off by {off:e} N·m", R::NAME);
+        }
+    }
 
     pub(super) fn no_sweep_breaks<R: Number>(evolution: Evolution) {
         for sweep in SWEEPS {
