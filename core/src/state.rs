@@ -85,8 +85,8 @@ pub(crate) struct Body<R> {
     /// G: the holding point.
     pub(crate) holding: Vec2<R>,
     pub(crate) hand: HandPose<R>,
-    /// Of a point or rod: G and theta, a few touches in front of those sides of thin obstacles at which it is.
-    pub(crate) front: HandPose<R>,
+    /// Of a point or rod: from G to a place a few touches in front of all sides at which it is.
+    pub(crate) front: Vec2<R>,
     /// No other contact is closer than this; 0: not known.
     pub(crate) room: R,
     /// Contacts that fix the pose bear any load that differs from the present one by less; 0: not known.
@@ -137,7 +137,7 @@ impl<R: Real> Body<R> {
             rotation: Rotation::by(angle),
             holding,
             hand,
-            front: HandPose { at: holding, angle },
+            front: Vec2::ZERO,
             room: R::ZERO,
             slack: R::ZERO,
         }

@@ -71,8 +71,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return;
         };
         self.body.hand = search.motion.hand_at(instant.p);
+        self.statics.stay_in_front(self.body, instant.at());
         self.body.go_to(instant, R::ZERO);
-        self.statics.remember_front(self.body);
         self.errand.stage = Stage::Still;
     }
 
@@ -159,8 +159,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 if !instant.is_finite() {
                     self.log.limit(Status::IterationLimit);
                 }
+                statics.stay_in_front(self.body, instant.at());
                 self.body.go_to(instant, ended.room);
-                statics.remember_front(self.body);
                 return self.arrived(ended);
             }
             if !self.may_go_on(more) {

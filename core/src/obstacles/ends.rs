@@ -209,7 +209,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let other = self.body.contacts.iter().position(ends_here);
         self.replace(k, next.with(left.sense));
         if is_turned {
-            self.statics.remember_front(self.body);
+            self.statics.stay_in_front(self.body, at);
             if let Some(other) = other {
                 // Both ends of what lay in one line are here: the line is left.
                 self.let_go(other);

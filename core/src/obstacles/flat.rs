@@ -1,5 +1,6 @@
 //! What lies in one line: where the body is flat on something, its two outermost contacts bear (R38).
 
+use super::Obstacle;
 use super::axes::At;
 use crate::contact::{Contact, Feature};
 use crate::frame::Frame;
@@ -68,38 +69,38 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Feature::Corner { corner, .. } => self.corner(corner).place,
         }
     }
-    /// All pairs of features that may touch near the body, with a normal not farther than 60 degrees from a direction.
-    fn near_features(&self, n: Vec2<R>, at: At<R>) -> impl Iterator<Item = Contact> {
+    /// All pairs of features that may touch near the body.
+    fn near_features(&self, at: At<R>) -> impl Iterator<Item = Contact> {
         let vertices = 0..u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
-        let alike = move |m: Vec2<R>| m.dot(n) >= R::HALF;
-        let on = |side: u8| move |vertex: u8| Contact::at(Feature::Vertex { vertex, side });
-        let planes = self.sides().filter(move |(_, side)| alike(side.normal));
-        let of_planes = {
-            let vertices = vertices.clone();
-            planes.flat_map(move |(side, _)| vertices.clone().map(on(side)))
-        };
+        let of_planes = self.sides().flat_map(move |(side, _)| {
+            let on = move |vertex: u8| Contact::at(Feature::Vertex { vertex, side });
+            vertices.clone().map(on)
+        });
         let near = self
             .obstacles()
             .filter(move |(_, o)| self.distance_bound(o, at.g) <= R::ZERO);
-        let of_obstacles = near.flat_map(move |(_, o)| {
-            let vertices = vertices.clone();
-            let sides = if o.has_sides() { o.corners() } else { 0..0 };
-            let sides = sides.filter(move |&k| {
-                let side = self.corner(k);
-                !side.hidden && alike(side.side.normal)
-            });
-            let of_sides = sides.flat_map(move |k| vertices.clone().map(on(self.side_at(k))));
-            let body_sides = self.body_sides();
-            let body_sides = body_sides.filter(move |&j| alike(at.rotation.apply(self.inward(j))));
-            let of_corners = body_sides.flat_map(move |body_side| {
-                o.corners().map(move |k| {
-                    let corner = self.corner(k).first;
-                    Contact::at(Feature::Corner { corner, body_side })
-                })
-            });
-            of_sides.chain(of_corners)
+        of_planes.chain(near.flat_map(|(_, o)| self.features_of(&o)))
+    }
+    /// All pairs of features of the body and an obstacle that may touch.
+    pub(super) fn features_of(
+        &self,
+        o: &Obstacle<R>,
+    ) -> impl Iterator<Item = Contact> + use<'_, R, V, S, C> {
+        let vertices = 0..u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
+        let (corners, sides) = (o.corners(), if o.has_sides() { o.corners() } else { 0..0 });
+        let sides = sides.filter(|&k| !self.corner(k).hidden);
+        let of_sides = sides.flat_map(move |k| {
+            let side = self.side_at(k);
+            let on = move |vertex: u8| Contact::at(Feature::Vertex { vertex, side });
+            vertices.clone().map(on)
         });
-        of_planes.chain(of_obstacles)
+        let of_corners = self.body_sides().flat_map(move |body_side| {
+            corners.clone().map(move |k| {
+                let corner = self.corner(k).first;
+                Contact::at(Feature::Corner { corner, body_side })
+            })
+        });
+        of_sides.chain(of_corners)
     }
     /// What touches in one line with a contact, on its side or not: the outermost contacts along its tangent.
     pub(crate) fn flat(&self, contact: Contact, at: At<R>, tol: R) -> [Option<Contact>; 2] {
@@ -109,7 +110,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if self.is_on_side(contact, at) {
             span.take(contact, along(contact), R::ZERO);
         }
-        for c in self.near_features(frame.n, at) {
+        for c in self.near_features(at) {
             let is_closed = self.gap_here(c, at).abs() <= tol;
             if is_closed && self.is_on_side(c, at) && self.is_level(contact, c, at, tol) {
                 span.take(c, along(c), tol);
@@ -120,8 +121,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// At the place of a contact one of the other kind in its line: the corner there on a side of the body, or the vertex there on a side.
     pub(crate) fn between(&self, contact: Contact, at: At<R>) -> Option<Contact> {
         let tol = R::TOUCH.doubled();
-        let (n, place) = (self.frame_here(contact, at).n, self.point(contact, at));
-        let mut all = self.near_features(n, at);
+        let place = self.point(contact, at);
+        let mut all = self.near_features(at);
         all.find(|&c| {
             c.is_corner() != contact.is_corner()
                 && (self.point(c, at) - place).length_bound() <= R::MICRO

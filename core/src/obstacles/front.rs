@@ -1,12 +1,11 @@
 //! In front of which sides a point or rod is: where a thin wall is closed it is so on both sides, and gaps do not say on which (R36).
 
-use super::Obstacle;
-use super::axes::{At, Axis};
+use super::axes::At;
 use super::flat::is_alike;
 use crate::contact::{Contact, Feature};
-use crate::geometry::{Rotation, Vec2};
+use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::state::{Body, HandPose};
+use crate::state::Body;
 use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
@@ -18,72 +17,59 @@ impl<R: Real> Body<R> {
     /// A little in front of where it is.
     pub(crate) fn in_front(&self) -> At<R> {
         At {
-            rotation: Rotation::by(self.front.angle),
-            g: self.front.at,
+            rotation: self.rotation,
+            g: self.holding + self.front,
         }
     }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
-    /// A point or rod remembers, where it is now, a place in front of all sides that it touches or has touched there.
-    pub(crate) fn remember_front(&self, body: &mut Body<R>) {
+    /// A point or rod goes to a pose, and remembers a place in front of all sides that it touches there, or is as near to.
+    pub(crate) fn stay_in_front(&self, body: &mut Body<R>, to: At<R>) {
         if !self.world.has_obstacles() || self.world.vertices.len() > 2 {
             return;
         }
-        let at = body.at();
         // Each direction once: the sum of two normals is in front of both sides.
         let mut normals = heapless::Vec::<Vec2<R>, DIRECTIONS>::new();
-        let mut add = |n: Vec2<R>| {
+        let mut add = |contact: Contact| {
+            let n = self.frame_here(contact, to).n;
             if normals.iter().all(|&m| !is_alike(m, n)) {
                 // Of more than four at one place the first ones count.
                 let _ = normals.push(n);
             }
         };
-        for contact in body.contacts.iter() {
-            add(self.frame_here(contact, at).n);
-        }
+        body.contacts.iter().for_each(&mut add);
         for (index, o) in self.obstacles() {
             let mut held = body.contacts.iter();
             let is_held = held.any(|c| self.obstacle_of(c) == Some(index));
-            if o.count > 2 || is_held || self.distance_bound(&o, at.g) > R::in_front() {
+            if o.count > 2 || is_held || self.distance_bound(&o, to.g) > R::in_front() {
                 continue;
             }
-            for axis in self.axes(&o, at) {
-                let front = body.in_front();
-                let before = || self.along(&o, self.axis(&o, axis.normal, front), front).gap;
-                if self.is_near_side(&o, &axis, at) && before() > R::ZERO {
-                    add(axis.n);
-                }
-            }
+            let from = body.in_front();
+            self.features_of(&o)
+                .filter(|&c| self.is_near(c, to) && self.gap_here(c, from) > R::ZERO)
+                .for_each(&mut add);
         }
-        let sum = normals.iter().fold(Vec2::ZERO, |sum, &n| sum + n);
-        body.front = HandPose {
-            at: body.holding + sum * R::in_front(),
-            angle: body.angle,
-        };
+        body.front = normals.iter().fold(Vec2::ZERO, |sum, &n| sum + n) * R::in_front();
     }
-    /// Something is so near along an axis that its gap does not tell the sides apart. At a corner where walls meet their sides count.
-    fn is_near_side(&self, o: &Obstacle<R>, axis: &Axis<R>, at: At<R>) -> bool {
-        let little = R::in_front();
-        let mut features = self.compared(o, axis).filter_map(|k| self.feature(axis, k));
-        features.any(|feature| {
-            let is_met = match feature {
-                Feature::Vertex { .. } => false,
-                Feature::Corner { corner, .. } => self.is_joined(corner),
-            };
-            let contact = Contact::at(feature);
-            let (xi, [a, b]) = (self.foot_of(contact, at.rotation, at.g), self.ends(contact));
-            let is_there = xi >= a - little && xi <= b + little;
-            let is_closed = self.gap_here(contact, at).abs() <= little;
-            !is_met && is_there && is_closed && self.supports(contact, at)
-        })
+    /// What would touch is so near that its gap does not tell the sides apart. At a corner where walls meet their sides count.
+    #[inline(never)]
+    fn is_near(&self, contact: Contact, at: At<R>) -> bool {
+        let is_met = match contact.feature {
+            Feature::Vertex { .. } => false,
+            Feature::Corner { corner, .. } => self.is_joined(corner),
+        };
+        let (little, [a, b]) = (R::in_front(), self.ends(contact));
+        let xi = self.foot_of(contact, at.rotation, at.g);
+        let is_there = !is_met && xi >= a - little && xi <= b + little;
+        is_there && self.gap_here(contact, at).abs() <= little && self.supports(contact, at)
     }
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, C> {
     /// The body leaves all contacts.
     pub(crate) fn lift(&mut self) {
-        self.statics.remember_front(self.body);
+        self.statics.stay_in_front(self.body, self.body.at());
         self.body.lift();
     }
 }
