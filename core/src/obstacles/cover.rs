@@ -1,6 +1,6 @@
 //! Corners and sides that nothing can touch, because other obstacles or half-planes are there (R35).
 
-use super::straight::{HOLLOW, NEAR, Point, Straight};
+use super::straight::{NEAR, Point, Straight};
 use super::union::{Outlines, Raw, is_near};
 
 impl<const S: usize, const C: usize> Outlines<S, C> {
@@ -28,22 +28,16 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             }
         }
     }
-    /// Sides go on a little beyond an end from which another one rises: nothing passes there, and by a hand that is far it is not known to a
-    /// touch where a foot is that comes to it.
+    /// Ends of sides from which another one rises: nothing passes there.
     pub(super) fn close_hollows(&mut self) {
         for k in 0..self.all.len() {
-            let Some(Raw {
-                line: Some(line),
-                ends: [low, high],
-                ..
-            }) = self.all.get(k).copied()
-            else {
+            let Some(raw) = self.all.get(k).copied() else {
                 continue;
             };
-            let [before, after] =
-                [low, high].map(|x| if self.rises_at(&line, x) { HOLLOW } else { 0.0 });
+            let rises = |x| raw.line.is_some_and(|line| self.rises_at(&line, x));
+            let hollow = raw.ends.map(rises);
             if let Some(raw) = self.all.get_mut(k) {
-                raw.ends = [low - before, high + after];
+                raw.hollow = hollow;
             }
         }
     }
@@ -55,6 +49,7 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             let [low, high] = [raw.to, raw.at].map(|end| own.tangent().dot(end));
             let along = own.tangent().dot(place);
             let is_there = own.is_near(place) && along >= low - NEAR && along <= high + NEAR;
+            let is_there = is_there && line.meeting(&own, place).is_some();
             is_there && [raw.at, raw.to].iter().any(|&end| line.height(end) > NEAR)
         })
     }

@@ -10,7 +10,7 @@ use crate::step::Step;
 use crate::thresholds::Thresholds;
 use crate::world::Statics;
 
-/// The most directions of sides that meet at one place and are told apart.
+/// The most directions of sides that meet at one place and are distinguished.
 const DIRECTIONS: usize = 4;
 
 impl<R: Real> Body<R> {

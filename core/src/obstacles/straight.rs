@@ -8,8 +8,6 @@ use crate::real::Real;
 pub(super) const NEAR: f64 = f64::MICRO;
 /// Lines at a smaller angle (its sine) have no place in common that is known well enough.
 const PARALLEL: f64 = 1.0 / 16.0;
-/// 2^-10: what the place of a foot is known to in single precision, 8 ε of a load, where a hand pulls from 2^10 L.
-pub(super) const HOLLOW: f64 = 1.0 / 1024.0;
 
 pub(super) type Point = Vec2<f64>;
 

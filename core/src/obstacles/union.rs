@@ -8,6 +8,7 @@ use crate::list::gather;
 use crate::real::Real;
 use crate::scene::{ObstacleDescription, SurfaceDescription};
 use crate::si::SiFloat;
+use crate::thresholds::Thresholds;
 use crate::units::Units;
 use crate::world::{Friction, Side};
 use heapless::Vec;
@@ -29,6 +30,8 @@ pub(super) struct Raw {
     pub(super) covered: bool,
     /// The side lies in or on another obstacle.
     pub(super) hidden: bool,
+    /// From its ends another side rises.
+    pub(super) hollow: [bool; 2],
 }
 
 /// All corners, and the half-planes before them.
@@ -64,6 +67,7 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
                 first: u8::try_from(self.all.len()).unwrap_or(u8::MAX),
                 covered: false,
                 hidden: false,
+                hollow: [false; 2],
             });
         }
     }
@@ -284,6 +288,8 @@ fn point<R: Real>(at: Point) -> Vec2<R> {
 
 fn corner<R: Real>(raw: &Raw, frictions: &[Friction<R>]) -> Corner<R> {
     let friction = frictions.get(usize::from(raw.obstacle));
+    let ([low, high], [before, after]) = (raw.ends.map(number::<R>), raw.hollow);
+    let more = |is_hollow: bool| if is_hollow { R::in_front() } else { R::ZERO };
     let friction = friction.copied().unwrap_or(Friction::NONE);
     let side = raw.line.map_or(Side::NOWHERE, |line| Side {
         normal: point(line.normal),
@@ -294,7 +300,7 @@ fn corner<R: Real>(raw: &Raw, frictions: &[Friction<R>]) -> Corner<R> {
     Corner {
         place: point(raw.at),
         side: Side { friction, ..side },
-        ends: raw.ends.map(number),
+        ends: [low - more(before), high + more(after)],
         line: raw.line.map_or(u8::MAX, |line| line.index),
         one: raw.one,
         first: raw.first,
