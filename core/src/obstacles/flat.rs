@@ -69,32 +69,41 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             Feature::Corner { corner, .. } => self.corner(corner).place,
         }
     }
-    /// All pairs of features that may touch near the body.
-    fn near_features(&self, at: At<R>) -> impl Iterator<Item = Contact> {
+    /// All pairs of features that may touch near the body, with a normal not farther than 60 degrees from a direction.
+    fn near_features(&self, n: Vec2<R>, at: At<R>) -> impl Iterator<Item = Contact> {
         let vertices = 0..u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
-        let of_planes = self.sides().flat_map(move |(side, _)| {
+        let alike = move |m: Vec2<R>| m.dot(n) >= R::HALF;
+        let planes = self.sides().filter(move |(_, side)| alike(side.normal));
+        let of_planes = planes.flat_map(move |(side, _)| {
             let on = move |vertex: u8| Contact::at(Feature::Vertex { vertex, side });
             vertices.clone().map(on)
         });
         let near = self
             .obstacles()
             .filter(move |(_, o)| self.distance_bound(o, at.g) <= R::ZERO);
-        of_planes.chain(near.flat_map(|(_, o)| self.features_of(&o)))
+        of_planes.chain(near.flat_map(move |(_, o)| self.features_of(&o, at, alike)))
     }
-    /// All pairs of features of the body and an obstacle that may touch.
-    pub(super) fn features_of(
+    /// All pairs of features of the body and an obstacle that may touch, with a normal of some.
+    pub(super) fn features_of<F: Fn(Vec2<R>) -> bool + Copy>(
         &self,
         o: &Obstacle<R>,
-    ) -> impl Iterator<Item = Contact> + use<'_, R, V, S, C> {
+        at: At<R>,
+        is_one: F,
+    ) -> impl Iterator<Item = Contact> + use<'_, R, V, S, C, F> {
         let vertices = 0..u8::try_from(self.world.vertices.len()).unwrap_or(u8::MAX);
         let (corners, sides) = (o.corners(), if o.has_sides() { o.corners() } else { 0..0 });
-        let sides = sides.filter(|&k| !self.corner(k).hidden);
+        let sides = sides.filter(move |&k| {
+            let side = self.corner(k);
+            !side.hidden && is_one(side.side.normal)
+        });
         let of_sides = sides.flat_map(move |k| {
             let side = self.side_at(k);
             let on = move |vertex: u8| Contact::at(Feature::Vertex { vertex, side });
             vertices.clone().map(on)
         });
-        let of_corners = self.body_sides().flat_map(move |body_side| {
+        let body_sides = self.body_sides();
+        let body_sides = body_sides.filter(move |&j| is_one(at.rotation.apply(self.inward(j))));
+        let of_corners = body_sides.flat_map(move |body_side| {
             corners.clone().map(move |k| {
                 let corner = self.corner(k).first;
                 Contact::at(Feature::Corner { corner, body_side })
@@ -110,7 +119,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if self.is_on_side(contact, at) {
             span.take(contact, along(contact), R::ZERO);
         }
-        for c in self.near_features(at) {
+        for c in self.near_features(frame.n, at) {
             let is_closed = self.gap_here(c, at).abs() <= tol;
             if is_closed && self.is_on_side(c, at) && self.is_level(contact, c, at, tol) {
                 span.take(c, along(c), tol);
@@ -121,8 +130,8 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
     /// At the place of a contact one of the other kind in its line: the corner there on a side of the body, or the vertex there on a side.
     pub(crate) fn between(&self, contact: Contact, at: At<R>) -> Option<Contact> {
         let tol = R::TOUCH.doubled();
-        let place = self.point(contact, at);
-        let mut all = self.near_features(at);
+        let (n, place) = (self.frame_here(contact, at).n, self.point(contact, at));
+        let mut all = self.near_features(n, at);
         all.find(|&c| {
             c.is_corner() != contact.is_corner()
                 && (self.point(c, at) - place).length_bound() <= R::MICRO

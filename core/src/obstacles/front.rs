@@ -46,7 +46,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 continue;
             }
             let from = body.in_front();
-            self.features_of(&o)
+            self.features_of(&o, to, |_| true)
                 .filter(|&c| self.is_near(c, to) && self.gap_here(c, from) > R::ZERO)
                 .for_each(&mut add);
         }
