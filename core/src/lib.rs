@@ -114,6 +114,7 @@ mod errand;
 mod event;
 mod events;
 mod evolution;
+mod factor;
 mod fly;
 mod forces;
 mod found;
@@ -148,7 +149,6 @@ mod slip;
 mod solver;
 mod state;
 mod step;
-mod swing;
 mod tangent;
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! A body whose angle nothing holds, and the slides of its single contact: E = N (e·r), of which one factor is followed (STATICS 11, R34).
+//! The factors of E = N (e·r): of a body whose angle nothing holds and whose single contact slides, one of them is followed (STATICS 11, R34).
 
 use crate::contact::{Contact, Sense};
 use crate::events::Watched;
