@@ -207,8 +207,8 @@ mod tests {
         ("f64", Evolution::Frame, &[2055, 6928, 8969]),
         ("f32", Evolution::Path, &[2055, 4532, 5717, 6928, 8969]),
         ("f32", Evolution::Frame, &[2055, 5717, 6928, 8969]),
-        ("fixed", Evolution::Path, &[2055, 5717, 5815, 6928, 8969]),
-        ("fixed", Evolution::Frame, &[2055, 5717, 5815, 6928, 8969]),
+        ("fixed", Evolution::Path, &[2055, 3276, 5717, 6928, 8969]),
+        ("fixed", Evolution::Frame, &[2055, 5717, 6928, 8969]),
     ];
 
     /// The drags of which a frame ends out of balance, or in a limit.
