@@ -27,7 +27,7 @@ folder = tempfile.mkdtemp()
 WORK = {
     "run": ("", "solver.run(long)", 20_000_000),
     "contacts": ("run = solver.run(long)", "run.contacts", 1_000_000),
-    "write_trace": ("run = solver.run(long); run.contacts", "run.write_trace(folder + '/trace.jsonl')", 300_000),
+    "write_trace": ("run = solver.run(long); run.contacts", "run.write_trace(folder + '/trace.jsonl')", 1_000_000),
     "judge": ("run = solver.run(long); run.contacts", "run.judge()", 300_000),
     "figures": ("run = solver.run(long); run.contacts", "run.figures()", 500_000),
     "hand": ("", "scene.hand_array(rate=1e7)", 1),
