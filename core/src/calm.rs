@@ -182,8 +182,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 None => return Calm::Unsure,
             }
         }
-        self.stay_in_front(body, i.at());
-        body.go_to(i, room);
+        self.bring(body, i, room);
         body.hand = *to;
         Calm::End
     }
@@ -248,8 +247,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         if !is_known || place.fall.doubled() * place.p < whole.holding * (part * part) {
             return Calm::Unsure;
         }
-        self.stay_in_front(body, i.at());
-        body.go_to(&i, body.room);
+        self.bring(body, &i, body.room);
         body.hand = m.hand_at(place.p);
         Calm::Yields(sense)
     }
@@ -288,8 +286,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             };
             room = gap;
         }
-        self.stay_in_front(body, i.at());
-        body.go_to(&i, room);
+        self.bring(body, &i, room);
         true
     }
     /// Newton's iteration for u and p in balance where q·F = 0, from an instant; at most six steps.

@@ -99,8 +99,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                 None => return false,
             }
         }
-        self.stay_in_front(body, i.at());
-        body.go_to(&i, room);
+        self.bring(body, &i, room);
         true
     }
 }

@@ -108,11 +108,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         let room = (self.body.room - R::MICRO.doubled()).max(R::ZERO);
         let mut there = *self.body;
         there.go_to(&i, room);
-        let is_clear = is_near && !self.statics.is_inside(&there);
-        if is_clear {
-            *self.body = there;
-        }
-        is_clear
+        is_near && self.moves_clear(&there)
     }
     /// A slide is in balance at its friction; the end of its slip only to the accuracy of a search.
     pub(crate) fn seat_slide(&mut self, m: &Motion<R>) {

@@ -97,9 +97,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 let mut beyond = *self.body;
                 beyond.foot = beyond.foot + sense.along(little);
                 self.statics.stand(&mut beyond);
-                if !self.statics.is_inside(&beyond) {
-                    *self.body = beyond;
-                }
+                self.moves_clear(&beyond);
                 Next::Relax(Sense::Rests)
             }
             Ending::End

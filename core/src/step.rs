@@ -71,8 +71,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
             return;
         };
         self.body.hand = search.motion.hand_at(instant.p);
-        self.statics.stay_in_front(self.body, instant.at());
-        self.body.go_to(instant, R::ZERO);
+        self.statics.bring(self.body, instant, R::ZERO);
         self.errand.stage = Stage::Still;
     }
 
@@ -159,8 +158,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
                 if !instant.is_finite() {
                     self.log.limit(Status::IterationLimit);
                 }
-                statics.stay_in_front(self.body, instant.at());
-                self.body.go_to(instant, ended.room);
+                statics.bring(self.body, instant, ended.room);
                 return self.arrived(ended);
             }
             if !self.may_go_on(more) {

@@ -182,6 +182,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Step<'_, R, V, S, 
         };
         is_closed(R::ZERO) && is_closed(ended.x.halved())
     }
+    /// The body is at a pose close by, unless it is inside of something there. Returns whether it has moved.
+    pub(crate) fn moves_clear(&mut self, there: &Body<R>) -> bool {
+        let is_clear = !self.statics.is_inside(there);
+        if is_clear {
+            *self.body = *there;
+        }
+        is_clear
+    }
     /// The foot of a slide follows the hand to where the body is inside of what it does not touch.
     pub(crate) fn is_led_inside(&self) -> bool {
         let m = Motion::frozen(Kind::Slide, self.body);

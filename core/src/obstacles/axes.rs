@@ -175,10 +175,14 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let way = o.middle - g;
         way.x.abs().max(way.y.abs()) - o.radius - self.grip.size
     }
+    /// Body and obstacle are a point, a rod, a pin or a wall.
+    pub(crate) fn are_thin(&self, o: &Obstacle<R>) -> bool {
+        self.world.vertices.len() < 3 && o.count < 3
+    }
     /// How far behind an axis counts as a step that is none: 2^-19 L; of a thin body and a thin obstacle nothing, since both sides of a wall
     /// are nearer to each other.
     pub(crate) fn step_behind(&self, o: &Obstacle<R>) -> R {
-        if self.world.vertices.len() < 3 && o.count < 3 {
+        if self.are_thin(o) {
             R::zero()
         } else {
             R::MICRO
@@ -195,27 +199,20 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         step: R,
     ) -> Option<Slowest<R>> {
         let little = R::zero() * speed(rates);
-        let behind = self.step_behind(o);
-        let is_thin = behind < R::MICRO;
-        let step_before = if is_thin { behind } else { step };
-        // Whether a gap tells that, and what it tells.
-        let is_apart_at = |normal: Normal, place: At<R>| {
-            let axis = self.axis(o, normal, place);
-            let gap = self.along(o, axis, place).gap;
-            let is_clear = !is_thin || gap.abs() > R::in_front().halved();
-            let is_closed = || gap >= -step_before && !self.is_pinched(o, &axis, place);
-            (is_clear, gap > R::zero() || is_closed())
-        };
+        let is_thin = self.are_thin(o);
+        let behind = if is_thin { self.step_behind(o) } else { step };
         let mut best: Option<Slowest<R>> = None;
         for axis in self.axes(o, at) {
             let holds = self.holds_in_front(o, body, &axis, at);
+            let along = |place| self.along(o, self.axis(o, axis.normal, place), place);
             let was_in_front = holds.unwrap_or_else(|| {
-                let (is_clear, is_apart) = is_apart_at(axis.normal, before);
-                if is_clear {
-                    return is_apart;
+                let (mut from, mut then) = (before, along(before));
+                if is_thin && then.gap.abs() <= R::in_front().halved() {
+                    from = body.in_front();
+                    then = along(from);
                 }
-                let (_, is_apart) = is_apart_at(axis.normal, body.in_front());
-                is_apart
+                let is_closed = || then.gap >= -behind && !self.is_pinched(o, &then.axis, from);
+                then.gap > R::zero() || is_closed()
             });
             let is_behind = self.along(o, axis, at).gap < -step;
             if !was_in_front || is_behind || self.is_hollow(o, &axis, at) {
@@ -279,7 +276,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
                     let gap = self.gap_along(axis, self.lever(axis, k, at), at);
                     gap <= R::zero() && self.is_joined(k)
                 };
-                self.step_behind(o) < R::MICRO && o.corners().any(is_closed)
+                self.are_thin(o) && o.corners().any(is_closed)
             }
         }
     }

@@ -4,7 +4,7 @@ use super::straight::{NEAR, Point, Straight};
 use super::union::{Outlines, Raw, is_near};
 
 impl<const S: usize, const C: usize> Outlines<S, C> {
-    /// Corners that are in or on another obstacle, behind a half-plane, within a side, or in a hollow.
+    /// Corners that are in or on another obstacle, behind a half-plane, within a side, or in a hollow; ends of sides from which another one rises.
     pub(super) fn cover(&mut self) {
         for k in 0..self.all.len() {
             let Some(raw) = self.all.get(k).copied() else {
@@ -22,26 +22,16 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             });
             let covered = is_behind || is_inside || is_within || !self.is_tip(raw.at);
             let hidden = self.is_hidden(&raw);
-            if let Some(raw) = self.all.get_mut(k) {
-                raw.covered |= covered;
-                raw.hidden = hidden;
-            }
-        }
-    }
-    /// Ends of sides from which another one rises: nothing passes there.
-    pub(super) fn close_hollows(&mut self) {
-        for k in 0..self.all.len() {
-            let Some(raw) = self.all.get(k).copied() else {
-                continue;
-            };
             let rises = |x| raw.line.is_some_and(|line| self.rises_at(&line, x));
             let hollow = raw.ends.map(rises);
             if let Some(raw) = self.all.get_mut(k) {
+                raw.covered |= covered;
+                raw.hidden = hidden;
                 raw.hollow = hollow;
             }
         }
     }
-    /// In front of a line a side rises from its place at x.
+    /// In front of a line a side rises from its place at x: nothing passes there.
     fn rises_at(&self, line: &Straight, x: f64) -> bool {
         let place = line.normal * line.offset + line.tangent() * x;
         self.all.iter().any(|raw| {
@@ -49,8 +39,8 @@ impl<const S: usize, const C: usize> Outlines<S, C> {
             let [low, high] = [raw.to, raw.at].map(|end| own.tangent().dot(end));
             let along = own.tangent().dot(place);
             let is_there = own.is_near(place) && along >= low - NEAR && along <= high + NEAR;
-            let is_there = is_there && line.meeting(&own, place).is_some();
-            is_there && [raw.at, raw.to].iter().any(|&end| line.height(end) > NEAR)
+            let rises = [raw.at, raw.to].iter().any(|&end| line.height(end) > NEAR);
+            is_there && rises && line.meeting(&own, place).is_some()
         })
     }
     /// In or on an obstacle, but at no corner of it.

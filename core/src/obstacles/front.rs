@@ -4,6 +4,7 @@ use super::axes::At;
 use super::flat::is_alike;
 use crate::contact::{Contact, Feature};
 use crate::geometry::Vec2;
+use crate::motion::Instant;
 use crate::real::Real;
 use crate::state::Body;
 use crate::step::Step;
@@ -24,6 +25,14 @@ impl<R: Real> Body<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, S, C> {
+    /// The body goes to an instant of a motion of its own; where that is no place it stays.
+    #[inline]
+    pub(crate) fn bring(&self, body: &mut Body<R>, i: &Instant<R>, room: R) {
+        if i.is_finite() {
+            self.stay_in_front(body, i.at());
+        }
+        body.go_to(i, room);
+    }
     /// A point or rod goes to a pose, and remembers a place in front of all sides that it touches there, or is as near to.
     pub(crate) fn stay_in_front(&self, body: &mut Body<R>, to: At<R>) {
         if !self.world.has_obstacles() || self.world.vertices.len() > 2 {
@@ -39,13 +48,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
             }
         };
         body.contacts.iter().for_each(&mut add);
+        let from = body.in_front();
         for (index, o) in self.obstacles() {
             let mut held = body.contacts.iter();
             let is_held = held.any(|c| self.obstacle_of(c) == Some(index));
-            if o.count > 2 || is_held || self.distance_bound(&o, to.g) > R::in_front() {
+            if !self.are_thin(&o) || is_held || self.distance_bound(&o, to.g) > R::in_front() {
                 continue;
             }
-            let from = body.in_front();
             self.features_of(&o, to, |_| true)
                 .filter(|&c| self.is_near(c, to) && self.gap_here(c, from) > R::ZERO)
                 .for_each(&mut add);

@@ -48,7 +48,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Statics<'_, R, V, 
         let (o, at) = (self.obstacle(index), body.at());
         let front = body.in_front();
         // Both sides of a wall are as near to a thin body: the one in front of which it was.
-        let is_thin = self.step_behind(&o) < R::MICRO;
+        let is_thin = self.are_thin(&o);
         let is_behind_it = |axis: &Axis<R>| {
             let then = self.axis(&o, axis.normal, front);
             is_thin && self.along(&o, then, front).gap < -R::zero()

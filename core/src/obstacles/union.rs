@@ -269,7 +269,6 @@ pub(crate) fn unite<R: Real, const S: usize, const C: usize>(
     world.join();
     world.place();
     world.cover();
-    world.close_hollows();
     let frictions = given
         .iter()
         .map(|o| Friction::described([o.friction_static, o.friction_dynamic], o.memory, units));

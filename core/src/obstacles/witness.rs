@@ -22,7 +22,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         if gap(begin) <= tol {
             let (axis, body) = (statics.axis(o, normal, begin), self.watched.body);
             // Where a thin wall is closed it is so on both sides.
-            let is_behind = step < R::MICRO && gap(body.in_front()) < -tol;
+            let is_behind = statics.are_thin(o) && gap(body.in_front()) < -tol;
             let may_pass = is_behind || statics.is_pinched(o, &axis, begin);
             if may_pass && statics.holds_in_front(o, body, &axis, begin) != Some(true) {
                 return false;
@@ -110,7 +110,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let (statics, tol) = (self.watched.statics, R::zero());
         let at = self.lo.instant.at();
         let step = R::MICRO.max(tol - gap);
-        let is_thick = statics.step_behind(o) >= R::MICRO;
         let Some(slowest) = statics.slowest(o, self.watched.body, [at, at], &self.lo.rates, step)
         else {
             return Ok(R::ZERO);
@@ -134,7 +133,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Run<'_, R, V, S, C
         let is_behind =
             |axis: &Axis<R>| statics.holds_in_front(o, self.watched.body, axis, at) == Some(false);
         let mut others = statics.axes(o, at).filter(|axis| !is_behind(axis));
-        if is_thick && others.any(|axis| self.keeps_apart(on, o, axis.normal)) {
+        if !statics.are_thin(o) && others.any(|axis| self.keeps_apart(on, o, axis.normal)) {
             return Ok(R::ZERO);
         }
         Ok(self.judge_witness(on, found, o, slowest.axis.normal))
