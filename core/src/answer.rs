@@ -49,6 +49,13 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Solver<R, V, S, C>
         }
     }
 
+    /// The centroid of the body (m), world frame, where its weight acts.
+    pub fn centroid(&self, state: &State<R>) -> [R::Si; 2] {
+        let body = &state.body;
+        let lever = body.rotation.apply(state.grip.centroid);
+        self.scene.units.place(body.holding + lever)
+    }
+
     /// The contacts of a state with their reactions. For a held body they balance the wrench and the weight, unless the status reports that
     /// the pose is out of balance; where they bear more than balance determines, this is one distribution of the load (STATICS 9).
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {

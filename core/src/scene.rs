@@ -23,7 +23,7 @@ use check::{
 pub use description::{
     Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription,
 };
-use parts::{centroid, normals, side};
+use parts::{centroid, normals, plain, side};
 
 /// A checked scene in numbers of type R, with room for V vertices, S surfaces and C corners of obstacles, for a solver. It never changes;
 /// [`Description`] has an example. Without room for corners, the solver contains no code for obstacles.
@@ -104,8 +104,6 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         let vertices = gather(d.vertices.iter().map(|&v| units.vector::<R>(v)));
         // In the floats of the description: in fixed point the area of a thin body has few places.
         let described: Vec<_, V> = gather(d.vertices.iter().map(|&v| units.vector::<R::Si>(v)));
-        let middle = centroid(&described);
-        let [middle_x, middle_y] = [middle.x, middle.y].map(|x| R::from_si(x, R::Si::ONE));
         let (corners, obstacles) = if C > 0 {
             unite::<R, S, C>(d.surfaces, d.obstacles, &units)
         } else {
@@ -116,7 +114,7 @@ impl<R: Real, const V: usize, const S: usize, const C: usize> Scene<R, V, S, C> 
         let k = d.stiffness_rotation;
         let scene = Self {
             world: World {
-                centroid: Vec2::new(middle_x, middle_y),
+                centroid: plain(centroid(&described)),
                 vertices,
                 sides: united(gather(d.surfaces.iter().map(|s| side(s, &units)))),
                 normals: gather(normals::<R>(d.vertices)),

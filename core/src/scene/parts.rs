@@ -14,8 +14,14 @@ pub(super) fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = 
     sides.map(|(&[ax, ay], &[bx, by])| {
         let side = Vec2::new(bx, by) - Vec2::new(ax, ay);
         let (x, y) = normalized(side.x, side.y);
-        Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE)).turned()
+        plain(Vec2::<R::Si>::new(x, y)).turned()
     })
+}
+
+/// A vector without a unit.
+pub(super) fn plain<R: Real>(v: Vec2<R::Si>) -> Vec2<R> {
+    let [x, y] = [v.x, v.y].map(|x| R::from_si(x, R::Si::ONE));
+    Vec2::new(x, y)
 }
 
 fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {
@@ -25,7 +31,7 @@ fn unit<F: Real>([x, y]: [F; 2]) -> [F; 2] {
 
 pub(super) fn side<R: Real>(s: &SurfaceDescription<R::Si>, units: &Units<R::Si>) -> Side<R> {
     let [x, y] = unit(s.normal);
-    let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
+    let normal = plain(Vec2::<R::Si>::new(x, y));
     Side {
         normal,
         tangent: Vec2::new(normal.y, -normal.x),

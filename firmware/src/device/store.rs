@@ -1,9 +1,8 @@
 //! The scene as it is given, stored so that it can be changed: the input of [`stiction_core::Scene`].
 
 use heapless::Vec;
-use stiction_core::{Description, Real, SurfaceDescription};
+use stiction_core::{Description, SurfaceDescription};
 
-use super::controller::Pose;
 use crate::obstacles::StoredObstacles;
 
 /// A scene with room for V vertices and S surfaces, SI units.
@@ -58,13 +57,6 @@ impl<const V: usize, const S: usize, const C: usize> Store<V, S, C> {
         [self.stiffness_translation, self.stiffness_rotation]
     }
 
-    /// The height of the body's centroid (m). That is computed here, as no other turn needs it.
-    pub(super) fn height(&self, body: &Pose) -> f32 {
-        let ([x, y], (sin, cos)) = (centroid(&self.vertices), Real::sin_cos(body.angle.rest));
-        let [_, above] = body.position;
-        above + sin * x + cos * y
-    }
-
     /// mu_s, mu_d and memory length of the first surface, or else of the first obstacle.
     pub(crate) fn first_friction(&self) -> Option<([f32; 2], Option<f32>)> {
         let of_surface = |s: &SurfaceDescription<f32>| {
@@ -73,26 +65,5 @@ impl<const V: usize, const S: usize, const C: usize> Store<V, S, C> {
         };
         let first = self.surfaces.first().map(of_surface);
         first.or_else(|| self.obstacles.first_friction())
-    }
-}
-
-/// The centroid of a convex polygon (m); of a rod or a point, its middle.
-fn centroid(vertices: &[[f32; 2]]) -> [f32; 2] {
-    let Some(&[x0, y0]) = vertices.first() else {
-        return [0.0; 2];
-    };
-    let (mut area, mut sum, mut way) = (0.0, [0.0; 2], [0.0; 2]);
-    for (&[ax, ay], &[bx, by]) in vertices.iter().zip(vertices.iter().skip(1)) {
-        let [[ax, ay], [bx, by]] = [[ax - x0, ay - y0], [bx - x0, by - y0]];
-        let twice = ax * by - ay * bx;
-        area += twice;
-        let [x, y] = sum;
-        sum = [x + twice * (ax + bx), y + twice * (ay + by)];
-        way = [bx, by];
-    }
-    let ([x, y], [rx, ry]) = (sum, way);
-    match area > 0.0 {
-        true => [x0 + x / (3.0 * area), y0 + y / (3.0 * area)],
-        false => [x0 + rx / 2.0, y0 + ry / 2.0],
     }
 }

@@ -47,9 +47,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, const C: usize> Controll
             // Until the end of a turn its predecessor's force is output, for which the damping takes no more than springs differ by.
             given + Real::max(former - given - sprung, 0.0) - sprung / 2.0
         });
+        let height = run.state.as_ref().map_or(0.0, |state| {
+            let [_, y] = run.solver.centroid(state);
+            y
+        });
         let held = Held {
             springs: limits.springs(wanted.size, stiffness),
-            weight: run.store.weight * run.store.height(&run.pose),
+            weight: run.store.weight * height,
         };
         self.debt.part(held, given, wanted.is_limited())
     }

@@ -60,33 +60,36 @@ impl Limits {
             wrench.moment = 0.0;
         }
         let ([x, y], m) = (wrench.force, wrench.moment);
-        let (mut held, mut most) = (0.0, f32::INFINITY);
+        let mut held = 0.0;
         for (square, limit, stiffness) in [
             (x * x + y * y, self.force, k_h),
             (m * m, self.moment, k_theta),
         ] {
             if limit > 0.0 && stiffness > 0.0 {
                 held += square / stiffness;
-                most = Real::min(most, limit * limit / stiffness);
             }
         }
-        let size = Real::sqrt(held / most) * MARGIN;
+        let size = Real::sqrt(held / self.most([k_h, k_theta])) * MARGIN;
         Wanted { wrench, size }
+    }
+
+    /// Twice what springs hold at the limit of size (J); infinite without one.
+    fn most(&self, stiffness: [f32; 2]) -> f32 {
+        let limits = [self.force, self.moment].into_iter().zip(stiffness);
+        limits
+            .filter(|&(limit, stiffness)| limit > 0.0 && stiffness > 0.0)
+            .map(|(limit, stiffness)| limit * limit / stiffness)
+            .fold(f32::INFINITY, Real::min)
     }
 
     /// What springs of this size give until they are at rest (J): H, see the module.
     pub(crate) fn springs(&self, size: f32, stiffness: [f32; 2]) -> f32 {
-        let limits = [self.force, self.moment].into_iter().zip(stiffness);
-        let twice = { limits }
-            .filter(|&(limit, stiffness)| limit > 0.0 && stiffness > 0.0)
-            .map(|(limit, stiffness)| limit * limit / stiffness)
-            .fold(f32::INFINITY, Real::min);
         let part = if size > 1.0 {
             size + size - 1.0
         } else {
             size * size
         };
-        twice / 2.0 * part
+        self.most(stiffness) / 2.0 * part
     }
 
     /// By how much the size may grow in a tick: neither force nor moment grows faster than its limit.

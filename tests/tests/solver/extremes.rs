@@ -70,6 +70,11 @@ mod cases {
             assert_eq!(run.frame.status, Status::Ok, "{thin}");
             let off = (K * (0.3 - theta) - W * lever).abs();
             assert!(off <= 1e-6, "{} 1 : {thin}: off by {off:e} N·m", R::NAME);
+            let at = setup.world(run.frame.pose, [5.0 / 12.0, h / 3.0]);
+            let centroid = run.solver.centroid(&run.state).map(R::wide);
+            for (got, want) in centroid.into_iter().zip(at) {
+                R::near("centroid", got, want);
+            }
         }
     }
 
