@@ -49,16 +49,15 @@ impl Archive {
 
     /// Begins a recording of a scene under a name that is free.
     pub(super) fn begin(&self, head: &Head, run: &Run) -> Result<LiveWriter, String> {
-        let refused = |error: &io::Error| self.refused(error);
-        fs::create_dir_all(&self.0).map_err(|error| refused(&error))?;
+        fs::create_dir_all(&self.0).map_err(|error| self.refused(&error))?;
         let title = named(&run.scene.title);
         let mut names = (1_u32..).map(|n| self.0.join(format!("{title}-{n}.jsonl")));
         let tried = names.find_map(|place| match LiveWriter::live(&place, head, run) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => None,
             begun => Some(begun),
         });
-        let begun = tried.ok_or_else(|| refused(&io::ErrorKind::AlreadyExists.into()))?;
-        begun.map_err(|error| refused(&error))
+        let begun = tried.ok_or_else(|| self.refused(&io::ErrorKind::AlreadyExists.into()))?;
+        begun.map_err(|error| self.refused(&error))
     }
 
     fn files(&self) -> impl Iterator<Item = (PathBuf, Metadata)> {

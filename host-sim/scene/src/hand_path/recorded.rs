@@ -63,28 +63,31 @@ impl Format {
         }
     }
 
-    /// The values in a line. In a CSV file, `separator` is between them; a space stands for any number of them.
+    /// One separator is between two values; otherwise any number of spaces and commas.
+    fn is_separated(self, separator: char) -> bool {
+        matches!(self, Self::Csv) && separator != ' '
+    }
+
+    /// The values in a line.
     fn fields(self, line: &str, separator: char) -> Vec<&str> {
-        match (self, separator) {
-            (Self::Csv, ',' | ';' | '\t') => line
-                .split(separator)
-                .map(|field| field.trim().trim_matches('"'))
-                .collect(),
-            _ => line
-                .split(|c: char| c.is_whitespace() || c == ',')
-                .filter(|field| !field.is_empty())
-                .collect(),
+        if self.is_separated(separator) {
+            let fields = line.split(separator);
+            return fields.map(|field| field.trim().trim_matches('"')).collect();
         }
+        line.split(|c: char| c.is_whitespace() || c == ',')
+            .filter(|field| !field.is_empty())
+            .collect()
     }
 
     /// The names in a header, and the separator of a CSV file that has it.
     fn header(self, line: &str) -> (Vec<String>, char) {
         let separator = [',', ';', '\t'].into_iter().find(|&c| line.contains(c));
         let separator = separator.unwrap_or(' ');
-        let line = match (self, separator) {
-            (Self::Csv, ',' | ';' | '\t') => line.to_owned(),
+        let line = if self.is_separated(separator) {
+            line.to_owned()
+        } else {
             // A unit belongs to the name before it.
-            _ => line.replace(" [", "[").replace(" (", "("),
+            line.replace(" [", "[").replace(" (", "(")
         };
         let names = self.fields(line.trim(), separator).into_iter();
         let mut names: Vec<String> = names.map(str::to_owned).collect();

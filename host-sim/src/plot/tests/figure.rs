@@ -6,7 +6,7 @@ use super::*;
 use crate::figures::recorded;
 use clap::ValueEnum;
 use plotters::style::RGBColor;
-use resvg::usvg::{Node, Paint, Path, Rect, Text, Tree};
+use resvg::usvg::{Node, Paint, Rect, Text, Tree};
 
 /// The type that is read without effort in print [pt].
 const TYPE: std::ops::RangeInclusive<f32> = 7.0..=9.0;
@@ -29,19 +29,27 @@ fn tree(run: &Run, figure: &Figure) -> Tree {
     sheet::Rasterizer::new().tree(&svg).expect("an SVG")
 }
 
-fn labels(tree: &Tree) -> Vec<&Text> {
-    fn collect<'a>(nodes: &'a [Node], labels: &mut Vec<&'a Text>) {
+/// What is drawn, out of its groups.
+fn marks(tree: &Tree) -> Vec<&Node> {
+    fn collect<'a>(nodes: &'a [Node], marks: &mut Vec<&'a Node>) {
         for node in nodes {
             match node {
-                Node::Group(group) => collect(group.children(), labels),
-                Node::Text(text) => labels.push(text),
-                Node::Path(_) | Node::Image(_) => {}
+                Node::Group(group) => collect(group.children(), marks),
+                Node::Text(_) | Node::Path(_) | Node::Image(_) => marks.push(node),
             }
         }
     }
-    let mut labels = Vec::new();
-    collect(tree.root().children(), &mut labels);
-    labels
+    let mut marks = Vec::new();
+    collect(tree.root().children(), &mut marks);
+    marks
+}
+
+fn labels(tree: &Tree) -> Vec<&Text> {
+    let labels = marks(tree).into_iter().filter_map(|mark| match mark {
+        Node::Text(text) => Some(&**text),
+        Node::Path(_) | Node::Image(_) | Node::Group(_) => None,
+    });
+    labels.collect()
 }
 
 fn written(label: &Text) -> String {
@@ -114,20 +122,10 @@ fn labels_have_7_to_9_points_and_do_not_overlap() {
 
 /// The straight lines and the bounds of the filled marks in one of these colors (px).
 fn drawn(tree: &Tree, colors: &[RGBColor]) -> (Vec<[(f32, f32); 2]>, Vec<Rect>) {
-    fn collect<'a>(nodes: &'a [Node], paths: &mut Vec<&'a Path>) {
-        for node in nodes {
-            match node {
-                Node::Group(group) => collect(group.children(), paths),
-                Node::Path(path) => paths.push(path),
-                Node::Text(_) | Node::Image(_) => {}
-            }
-        }
-    }
     let is_one = |paint: &Paint| matches!(paint, Paint::Color(color) if colors.contains(&RGBColor(color.red, color.green, color.blue)));
-    let mut paths = Vec::new();
-    collect(tree.root().children(), &mut paths);
     let (mut lines, mut bounds) = (Vec::new(), Vec::new());
-    for path in paths {
+    for mark in marks(tree) {
+        let Node::Path(path) = mark else { continue };
         if path.stroke().is_some_and(|stroke| is_one(stroke.paint())) {
             let points: Vec<_> = path.data().points().iter().map(|p| (p.x, p.y)).collect();
             lines.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
